@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The streaming methods, by name. What they do is in `streaming/methods`.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace rivulet::base {
+
+enum class MethodKind {
+  Position,  ///< method 1 of [P1], Algorithm II: polls the position
+  Signal,    ///< method 2 of [P1], Algorithm III: polls a signal cell
+};
+
+inline constexpr std::array<MethodKind, 2> kMethodKinds{MethodKind::Position, MethodKind::Signal};
+
+/// The name used in files, on the command line and in templates.
+[[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
+  return method == MethodKind::Position ? "position" : "signal";
+}
+
+/// Inverse of `methodName`; nothing for an unknown name.
+[[nodiscard]] constexpr std::optional<MethodKind> methodFromName(std::string_view name) {
+  for (const MethodKind method : kMethodKinds) {
+    if (methodName(method) == name) {
+      return method;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rivulet::base

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Text helpers that do not depend on the locale. @threadsafety pure.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rivulet::base {
+
+/// The number `text` holds, all of it; nothing otherwise. A leading '+' is allowed, a comma never.
+[[nodiscard]] std::optional<double> parseNumber(std::string_view text);
+
+/// The whole number `text` holds, all of it.
+[[nodiscard]] std::optional<int> parseInteger(std::string_view text);
+
+/// Shortest text that reads back as the same double ("0.1", "12", "nan").
+[[nodiscard]] std::string formatNumber(double value);
+
+/// `value` with a fixed number of decimals, trailing zeros removed ("12.5", "3").
+[[nodiscard]] std::string formatFixed(double value, int decimals);
+
+/// `text` without blanks, tabs and line ends at both ends.
+[[nodiscard]] std::string_view trim(std::string_view text);
+
+/// ASCII upper case; other bytes stay.
+[[nodiscard]] std::string toUpper(std::string_view text);
+
+}  // namespace rivulet::base

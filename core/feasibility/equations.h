@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The inequalities of [P1], each solved for the largest feed and as a margin. Pure functions.
+/// A margin is (right side) / (left side): the condition holds when it exceeds 1, and the margin
+/// says how many times faster the feed could be.
+#pragma once
+
+#include "base/instant.h"
+
+namespace rivulet::feasibility {
+
+/// Bounds of Δt, the client loop of method 1: three reads, and three writes when a point passed.
+struct PollTime {
+  base::Duration min;  ///< reads only (12.9 ms with 4.3 ms per node)
+  base::Duration max;  ///< reads and writes (25.8 ms)
+};
+
+/// @param accessTime one OPC UA access of one node, > 0
+/// @threadsafety pure.  @source [P1] V.B.a  @deviation none
+[[nodiscard]] PollTime pollTime(base::Duration accessTime);
+
+/// Margin of F·Δt < d_min. @param feedMmPerS > 0 @param pointDistanceMmMin >= 0
+/// @param safetyFactor multiplies the left side, >= 1
+/// @threadsafety pure.  @source [P1] eq. (1)  @deviation safety factor added (1 = as published)
+[[nodiscard]] double pointDistanceMargin(double feedMmPerS, base::Duration pollTime,
+                                         double pointDistanceMmMin, double safetyFactor);
+
+/// Margin of F·Δt < 2·δ. @param deltaMm > 0
+/// @threadsafety pure.  @source [P1] eq. (2)  @deviation safety factor: the paper advises 1.5
+[[nodiscard]] double deltaMargin(double feedMmPerS, base::Duration pollTime, double deltaMm,
+                                 double safetyFactor);
+
+/// Margin of F·t·(3⌊N/2⌋+1) < ⌊N/2⌋·d_min. @param pointsPerLoop N >= 2
+/// @threadsafety pure.  @source [P1] eq. (3)  @deviation safety factor added (1 = as published)
+[[nodiscard]] double windowMargin(double feedMmPerS, base::Duration accessTime, int pointsPerLoop,
+                                  double pointDistanceMmMin, double safetyFactor);
+
+/// As `windowMargin`, with the real path length d_min^N of the program in place of its lower
+/// bound ⌊N/2⌋·d_min, as [P1] VI.A proposes. The stand-still is not counted: conservative.
+/// @param windowLengthMmMin  smallest path length of ⌊N/2⌋ consecutive steps, mm
+/// @threadsafety pure.  @source [P1] VI.A
+[[nodiscard]] double realWindowMargin(double feedMmPerS, base::Duration accessTime,
+                                      int pointsPerLoop, double windowLengthMmMin,
+                                      double safetyFactor);
+
+}  // namespace rivulet::feasibility

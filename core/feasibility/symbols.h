@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Paper symbols, their names here and their units; and the keys of the papers.
+///
+/// [P1]  S. Menetrey, H. Schlegel, M. Dix: Trajectory Control of Computerized Numerical Control
+///       Machines from External Python Program Using OPC UA. Chemnitz University of Technology.
+///
+/// | [P1]      | here                            | unit  | meaning                                    |
+/// |-----------|---------------------------------|-------|--------------------------------------------|
+/// | F         | feedMmPerS                      | mm/s  | path feed (mm/min in the paper)            |
+/// | d_min     | pointDistanceMmMin              | mm    | smallest distance of neighbouring points   |
+/// | d_min^N   | windowLengthMmMin               | mm    | smallest path length of ⌊N/2⌋ steps        |
+/// | δ         | deltaMm                         | mm    | distance at which a point counts as reached|
+/// | N         | pointsPerLoop                   | -     | points per loop of the flexible program    |
+/// | Δt        | pollTime                        | time  | duration of one client loop                |
+/// | 4.3 ms    | accessTime                      | time  | one OPC UA read or write of one node       |
+#pragma once
+
+namespace rivulet::feasibility {
+
+inline constexpr double kReadNodesPerPoll = 3.0;   ///< X, Y, Z of the tool: [P1] V.B.a
+inline constexpr double kWriteNodesPerPoint = 3.0; ///< X, Y, Z of one slot: [P1] V.B.a
+
+}  // namespace rivulet::feasibility

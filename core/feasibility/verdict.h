@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Will this program stream without wrong motion? Names the limiting equation, the place in the
+/// program and the change that would help. @threadsafety pure.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/id.h"
+#include "base/instant.h"
+#include "base/method_kind.h"
+#include "base/result.h"
+#include "gcode/trajectory.h"
+
+namespace rivulet::feasibility {
+
+enum class FeasibilityError {
+  FeedNotPositive = 1,
+  DeltaNotPositive,
+  TooFewPointsPerLoop,  ///< N < 2
+};
+
+[[nodiscard]] std::error_code make_error_code(FeasibilityError code);
+
+enum class Equation {
+  PointDistance,  ///< (1) of [P1]
+  Delta,          ///< (2) of [P1]
+  Window,         ///< (3) of [P1], with ⌊N/2⌋·d_min
+  RealWindow,     ///< (3) with the program's real d_min^N
+};
+
+/// "(1)", "(2)", "(3)", "(3) with d_min^N".
+[[nodiscard]] std::string_view equationLabel(Equation equation);
+
+struct OperatingPoint {
+  base::MethodKind method = base::MethodKind::Signal;
+  int pointsPerLoop = 7;     ///< N, >= 2
+  double deltaMm = 0.3;      ///< δ; used by method position only
+  double feedMmPerS = 500.0 / 60.0;
+};
+
+struct AccessModel {
+  base::Duration accessTime = std::chrono::microseconds{4300};  ///< [P1] Table I, per node
+};
+
+/// Each multiplies the left side of its inequality; 1 is the inequality as published.
+struct SafetyFactors {
+  double pointDistance = 1.0;
+  double delta = 1.5;  ///< [P1] VI.A
+  double window = 1.0;
+};
+
+/// A place in the CAM program, from the block that ends at the first point to the last one's.
+struct Place {
+  base::PointIndex point;  ///< index of the first of the points, into the streamed points
+  base::LineNumber firstLine;
+  base::LineNumber lastLine;
+};
+
+struct ProgramDistances {
+  double pointDistanceMmMin = 0.0;  ///< d_min
+  Place pointDistancePlace;
+  int windowSteps = 0;              ///< ⌊N/2⌋
+  double windowLengthMmMin = 0.0;   ///< d_min^N
+  Place windowPlace;
+};
+
+/// d_min and d_min^N of the streamed points. @param points at least 2
+/// @param pointsPerLoop N >= 2; if the list has fewer than ⌊N/2⌋ steps, its whole length counts
+/// @threadsafety pure; O(points).
+[[nodiscard]] ProgramDistances programDistances(const std::vector<gcode::StreamPoint>& points,
+                                                int pointsPerLoop);
+
+struct Condition {
+  Equation equation = Equation::PointDistance;
+  double margin = 0.0;   ///< > 1: holds; see equations.h
+  bool decides = true;   ///< false: shown for information, does not enter the verdict
+  std::optional<Place> place;
+};
+
+struct Verdict {
+  bool feasible = false;
+  Condition limiting;               ///< the deciding condition with the smallest margin
+  std::vector<Condition> conditions;
+  double feedMmPerSMax = 0.0;       ///< largest feed at which all deciding conditions hold
+  double deltaMmMin = 0.0;          ///< smallest δ at this feed (method position; else 0)
+};
+
+/// Position is decided by (1) and (2) with the longer poll time; signal by (3). If the
+/// program is known, (3) with its real d_min^N decides for signal and (3) as published is shown.
+/// @param distances of the loaded program, or d_min alone in `pointDistanceMmMin` with
+///        windowSteps = 0 for a program that is not loaded
+/// @return FeedNotPositive, DeltaNotPositive, TooFewPointsPerLoop
+[[nodiscard]] base::Result<Verdict> judge(const OperatingPoint& operatingPoint,
+                                          const ProgramDistances& distances,
+                                          const AccessModel& access = {},
+                                          const SafetyFactors& safety = {});
+
+}  // namespace rivulet::feasibility
+
+template <>
+struct std::is_error_code_enum<rivulet::feasibility::FeasibilityError> : std::true_type {};

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// One finding in an NC program. What Rivulet does not understand becomes a finding, never silence.
+/// @threadsafety plain values.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/id.h"
+
+namespace rivulet::gcode {
+
+enum class Severity {
+  Note,     ///< understood, worth knowing (a word that has no effect on the path)
+  Warning,  ///< the path is known, something else may differ from the control
+  Error,    ///< the path is not known from here on: the program cannot be streamed
+};
+
+enum class DiagnosticCode {
+  UnexpectedCharacter,    ///< argument: the character
+  NumberMissing,          ///< argument: the address letter
+  NumberMalformed,        ///< argument: the text
+  CommentNotClosed,       ///< no argument
+  UnknownGCode,           ///< argument: the word, e.g. "G87"
+  UnknownWord,            ///< argument: the word
+  UnsupportedGCode,       ///< known, changes the path, not supported: argument the word
+  UnsupportedExpression,  ///< variables, expressions and jumps: argument the text
+  IgnoredCode,            ///< known and without effect on the path: argument the word
+  ConflictingGCodes,      ///< two of one group in a block: argument both words
+  RepeatedWord,           ///< the same address twice in a block: argument the address
+  ArcWithoutCentre,       ///< no I J K and no CR=
+  ArcRadiusMismatch,      ///< argument: the difference in mm
+  ArcRadiusTooSmall,      ///< argument: CR= and the half chord
+  ArcFromUnknownPosition, ///< the start of the arc was never programmed
+  RelativeFromUnknownPosition,  ///< argument: the axis
+  FeedMissing,            ///< G1/G2/G3 before any F
+  FeedNotPositive,        ///< argument: the value
+  ValueOutOfRange,        ///< argument: the word
+  TextAfterProgramEnd,    ///< blocks after M30/M02/M17 are not read
+};
+
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  base::LineNumber line;
+  int column = 1;  ///< from 1, in bytes
+  DiagnosticCode code = DiagnosticCode::UnknownWord;
+  std::string argument;
+};
+
+/// Stable name for files and `--json`, e.g. "unknown-g-code".
+[[nodiscard]] std::string_view diagnosticName(DiagnosticCode code);
+
+/// "note", "warning", "error".
+[[nodiscard]] std::string_view severityName(Severity severity);
+
+/// One English sentence: what was found and what Rivulet does about it.
+[[nodiscard]] std::string describe(const Diagnostic& diagnostic);
+
+}  // namespace rivulet::gcode

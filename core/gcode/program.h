@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A loaded NC program: text, trajectory, findings and figures. Immutable once made; the HMI
+/// and the stream share it as `shared_ptr<const Program>`.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "gcode/diagnostic.h"
+#include "gcode/error.h"
+#include "gcode/trajectory.h"
+
+namespace rivulet::gcode {
+
+struct LoadOptions {
+  double chordToleranceMm = 0.005;  ///< greatest distance of an arc's chords from the arc, > 0
+};
+
+struct Statistics {
+  std::size_t lines = 0;
+  std::array<std::size_t, 4> motions{};  ///< blocks that move with G0, G1, G2, G3
+  std::size_t points = 0;                ///< of the trajectory, arcs flattened
+  base::Vec3 minMm{};                    ///< smallest programmed coordinate per axis (NaN if never)
+  base::Vec3 maxMm{};                    ///< largest
+  double rapidLengthMm = 0.0;
+  double cutLengthMm = 0.0;              ///< G1, G2, G3
+  std::vector<double> feedsMmPerMin;     ///< every F programmed, ascending, each once
+};
+
+struct Program {
+  std::string name;  ///< file name without folders
+  std::string text;  ///< as read
+  std::string hash;  ///< 16 hex digits (FNV-1a 64) of the text, shown to tell versions apart
+  Trajectory trajectory;
+  std::vector<Diagnostic> diagnostics;  ///< in text order
+  Statistics statistics;
+
+  /// True if no finding is an error: the whole path is known.
+  [[nodiscard]] bool isStreamable() const;
+};
+
+/// Interprets an NC text. @return error EmptyProgram or NoMotion; findings are in the program.
+/// @threadsafety pure.
+[[nodiscard]] base::Result<Program> interpretProgram(std::string name, std::string text,
+                                                     const LoadOptions& options = {});
+
+/// Reads and interprets a file (at most 512 MiB). @return error FileUnreadable, FileTooLarge,
+/// EmptyProgram, NoMotion. @threadsafety reads the file, else pure.
+[[nodiscard]] base::Result<Program> loadProgram(const std::filesystem::path& path,
+                                                const LoadOptions& options = {});
+
+}  // namespace rivulet::gcode

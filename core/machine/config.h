@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Every behaviour of the virtual machine as a named setting with a unit. A preset is a TOML
+/// file (resources/presets/*.toml); docs/machine.md says where each number comes from.
+/// @threadsafety plain values.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/instant.h"
+#include "base/result.h"
+#include "base/vec3.h"
+
+namespace rivulet::machine {
+
+enum class MachineError {
+  PresetMissing = 1,
+  PresetMalformed,     ///< TOML error, unknown key, wrong type or a value out of range
+  ProgramMissing,
+  NotInReset,
+  NoProgramSelected,
+  NotActive,
+  FileExists,
+  FileTooLarge,
+};
+
+[[nodiscard]] std::error_code make_error_code(MachineError code);
+
+/// When the pre-run sees a value written from outside.
+enum class RRead {
+  AtInterpretation,   ///< whenever the block is interpreted
+  CachedUntilStopre,  ///< only after a STOPRE (the stricter wording of [P1])
+};
+
+struct AxisLimits {
+  double positionMmMin = 0.0;
+  double positionMmMax = 0.0;
+  double speedMmPerSMax = 0.0;
+  double accelerationMmPerS2Max = 0.0;
+  double servoTimeConstantS = 0.0;  ///< first-order lag of the position loop
+  double startMm = 0.0;             ///< where the axis stands when the machine is switched on
+};
+
+/// Cost of variable access; one service for all clients, one node after another.
+struct AccessCost {
+  base::Duration readOverhead{};   ///< once per read request
+  base::Duration writeOverhead{};  ///< once per write request
+  base::Duration nodeTimeMean{};
+  base::Duration nodeTimeDeviation{};  ///< standard deviation of one node
+  base::Duration nodeTimeMin{};        ///< never below
+};
+
+struct MachineConfig {
+  std::string name;
+  std::array<AxisLimits, base::kAxisCount> axes;
+  base::Duration interpolationCycle{};  ///< IPO cycle
+  base::Duration positionCycle{};       ///< servo
+  base::Duration blockPreparation{};    ///< pre-run time per block
+  int bufferedBlocksMax = 0;            ///< prepared blocks the main run has not finished
+  base::Duration standstillMean{};      ///< axes at rest around a STOPRE
+  base::Duration standstillDeviation{};
+  base::Duration relatch{};             ///< from standstill to the pre-run going on
+  RRead rRead = RRead::AtInterpretation;
+  bool jumpStops = false;               ///< jumps stop the pre-run as STOPRE does
+  double accelerationOverload = 1.0;    ///< speed step at a block transition, in a·IPO cycles
+  int rParameterCount = 0;              ///< MD28050
+  double rapidMmPerS = 0.0;             ///< path speed of G0
+  base::Duration traceLimit{};          ///< longest recording of the control's own trace
+  AccessCost access;
+};
+
+/// Names of the presets that are built in, sorted.
+[[nodiscard]] std::vector<std::string> presetNames();
+
+/// A built-in preset by name, or a TOML file by path (anything with a '/' or ".toml").
+/// @return PresetMissing (the message lists the names), PresetMalformed (line and key)
+[[nodiscard]] base::Result<MachineConfig> loadPreset(const std::string& nameOrPath);
+
+/// Parses the text of a preset. Every key is required; an unknown key is an error.
+[[nodiscard]] base::Result<MachineConfig> parsePreset(std::string_view text,
+                                                      const std::string& origin);
+
+}  // namespace rivulet::machine
+
+template <>
+struct std::is_error_code_enum<rivulet::machine::MachineError> : std::true_type {};

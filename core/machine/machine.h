@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The virtual machine: NC text → pre-run → buffer → look-ahead → interpolator → servo, and the
+/// variable service beside it. Time is an argument: `advance` moves the machine to a time, and
+/// nothing inside reads a clock. The OPC UA front advances it with the wall clock, the
+/// simulated link with the virtual one. Same config, seed and calls: same run, to the bit.
+/// @threadsafety one object, one thread at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/instant.h"
+#include "base/result.h"
+#include "base/vec3.h"
+#include "machine/config.h"
+#include "trace/control_trace.h"
+
+namespace rivulet::machine {
+
+enum class ChannelStatus { Reset = 0, Active = 1, Interrupted = 2 };
+enum class ProgramStatus { Interrupted = 1, Stopped = 2, Running = 3, Waiting = 4, Aborted = 5 };
+
+/// What the control shows at one moment.
+struct MachineState {
+  ChannelStatus channel = ChannelStatus::Reset;
+  ProgramStatus program = ProgramStatus::Aborted;  ///< SINUMERIK shows "aborted" in reset
+  base::Vec3 actualMm;         ///< workpiece frame, behind the servo
+  base::Vec3 commandMm;        ///< set point
+  base::Vec3 distanceToGoMm;   ///< to the end of the block in motion
+  double feedMmPerS = 0.0;     ///< path speed of the set point
+  double feedCommandMmPerS = 0.0;
+  unsigned line = 0;           ///< block in motion
+  int bufferedBlocks = 0;
+  int alarm = 0;               ///< alarm number as on the control; 0 none
+  std::string alarmText;
+  std::string programName;
+  std::string message;         ///< MSG("...")
+};
+
+enum class AccessKind { Read, Write };
+
+class Machine {
+ public:
+  Machine(MachineConfig config, std::uint64_t seed);
+  ~Machine();
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  [[nodiscard]] const MachineConfig& config() const;
+
+  /// Moves the machine on. @param until not before `now()` (earlier: no effect)
+  void advance(base::Instant until);
+  [[nodiscard]] base::Instant now() const;
+  [[nodiscard]] MachineState state() const;
+
+  // --- R-parameters -----------------------------------------------------------------------
+  [[nodiscard]] bool hasRParameter(int index) const;
+  /// @param index hasRParameter
+  [[nodiscard]] double rParameter(int index) const;
+  /// Becomes visible at the next interpolation boundary. @param index hasRParameter
+  void writeRParameter(int index, double value);
+
+  // --- variable service: the cost of OPC UA access ------------------------------------------
+  /// Begins a request that arrived at `arrival`; it waits its turn behind earlier ones.
+  /// @return when the first node's turn comes
+  base::Instant beginRequest(AccessKind kind, base::Instant arrival);
+  /// Serves the next node of the request begun last. @return when the node is done: advance
+  /// the machine to it, then read or write the variable
+  base::Instant serveNode();
+
+  // --- programs ---------------------------------------------------------------------------
+  /// @param name as on the control, e.g. "A.MPF"; upper and lower case are the same
+  base::Result<void> storeProgram(const std::string& name, std::string text, bool overwrite);
+  [[nodiscard]] base::Result<std::string> programText(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> programNames() const;
+  base::Result<void> selectProgram(const std::string& name);
+  base::Result<void> cycleStart();
+  /// Ends whatever runs; the axes brake to a stand first. Always allowed.
+  void reset();
+
+  /// The control's own trace since the last cycle start.
+  [[nodiscard]] const trace::ControlTrace& trace() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace rivulet::machine

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The only door between Rivulet and a control. A real connection (`opcua/open62541`) and the
+/// simulated one (`streaming/simulation`) implement the same two interfaces; nothing else in
+/// Rivulet knows which it has.
+/// @threadsafety one object, one thread at a time.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/id.h"
+#include "base/instant.h"
+#include "base/result.h"
+#include "opcua/error.h"
+#include "opcua/variable.h"
+
+namespace rivulet::opcua {
+
+/// How several variables travel.
+enum class Grouping {
+  List,    ///< all in one service call ([P1] V2)
+  Single,  ///< one service call each, one after another ([P1] V1)
+};
+
+enum class EventKind {
+  ReadDone,
+  WriteDone,
+  RequestFailed,   ///< this request; `error` says why; the connection may go on
+  ConnectionLost,  ///< everything outstanding has failed; nothing is retried by the link
+};
+
+struct Event {
+  EventKind kind = EventKind::ReadDone;
+  base::RequestId request;
+  base::Instant sent{};
+  base::Instant at{};                     ///< when the answer arrived
+  std::vector<Reading> readings;          ///< ReadDone: one per variable, in order
+  std::vector<std::error_code> statuses;  ///< WriteDone: one per assignment, in order
+  base::Error error;                      ///< RequestFailed, ConnectionLost
+};
+
+/// Asynchronous variable access. Requests are served in order; several may be outstanding.
+class Link {
+ public:
+  virtual ~Link() = default;
+
+  /// The link's clock: wall time for a real link, virtual time for the simulated one.
+  [[nodiscard]] virtual base::Instant now() const = 0;
+
+  /// Sends a read. @param deadline from now on; passed: RequestFailed with DeadlineExceeded
+  virtual base::RequestId read(std::span<const Variable> variables, base::Duration deadline,
+                               Grouping grouping) = 0;
+
+  /// Sends a write. Items are executed in order; the group is not atomic. A value that is not
+  /// finite fails the whole request (BadValue) before anything is sent.
+  virtual base::RequestId write(std::span<const Assignment> assignments, base::Duration deadline,
+                                Grouping grouping) = 0;
+
+  /// The next event, waiting for it no longer than `until`. Nothing: the time has come.
+  virtual std::optional<Event> wait(base::Instant until) = 0;
+};
+
+enum class SelectStatus { Done = 0, NoSuchChannel = 1, NoSuchProgram = 2, NotInReset = 3, Rejected = 4 };
+
+/// Commands outside the stream. Each call blocks up to its deadline and must not be made while
+/// a stream runs (except `reset`).
+class Control {
+ public:
+  virtual ~Control() = default;
+
+  /// Writes a part program into "Part Program" of the control. @param name e.g. "A.MPF"
+  virtual base::Result<void> uploadProgram(const std::string& name, const std::string& text,
+                                           bool overwrite) = 0;
+  /// Text of a part program on the control. @return ProgramMissing, MethodMissing, ...
+  virtual base::Result<std::string> downloadProgram(const std::string& name) = 0;
+  /// Selects a part program in channel 1; it does not start.
+  virtual base::Result<void> selectProgram(const std::string& name) = 0;
+
+  /// True for a virtual machine: it alone can be started, reset and asked for its trace here.
+  /// On a real control the operator presses cycle start.
+  [[nodiscard]] virtual bool isVirtualMachine() const = 0;
+  virtual base::Result<void> cycleStart() = 0;
+  virtual base::Result<void> reset() = 0;
+  /// The control's own trace of the last run, as text of `trace/control_trace.h`.
+  virtual base::Result<std::string> fetchTrace() = 0;
+};
+
+}  // namespace rivulet::opcua

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What a run is ordered to do, what is seen of it while it lasts, and what came out.
+/// @threadsafety plain values.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/instant.h"
+#include "base/method_kind.h"
+#include "base/result.h"
+#include "base/vec3.h"
+#include "gcode/program.h"
+#include "opcua/link.h"
+#include "templates/cells.h"
+#include "trace/control_trace.h"
+#include "trace/pause.h"
+
+namespace rivulet::streaming {
+
+enum class StreamError {
+  ProgramNotStreamable = 1,  ///< findings of severity error, or fewer than one point
+  WrongProgram,              ///< the control does not run the expected template
+  ChannelBusy,               ///< another program runs on the control
+  NotStarted,                ///< cycle start was not pressed in time
+  StreamStalled,             ///< the control runs, but the method got no sign of progress
+  StopNotConfirmed,          ///< stop was written, the control did not confirm it in time
+  ControlAlarm,              ///< the control ended the program with an alarm
+  EndedEarly,                ///< the program on the control ended before all points were sent
+};
+
+[[nodiscard]] std::error_code make_error_code(StreamError code);
+
+/// The states an operator sees.
+enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted };
+
+/// "idle", "armed", ...
+[[nodiscard]] std::string_view runStateName(RunState state);
+
+/// What method position watches.
+enum class Observe {
+  Position,      ///< actual position against the next point (three reads)
+  DistanceToGo,  ///< distance to the end of the block in motion (three reads)
+};
+
+struct RunSettings {
+  templates::TemplateParameters parameters;  ///< method, N, layout, axes
+  double deltaMm = 0.3;                      ///< δ, > 0
+  double feedMmPerS = 10.0;                  ///< > 0
+  Observe observe = Observe::Position;
+  opcua::Grouping grouping = opcua::Grouping::List;
+  base::Duration requestDeadline = std::chrono::seconds{2};
+  base::Duration startDeadline = std::chrono::minutes{5};  ///< for cycle start at the control
+  base::Duration stopDeadline = std::chrono::seconds{30};  ///< for the confirmation of a stop
+  base::Duration stallDeadline = std::chrono::seconds{20}; ///< without a sign of progress
+  base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
+  base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
+  bool monitor = true;  ///< read position and feed for the display where the stream has slack
+};
+
+/// One live observation. What was not read stays empty.
+struct LiveSample {
+  base::Instant at{};
+  std::optional<base::Vec3> positionMm;
+  std::optional<double> feedMmPerS;
+};
+
+struct Counters {
+  std::size_t sent = 0;      ///< points written to the control
+  std::size_t accepted = 0;  ///< points whose write the control confirmed
+  std::size_t executed = 0;  ///< points the method knows to be passed
+  std::size_t total = 0;     ///< points of the program
+};
+
+/// Distribution of access times of the requests of one run.
+struct AccessStatistics {
+  std::size_t requests = 0;
+  double meanMs = 0.0;
+  double p50Ms = 0.0;
+  double p95Ms = 0.0;
+  double p99Ms = 0.0;
+  double maxMs = 0.0;
+};
+
+/// A moment of the run, for the display.
+struct LiveUpdate {
+  RunState state = RunState::Idle;
+  base::Instant at{};
+  Counters counters;
+  std::optional<LiveSample> sample;
+  std::optional<trace::Pause> pause;         ///< a pause that has just become known
+  std::optional<base::Duration> margin;      ///< time until the next point is needed minus p99
+  std::string waitingFor;                    ///< English key of what the run waits for; may be empty
+  std::optional<base::Duration> stopConfirmedAfter;
+};
+
+enum class Outcome { Completed, Stopped, Failed };
+
+/// "completed", "stopped", "failed".
+[[nodiscard]] std::string_view outcomeName(Outcome outcome);
+
+/// The judgement of the independent oracle.
+struct Integrity {
+  std::size_t executed = 0;  ///< points executed at least once
+  std::size_t repeated = 0;  ///< executions beyond the first
+  std::size_t skipped = 0;   ///< points passed over: never executed though a later one was
+  std::size_t foreign = 0;   ///< blocks executed whose end is no point of the program
+  bool judged = false;       ///< false: no trace of the control was available
+};
+
+struct RunReport {
+  Outcome outcome = Outcome::Failed;
+  base::Error error;  ///< why, for Failed; code clear otherwise
+  Counters counters;
+  Integrity integrity;
+  std::vector<trace::Pause> pauses;
+  base::Duration duration{};            ///< first motion to end of program
+  AccessStatistics access;
+  std::optional<base::Duration> stopConfirmedAfter;
+  std::string programName;
+  RunSettings settings;
+  std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
+
+  /// True if the run did what was ordered: completed (or stopped), nothing repeated or skipped.
+  [[nodiscard]] bool isFaultless() const;
+};
+
+}  // namespace rivulet::streaming
+
+template <>
+struct std::is_error_code_enum<rivulet::streaming::StreamError> : std::true_type {};

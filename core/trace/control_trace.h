@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The control's own recording of a run: one sample per interpolation cycle, and every block
+/// the main run executed. The judge of a stream works from this, never from the client's view.
+/// @threadsafety plain values.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/id.h"
+#include "base/instant.h"
+#include "base/result.h"
+#include "base/vec3.h"
+
+namespace rivulet::trace {
+
+struct ControlSample {
+  base::Instant at{};
+  base::Vec3 commandMm;   ///< set point, workpiece frame
+  base::Vec3 actualMm;    ///< behind the servo
+  double feedMmPerS = 0;  ///< path speed of the set point
+  base::LineNumber line;  ///< block in motion, line of the NC program on the control
+};
+
+/// One motion block, from the moment the main run took it up to its end.
+struct ExecutedBlock {
+  base::Instant from{};
+  base::Instant to{};
+  base::LineNumber line;
+  base::Vec3 targetMm;    ///< programmed end point
+  double lengthMm = 0.0;  ///< path length; 0 for a block that moves nothing
+};
+
+struct ControlTrace {
+  base::Duration cycle{};  ///< interpolation cycle
+  std::vector<ControlSample> samples;
+  std::vector<ExecutedBlock> blocks;
+  bool truncated = false;  ///< the control's trace memory was full before the run ended
+};
+
+enum class TraceError {
+  NotATrace = 1,     ///< another kind of file
+  NewerVersion,      ///< written by a later Rivulet
+  Damaged,           ///< a line cannot be read; everything before it is kept where possible
+  FileUnreadable,
+  FileNotWritable,
+};
+
+[[nodiscard]] std::error_code make_error_code(TraceError code);
+
+/// Versioned line format (docs/formats.md). `parse(print(t))` equals `t`.
+[[nodiscard]] std::string printControlTrace(const ControlTrace& trace);
+[[nodiscard]] base::Result<ControlTrace> parseControlTrace(std::string_view text);
+
+}  // namespace rivulet::trace
+
+template <>
+struct std::is_error_code_enum<rivulet::trace::TraceError> : std::true_type {};
