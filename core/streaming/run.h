@@ -19,6 +19,7 @@
 #include "gcode/program.h"
 #include "opcua/link.h"
 #include "templates/cells.h"
+#include "trace/analysis/integrity.h"
 #include "trace/control_trace.h"
 #include "trace/pause.h"
 
@@ -105,20 +106,11 @@ enum class Outcome { Completed, Stopped, Failed };
 /// "completed", "stopped", "failed".
 [[nodiscard]] std::string_view outcomeName(Outcome outcome);
 
-/// The judgement of the independent oracle.
-struct Integrity {
-  std::size_t executed = 0;  ///< points executed at least once
-  std::size_t repeated = 0;  ///< executions beyond the first
-  std::size_t skipped = 0;   ///< points passed over: never executed though a later one was
-  std::size_t foreign = 0;   ///< blocks executed whose end is no point of the program
-  bool judged = false;       ///< false: no trace of the control was available
-};
-
 struct RunReport {
   Outcome outcome = Outcome::Failed;
   base::Error error;  ///< why, for Failed; code clear otherwise
   Counters counters;
-  Integrity integrity;
+  trace::Integrity integrity;
   std::vector<trace::Pause> pauses;
   base::Duration duration{};            ///< first motion to end of program
   AccessStatistics access;
