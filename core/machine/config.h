@@ -21,7 +21,7 @@ namespace rivulet::machine {
 
 enum class MachineError {
   PresetMissing = 1,
-  PresetMalformed,     ///< TOML error, unknown key, wrong type or a value out of range
+  PresetMalformed,  ///< TOML error, unknown key, wrong type or a value out of range
   ProgramMissing,
   NotInReset,
   NoProgramSelected,
@@ -65,13 +65,13 @@ struct MachineConfig {
   int bufferedBlocksMax = 0;            ///< prepared blocks the main run has not finished
   base::Duration standstillMean{};      ///< axes at rest around a STOPRE
   base::Duration standstillDeviation{};
-  base::Duration relatch{};             ///< from standstill to the pre-run going on
+  base::Duration relatch{};  ///< from standstill to the pre-run going on
   RRead rRead = RRead::AtInterpretation;
-  bool jumpStops = false;               ///< jumps stop the pre-run as STOPRE does
-  double accelerationOverload = 1.0;    ///< speed step at a block transition, in a·IPO cycles
-  int rParameterCount = 0;              ///< MD28050
-  double rapidMmPerS = 0.0;             ///< path speed of G0
-  base::Duration traceLimit{};          ///< longest recording of the control's own trace
+  bool jumpStops = false;             ///< jumps stop the pre-run as STOPRE does
+  double accelerationOverload = 1.0;  ///< speed step at a block transition, in a·IPO cycles
+  int rParameterCount = 0;            ///< MD28050
+  double rapidMmPerS = 0.0;           ///< path speed of G0
+  base::Duration traceLimit{};        ///< longest recording of the control's own trace
   AccessCost access;
 };
 

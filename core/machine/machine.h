@@ -28,17 +28,17 @@ enum class ProgramStatus { Interrupted = 1, Stopped = 2, Running = 3, Waiting = 
 struct MachineState {
   ChannelStatus channel = ChannelStatus::Reset;
   ProgramStatus program = ProgramStatus::Aborted;  ///< SINUMERIK shows "aborted" in reset
-  base::Vec3 actualMm;         ///< workpiece frame, behind the servo
-  base::Vec3 commandMm;        ///< set point
-  base::Vec3 distanceToGoMm;   ///< to the end of the block in motion
-  double feedMmPerS = 0.0;     ///< path speed of the set point
+  base::Vec3 actualMm;                             ///< workpiece frame, behind the servo
+  base::Vec3 commandMm;                            ///< set point
+  base::Vec3 distanceToGoMm;                       ///< to the end of the block in motion
+  double feedMmPerS = 0.0;                         ///< path speed of the set point
   double feedCommandMmPerS = 0.0;
-  unsigned line = 0;           ///< block in motion
+  unsigned line = 0;  ///< block in motion
   int bufferedBlocks = 0;
-  int alarm = 0;               ///< alarm number as on the control; 0 none
+  int alarm = 0;  ///< alarm number as on the control; 0 none
   std::string alarmText;
   std::string programName;
-  std::string message;         ///< MSG("...")
+  std::string message;  ///< MSG("...")
 };
 
 enum class AccessKind { Read, Write };

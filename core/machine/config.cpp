@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "machine/config.h"
+
+#include <fmt/format.h>
+#include <presets_texts.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "base/units.h"
+
+namespace rivulet::machine {
+
+namespace {
+
+using base::Result;
+
+/// Reads keys of a preset and remembers the first problem; unknown keys are found at the end.
+class Reader {
+ public:
+  Reader(const toml::table& root, std::string origin) : m_root(root), m_origin(std::move(origin)) {}
+
+  /// Number at a dotted path, within [min, max].
+  double number(const std::string& path, double min, double max) {
+    const toml::node* node = find(path);
+    if (node == nullptr) {
+      return min;
+    }
+    const std::optional<double> value = node->value<double>();
+    if (!value || !node->is_number()) {
+      problem(path, "must be a number", node);
+      return min;
+    }
+    if (!(*value >= min && *value <= max)) {
+      problem(path, fmt::format("is {} but must lie between {} and {}", *value, min, max), node);
+      return min;
+    }
+    return *value;
+  }
+
+  bool flag(const std::string& path) {
+    const toml::node* node = find(path);
+    if (node == nullptr) {
+      return false;
+    }
+    if (!node->is_boolean()) {
+      problem(path, "must be true or false", node);
+      return false;
+    }
+    return node->value<bool>().value_or(false);
+  }
+
+  std::string word(const std::string& path) {
+    const toml::node* node = find(path);
+    if (node == nullptr) {
+      return {};
+    }
+    if (!node->is_string()) {
+      problem(path, "must be a text in quotes", node);
+      return {};
+    }
+    return node->value<std::string>().value_or("");
+  }
+
+  std::array<double, 2> range(const std::string& path) {
+    const toml::node* node = find(path);
+    if (node == nullptr) {
+      return {0.0, 1.0};
+    }
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->size() != 2 || !(*array)[0].is_number() ||
+        !(*array)[1].is_number()) {
+      problem(path, "must be a list of two numbers", node);
+      return {0.0, 1.0};
+    }
+    const std::array<double, 2> values{(*array)[0].value<double>().value_or(0.0),
+                                       (*array)[1].value<double>().value_or(0.0)};
+    if (!(values[0] < values[1])) {
+      problem(path, "must ascend", node);
+    }
+    return values;
+  }
+
+  void problem(const std::string& path, const std::string& what, const toml::node* node) {
+    if (!m_problem.empty()) {
+      return;
+    }
+    m_problem = node == nullptr
+                    ? fmt::format("{} {}", path, what)
+                    : fmt::format("line {}: {} {}", node->source().begin.line, path, what);
+  }
+
+  /// The first problem, an unknown key included; empty if there is none.
+  std::string finish() {
+    checkUnknown(m_root, "");
+    return m_problem;
+  }
+
+ private:
+  const toml::node* find(const std::string& path) {
+    m_known.insert(path);
+    const toml::node* node = m_root.at_path(path).node();
+    if (node == nullptr) {
+      problem(path, "is missing", nullptr);
+    }
+    return node;
+  }
+
+  void checkUnknown(const toml::table& table, const std::string& prefix) {
+    for (const auto& [key, node] : table) {
+      const std::string path =
+          prefix.empty() ? std::string(key.str()) : prefix + "." + std::string(key.str());
+      if (m_known.contains(path)) {
+        continue;
+      }
+      if (const toml::table* inner = node.as_table()) {
+        checkUnknown(*inner, path);
+      } else {
+        problem(path, "is not a known setting", &node);
+      }
+    }
+  }
+
+  const toml::table& m_root;
+  std::string m_origin;
+  std::string m_problem;
+  std::set<std::string> m_known;
+};
+
+base::Duration milliseconds(Reader& reader, const std::string& path, double min, double max) {
+  return base::fromMilliseconds(reader.number(path, min, max));
+}
+
+}  // namespace
+
+std::error_code make_error_code(MachineError code) {
+  static const base::NamedCategory category("machine");
+  return {static_cast<int>(code), category};
+}
+
+std::vector<std::string> presetNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : presets::kEmbeddedTexts) {
+    names.emplace_back(entry.name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Result<MachineConfig> parsePreset(std::string_view text, const std::string& origin) {
+  toml::table root;
+  try {
+    root = toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    return base::fail(MachineError::PresetMalformed,
+                      fmt::format("The preset cannot be read at line {}: {}. Correct the file.",
+                                  error.source().begin.line, error.description()),
+                      origin);
+  }
+  Reader reader(root, origin);
+  MachineConfig config;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const std::string prefix = fmt::format("axes.{}.", base::kAxisNames[axis]);
+    AxisLimits& limits = config.axes[axis];
+    const std::array<double, 2> position = reader.range(prefix + "positionMm");
+    limits.positionMmMin = position[0];
+    limits.positionMmMax = position[1];
+    limits.speedMmPerSMax =
+        base::mmPerSFromMmPerMin(reader.number(prefix + "speedMmPerMin", 1.0, 1e6));
+    limits.accelerationMmPerS2Max = reader.number(prefix + "accelerationMmPerS2", 1.0, 1e6);
+    limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
+    limits.startMm = reader.number(prefix + "startMm", position[0], position[1]);
+  }
+  config.interpolationCycle = milliseconds(reader, "control.interpolationCycleMs", 0.1, 100.0);
+  config.positionCycle = milliseconds(reader, "control.positionCycleMs", 0.01, 100.0);
+  config.blockPreparation = milliseconds(reader, "control.blockPreparationMs", 0.01, 1000.0);
+  config.bufferedBlocksMax =
+      static_cast<int>(reader.number("control.bufferedBlocks", 1.0, 100000.0));
+  config.standstillMean = milliseconds(reader, "control.standstillMs.mean", 0.0, 10000.0);
+  config.standstillDeviation = milliseconds(reader, "control.standstillMs.deviation", 0.0, 1000.0);
+  config.relatch = milliseconds(reader, "control.relatchMs", 0.0, 10000.0);
+  const std::string rRead = reader.word("control.rRead");
+  if (rRead == "cachedUntilStopre") {
+    config.rRead = RRead::CachedUntilStopre;
+  } else if (rRead != "atInterpretation") {
+    reader.problem("control.rRead", "must be \"atInterpretation\" or \"cachedUntilStopre\"",
+                   nullptr);
+  }
+  config.jumpStops = reader.flag("control.jumpStops");
+  config.accelerationOverload = reader.number("control.accelerationOverload", 0.01, 10.0);
+  config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
+  config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));
+  config.traceLimit = base::fromSeconds(reader.number("control.traceMinutes", 0.0, 1440.0) * 60.0);
+  config.access.readOverhead = milliseconds(reader, "access.readOverheadMs", 0.0, 10000.0);
+  config.access.writeOverhead = milliseconds(reader, "access.writeOverheadMs", 0.0, 10000.0);
+  config.access.nodeTimeMean = milliseconds(reader, "access.nodeTimeMs.mean", 0.0, 10000.0);
+  config.access.nodeTimeDeviation =
+      milliseconds(reader, "access.nodeTimeMs.deviation", 0.0, 10000.0);
+  config.access.nodeTimeMin = milliseconds(reader, "access.nodeTimeMs.min", 0.0, 10000.0);
+  if (const std::string problem = reader.finish(); !problem.empty()) {
+    return base::fail(MachineError::PresetMalformed,
+                      fmt::format("The preset cannot be used: {}. Correct the file.", problem),
+                      origin);
+  }
+  return config;
+}
+
+Result<MachineConfig> loadPreset(const std::string& nameOrPath) {
+  const bool isPath = nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".toml");
+  if (!isPath) {
+    for (const auto& entry : presets::kEmbeddedTexts) {
+      if (entry.name == nameOrPath) {
+        Result<MachineConfig> config = parsePreset(entry.text, nameOrPath);
+        if (config) {
+          config->name = nameOrPath;
+        }
+        return config;
+      }
+    }
+    return base::fail(MachineError::PresetMissing,
+                      fmt::format("There is no machine preset \"{}\". Choose one of {}, or give "
+                                  "the path of a .toml file.",
+                                  nameOrPath, fmt::join(presetNames(), ", ")));
+  }
+  std::ifstream file(nameOrPath, std::ios::binary);
+  if (!file) {
+    return base::fail(MachineError::PresetMissing,
+                      "The preset file cannot be opened. Check the path and its permissions.",
+                      nameOrPath);
+  }
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  Result<MachineConfig> config = parsePreset(text, nameOrPath);
+  if (config) {
+    config->name = std::filesystem::path(nameOrPath).stem().string();
+  }
+  return config;
+}
+
+}  // namespace rivulet::machine

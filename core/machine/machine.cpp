@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "machine/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/contract.h"
+#include "base/random.h"
+#include "base/text.h"
+#include "machine/nc_program.h"
+#include "machine/path_planner.h"
+#include "machine/prerun.h"
+#include "machine/r_parameters.h"
+#include "machine/servo_model.h"
+
+namespace rivulet::machine {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::Result;
+
+constexpr std::size_t kProgramBytesMax = 16u << 20;  // as the control's file methods
+constexpr double kSettledMm = 1e-6;
+
+// Streams of the seed: each kind of chance has its own, so that they do not disturb each other.
+constexpr std::uint64_t kStandstillStream = 1;
+constexpr std::uint64_t kAccessStream = 2;
+
+base::Vec3 startPosition(const MachineConfig& config) {
+  return {config.axes[0].startMm, config.axes[1].startMm, config.axes[2].startMm};
+}
+
+}  // namespace
+
+class Machine::Impl {
+ public:
+  Impl(MachineConfig configuration, std::uint64_t seed)
+      : m_config(std::move(configuration)),
+        m_standstillRandom(base::Random(seed).fork(kStandstillStream)),
+        m_accessRandom(base::Random(seed).fork(kAccessStream)),
+        m_parameters(m_config.rParameterCount),
+        m_planner(m_config, startPosition(m_config)),
+        m_prerun(m_config),
+        m_servo(m_config, startPosition(m_config)) {
+    m_trace.cycle = m_config.interpolationCycle;
+  }
+
+  void advance(Instant until) {
+    for (;;) {
+      const std::optional<Instant> prerunAt = m_prerun.nextEvent();
+      std::optional<Instant> tickAt;
+      if (needsTicks()) {
+        tickAt = nextBoundary();
+      }
+      // At the same moment the main run goes first: a value from outside is there for the block
+      // that is interpreted at the boundary.
+      if (tickAt && *tickAt <= until && (!prerunAt || *tickAt <= *prerunAt)) {
+        m_now = *tickAt;
+        tick();
+      } else if (prerunAt && *prerunAt <= until) {
+        m_now = std::max(m_now, *prerunAt);
+        m_prerun.handle(m_now, m_planner);
+        afterPrerun();
+      } else {
+        break;
+      }
+    }
+    m_now = std::max(m_now, until);
+  }
+
+  [[nodiscard]] MachineState state() const {
+    MachineState state;
+    state.channel = m_channel;
+    state.program = m_programStatus;
+    state.actualMm = m_servo.actualMm();
+    state.commandMm = m_planner.commandMm();
+    state.distanceToGoMm = m_planner.distanceToGoMm();
+    state.feedMmPerS = m_planner.speedMmPerS();
+    state.feedCommandMmPerS = m_planner.feedCommandMmPerS();
+    state.line = m_planner.line().value;
+    state.bufferedBlocks = m_planner.blockCount();
+    state.alarm = m_alarm.number;
+    state.alarmText = m_alarm.text;
+    state.programName = m_selected;
+    state.message = m_prerun.message();
+    return state;
+  }
+
+  Instant beginRequest(AccessKind kind, Instant arrival) {
+    m_serviceFreeAt =
+        std::max(m_serviceFreeAt, arrival) +
+        (kind == AccessKind::Read ? m_config.access.readOverhead : m_config.access.writeOverhead);
+    return m_serviceFreeAt;
+  }
+
+  Instant serveNode() {
+    const AccessCost& cost = m_config.access;
+    const double drawn =
+        m_accessRandom.normal() * static_cast<double>(cost.nodeTimeDeviation.count());
+    const Duration nodeTime = cost.nodeTimeMean + Duration{std::llround(drawn)};
+    m_serviceFreeAt += std::max(cost.nodeTimeMin, nodeTime);
+    return m_serviceFreeAt;
+  }
+
+  Result<void> storeProgram(const std::string& name, std::string text, bool overwrite) {
+    if (text.size() > kProgramBytesMax) {
+      return base::fail(MachineError::FileTooLarge,
+                        "The program is larger than 16 MB, the limit of the control's file "
+                        "methods. Split it.",
+                        name);
+    }
+    const std::string key = base::toUpper(name);
+    if (!overwrite && m_programs.contains(key)) {
+      return base::fail(MachineError::FileExists,
+                        "A program of this name is already on the control. Allow overwriting or "
+                        "choose another name.",
+                        name);
+    }
+    m_programs[key] = std::move(text);
+    return {};
+  }
+
+  Result<void> selectProgram(const std::string& name) {
+    const std::string key = base::toUpper(name);
+    if (!m_programs.contains(key)) {
+      return base::fail(MachineError::ProgramMissing,
+                        "There is no such program on the control. Transfer it first.", name);
+    }
+    if (m_channel != ChannelStatus::Reset) {
+      return base::fail(MachineError::NotInReset,
+                        "A program can be selected only while the channel is in reset.", name);
+    }
+    m_selected = key;
+    return {};
+  }
+
+  Result<void> cycleStart() {
+    if (m_channel != ChannelStatus::Reset) {
+      return base::fail(MachineError::NotInReset,
+                        "The channel is not in reset. End the running program first.");
+    }
+    const auto program = m_programs.find(m_selected);
+    if (program == m_programs.end()) {
+      return base::fail(MachineError::NoProgramSelected,
+                        "No program is selected. Select one first.");
+    }
+    m_alarm = {};
+    m_channel = ChannelStatus::Active;
+    m_programStatus = ProgramStatus::Running;
+    m_trace.samples.clear();
+    m_trace.blocks.clear();
+    m_trace.truncated = false;
+    m_recording = false;
+    m_moved = false;
+    m_holdUntil = m_now;
+    m_prerun.start(
+        std::make_unique<Interpreter>(
+            std::make_shared<const NcProgram>(NcProgram::compile(program->second)), m_parameters,
+            m_planner.endMm(), m_config.rapidMmPerS, m_config.rRead == RRead::CachedUntilStopre),
+        m_now);
+    return {};
+  }
+
+  void reset() {
+    m_prerun.stop();
+    if (m_channel == ChannelStatus::Active && m_planner.blockCount() > 0) {
+      m_planner.abort();
+      m_resetting = true;  // the channel is in reset once the axes stand
+      return;
+    }
+    enterReset();
+  }
+
+  MachineConfig m_config;
+  base::Random m_standstillRandom;
+  base::Random m_accessRandom;
+  RParameters m_parameters;
+  PathPlanner m_planner;
+  Prerun m_prerun;
+  LinearServo m_servo;
+  trace::ControlTrace m_trace;
+  std::map<std::string, std::string> m_programs;
+  std::string m_selected;
+  Instant m_now{};
+
+ private:
+  [[nodiscard]] bool needsTicks() const {
+    return m_channel == ChannelStatus::Active || m_parameters.hasPending() || !m_settled;
+  }
+
+  [[nodiscard]] Instant nextBoundary() const {
+    const Duration::rep cycle = m_config.interpolationCycle.count();
+    return Instant{Duration{(m_now.time_since_epoch().count() / cycle + 1) * cycle}};
+  }
+
+  /// One interpolation boundary.
+  void tick() {
+    m_parameters.applyPending();
+    const base::Vec3 before = m_planner.commandMm();
+    if (m_channel == ChannelStatus::Active) {
+      moveAxes();
+    }
+    const base::Vec3 actual = m_servo.follow(before, m_planner.commandMm());
+    m_settled = base::distance(actual, m_planner.commandMm()) < kSettledMm;
+    record(actual);
+    if (m_channel == ChannelStatus::Active) {
+      if (m_resetting && m_planner.blockCount() == 0) {
+        enterReset();
+      } else {
+        m_prerun.mainRunAdvanced(m_now, m_planner);
+        afterPrerun();
+      }
+    }
+  }
+
+  void moveAxes() {
+    // The cycle that ends now may move if it began after the stand-still; to the nearest cycle,
+    // so that the stand-still is right on average.
+    const Instant began = m_now - m_config.interpolationCycle;
+    if (m_planner.blockCount() == 0 || began + m_config.interpolationCycle / 2 < m_holdUntil) {
+      if (m_resetting) {
+        m_planner.step(m_now, m_trace.blocks);  // standing: forgets what is buffered
+      }
+      return;
+    }
+    const std::size_t executedBefore = m_trace.blocks.size();
+    m_planner.step(m_now, m_trace.blocks);
+    if (m_planner.speedMmPerS() > 0.0) {
+      m_moved = true;
+      m_recording = true;
+    }
+    for (std::size_t i = executedBefore; i < m_trace.blocks.size(); ++i) {
+      if (m_trace.blocks[i].lengthMm > 0.0) {
+        m_moved = true;
+        m_recording = true;
+        m_stoodAt = m_trace.blocks[i].to;
+      }
+    }
+  }
+
+  /// Consequences of what the pre-run has come to.
+  void afterPrerun() {
+    if (m_prerun.takeStandstill() && m_moved) {
+      const double drawn =
+          m_standstillRandom.normal() * static_cast<double>(m_config.standstillDeviation.count());
+      const Duration standstill = m_config.standstillMean + Duration{std::llround(drawn)};
+      m_holdUntil = m_stoodAt + std::max(Duration{0}, standstill);
+      m_moved = false;
+    }
+    if (m_prerun.hasEnded()) {
+      m_prerun.stop();
+      enterReset();
+    } else if (m_prerun.alarm() && m_channel == ChannelStatus::Active) {
+      m_alarm = *m_prerun.alarm();
+      m_channel = ChannelStatus::Interrupted;
+      m_programStatus = ProgramStatus::Stopped;
+    }
+  }
+
+  void enterReset() {
+    m_alarm = {};
+    m_resetting = false;
+    m_channel = ChannelStatus::Reset;
+    m_programStatus = ProgramStatus::Aborted;
+    m_recording = false;
+  }
+
+  void record(base::Vec3 actual) {
+    if (!m_recording) {
+      return;
+    }
+    const auto limit = static_cast<std::size_t>(m_config.traceLimit / m_config.interpolationCycle);
+    if (m_trace.samples.size() >= limit) {
+      m_trace.truncated = true;
+      return;
+    }
+    m_trace.samples.push_back(
+        {m_now, m_planner.commandMm(), actual, m_planner.speedMmPerS(), m_planner.line()});
+  }
+
+  ChannelStatus m_channel = ChannelStatus::Reset;
+  ProgramStatus m_programStatus = ProgramStatus::Aborted;
+  Alarm m_alarm;
+  bool m_resetting = false;
+  bool m_recording = false;
+  bool m_moved = false;   ///< axes have moved since the last stand-still began
+  bool m_settled = true;  ///< actual position has reached the set point
+  Instant m_holdUntil{};  ///< axes stand until then
+  Instant m_stoodAt{};    ///< when the last motion ended
+  Instant m_serviceFreeAt{};
+};
+
+Machine::Machine(MachineConfig config, std::uint64_t seed)
+    : m_impl(std::make_unique<Impl>(std::move(config), seed)) {
+}
+
+Machine::~Machine() = default;
+
+const MachineConfig& Machine::config() const {
+  return m_impl->m_config;
+}
+
+void Machine::advance(Instant until) {
+  m_impl->advance(until);
+}
+
+Instant Machine::now() const {
+  return m_impl->m_now;
+}
+
+MachineState Machine::state() const {
+  return m_impl->state();
+}
+
+bool Machine::hasRParameter(int index) const {
+  return m_impl->m_parameters.has(index);
+}
+
+double Machine::rParameter(int index) const {
+  return m_impl->m_parameters.value(index);
+}
+
+void Machine::writeRParameter(int index, double value) {
+  m_impl->m_parameters.setAtBoundary(index, value);
+}
+
+Instant Machine::beginRequest(AccessKind kind, Instant arrival) {
+  return m_impl->beginRequest(kind, arrival);
+}
+
+Instant Machine::serveNode() {
+  return m_impl->serveNode();
+}
+
+Result<void> Machine::storeProgram(const std::string& name, std::string text, bool overwrite) {
+  return m_impl->storeProgram(name, std::move(text), overwrite);
+}
+
+Result<std::string> Machine::programText(const std::string& name) const {
+  const auto found = m_impl->m_programs.find(base::toUpper(name));
+  if (found == m_impl->m_programs.end()) {
+    return base::fail(MachineError::ProgramMissing, "There is no such program on the control.",
+                      name);
+  }
+  return found->second;
+}
+
+std::vector<std::string> Machine::programNames() const {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : m_impl->m_programs) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+Result<void> Machine::selectProgram(const std::string& name) {
+  return m_impl->selectProgram(name);
+}
+
+Result<void> Machine::cycleStart() {
+  return m_impl->cycleStart();
+}
+
+void Machine::reset() {
+  m_impl->reset();
+}
+
+const trace::ControlTrace& Machine::trace() const {
+  return m_impl->m_trace;
+}
+
+}  // namespace rivulet::machine

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The pre-run in time: when a block is interpreted (its R values are latched then), when it
+/// reaches the buffer, and what makes the pre-run wait. @threadsafety one object, one thread.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "machine/config.h"
+#include "machine/interpreter.h"
+#include "machine/path_planner.h"
+
+namespace rivulet::machine {
+
+class Prerun {
+ public:
+  explicit Prerun(const MachineConfig& config) : m_config(config) {}
+
+  void start(std::unique_ptr<Interpreter> interpreter, base::Instant now);
+  void stop();
+
+  /// When `handle` is due; nothing while it waits for the main run or is at rest.
+  [[nodiscard]] std::optional<base::Instant> nextEvent() const;
+  void handle(base::Instant now, PathPlanner& planner);
+
+  /// After each cycle of the main run: room in the buffer, or the axes stand.
+  void mainRunAdvanced(base::Instant now, PathPlanner& planner);
+
+  /// A STOPRE has found the axes at rest since the last call: the stand-still it causes begins.
+  [[nodiscard]] bool takeStandstill();
+
+  [[nodiscard]] bool hasEnded() const { return m_state == State::Ended; }
+  /// Set once everything in front of the faulty block has been executed.
+  [[nodiscard]] const std::optional<Alarm>& alarm() const { return m_alarm; }
+  [[nodiscard]] const std::string& message() const { return m_message; }
+
+ private:
+  enum class State {
+    Idle,
+    Preparing,   ///< m_prepared is ready at m_at
+    BufferFull,  ///< m_prepared waits for room
+    AwaitStand,  ///< STOPRE: waits for the main run
+    Relatching,  ///< the axes stand; goes on at m_at
+    AwaitEnd,    ///< M30 or an alarm: the main run works off the buffer
+    Ended,
+    Alarmed,
+  };
+
+  void interpret(base::Instant now);
+  void deliver(base::Instant now, PathPlanner& planner);
+  void checkStand(base::Instant now, const PathPlanner& planner);
+  [[nodiscard]] std::optional<Alarm> limitAlarm(const PreparedMotion& motion) const;
+
+  MachineConfig m_config;
+  std::unique_ptr<Interpreter> m_interpreter;
+  State m_state = State::Idle;
+  Prepared m_prepared;
+  base::Instant m_at{};
+  bool m_standstill = false;
+  std::optional<Alarm> m_alarm;
+  std::string m_message;
+};
+
+}  // namespace rivulet::machine

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// From set point to actual position. The first model is a first-order lag per axis; a learned
+/// emulator can take its place. @threadsafety one object, one thread.
+#pragma once
+
+#include <array>
+
+#include "base/vec3.h"
+#include "machine/config.h"
+
+namespace rivulet::machine {
+
+class ServoModel {
+ public:
+  virtual ~ServoModel() = default;
+  /// One interpolation cycle during which the set point goes straight from `fromMm` to `toMm`.
+  /// @return the actual position at its end, mm. Called every cycle: no allocation.
+  virtual base::Vec3 follow(base::Vec3 fromMm, base::Vec3 toMm) = 0;
+  [[nodiscard]] virtual base::Vec3 actualMm() const = 0;
+};
+
+/// actual' = (set point - actual) / T per axis, solved exactly for a set point that moves evenly
+/// within each position cycle.
+class LinearServo final : public ServoModel {
+ public:
+  LinearServo(const MachineConfig& config, base::Vec3 startMm);
+  base::Vec3 follow(base::Vec3 fromMm, base::Vec3 toMm) override;
+  [[nodiscard]] base::Vec3 actualMm() const override { return m_actualMm; }
+
+ private:
+  struct Lag {
+    double decay = 0.0;  ///< exp(-h/T)
+    double drag = 0.0;   ///< T/h·(1 - exp(-h/T)): share of the step not yet followed
+  };
+  int m_steps;
+  std::array<Lag, base::kAxisCount> m_lags;
+  base::Vec3 m_actualMm;
+};
+
+}  // namespace rivulet::machine
