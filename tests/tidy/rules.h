@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The house rules as functions from source texts to findings. A rule knows no disk, so that its
+/// own tests can hand it small texts that break it; `tst_tidy` hands it the whole tree.
+/// @threadsafety pure.
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QStringList>
+
+namespace rivulet::tidy {
+
+/// One file of the tree.
+struct Source {
+  QString path;  ///< from the root of the tree, with '/', e.g. "core/base/text.h"
+  QString text;
+};
+using Sources = QList<Source>;
+
+/// One place that breaks a rule.
+struct Finding {
+  QString path;
+  int line;         ///< from 1
+  QString message;  ///< what is wrong and what to do
+
+  /// "file:line: message", which editors can jump to.
+  [[nodiscard]] QString text() const {
+    return QStringLiteral("%1:%2: %3").arg(path).arg(line).arg(message);
+  }
+};
+using Findings = QList<Finding>;
+
+/// `text` with every comment blanked, and what stands in string and character literals too unless
+/// `keepStrings`. Line ends stay, so lines keep their numbers.
+[[nodiscard]] QString codeOnly(const QString& text, bool keepStrings = false);
+
+/// One call of rivulet_add_module.
+struct Module {
+  QString folder;              ///< below core, e.g. "machine/front"
+  QString path;                ///< the CMakeLists.txt the call stands in
+  int line = 0;                ///< of the call
+  QStringList publicModules;   ///< folders named as rivulet::… after PUBLIC
+  QStringList privateModules;  ///< the same after PRIVATE
+};
+
+/// The modules that the CMakeLists.txt files below core define.
+[[nodiscard]] QList<Module> modules(const Sources& sources);
+
+/// Each include from one core folder into another has its edge in CMake, a header's edge is
+/// PUBLIC, core includes by path from its root, and the edges form no cycle.
+[[nodiscard]] Findings checkEdges(const Sources& sources);
+/// Core knows no Qt; only core/opcua/qt may.
+[[nodiscard]] Findings checkNoQtInCore(const Sources& sources);
+/// Each source, CMake file and script names its copyright and licence.
+[[nodiscard]] Findings checkSpdx(const Sources& sources);
+/// Each header has `#pragma once`.
+[[nodiscard]] Findings checkPragmaOnce(const Sources& sources);
+/// Core asks no clock, does not sleep, starts no thread, draws no unseeded number and reads no
+/// environment; core/opcua/open62541 and core/machine/front may read clocks and sleep.
+[[nodiscard]] Findings checkBannedWords(const Sources& sources);
+/// Each `@source [Pk] eq. (n)` in core has a test function with `Pk_eq_n` in its name, and the
+/// other way round.
+[[nodiscard]] Findings checkEquationTags(const Sources& sources);
+/// Core does not translate: it hands out codes, widgets and app make sentences of them.
+[[nodiscard]] Findings checkNoTranslationInCore(const Sources& sources);
+/// No file outside tests names a folder of the machine it was written on.
+[[nodiscard]] Findings checkNoMachinePaths(const Sources& sources);
+/// Core neither prints nor reads a terminal: no <iostream>.
+[[nodiscard]] Findings checkNoIostreamInCore(const Sources& sources);
+
+}  // namespace rivulet::tidy
