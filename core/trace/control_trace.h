@@ -43,9 +43,9 @@ struct ControlTrace {
 };
 
 enum class TraceError {
-  NotATrace = 1,     ///< another kind of file
-  NewerVersion,      ///< written by a later Rivulet
-  Damaged,           ///< a line cannot be read; everything before it is kept where possible
+  NotATrace = 1,  ///< another kind of file
+  NewerVersion,   ///< written by a later Rivulet
+  Damaged,        ///< a line cannot be read; everything before it is kept where possible
   FileUnreadable,
   FileNotWritable,
 };

@@ -18,9 +18,9 @@ namespace rivulet::trace {
 
 /// The first faults, for the log and the path view.
 struct IntegrityFault {
-  enum class Kind { Repeated, Skipped, Foreign } kind = Kind::Repeated;
-  base::PointIndex point;  ///< the point repeated or skipped; for Foreign the point due
-  base::Instant at{};
+  enum class Kind { Repeated, Skipped, Foreign, OutOfOrder } kind = Kind::Repeated;
+  base::PointIndex point;  ///< the point repeated, skipped or out of order; for Foreign the one due
+  base::Instant at{};      ///< begin of the block; for Skipped of the first block of a later point
 };
 
 struct Integrity {
@@ -29,11 +29,25 @@ struct Integrity {
   std::size_t repeated = 0;  ///< executions beyond the first that moved an axis
   std::size_t skipped = 0;   ///< points never executed though a later one was
   std::size_t foreign = 0;   ///< moving blocks whose end is no point of the program
+  /// Points executed at the wrong place: the fewest that have to be left out so that the first
+  /// executions of all others are in program order.
+  std::size_t outOfOrder = 0;
   std::vector<IntegrityFault> faults;  ///< at most 100, in time order
 
-  [[nodiscard]] bool isFaultless() const { return judged && repeated + skipped + foreign == 0; }
+  /// Nothing repeated, skipped, foreign or out of order. Whether the run reached its end is told by
+  /// `executed`: a run that was stopped in the middle is faultless too.
+  [[nodiscard]] bool isFaultless() const {
+    return judged && repeated + skipped + foreign + outOfOrder == 0;
+  }
 };
 
+/// Judges what was executed. A block that moves nothing (shorter than 1e-9 mm) is no execution,
+/// except that it stands for the point due if that is where the axes stand. Where several points
+/// of the program coincide, a block is taken for the point due; only if that does not fit, for the
+/// one that the following blocks speak for. O(blocks) for a faultless run; otherwise the points
+/// are sorted once and each fault costs O(log(points)).
+/// @param points  in program order, finite, workpiece frame
+/// @param blocks  in time order; all of them: a truncated trace cannot be judged
 /// @param toleranceMm  how far a block's end may lie from its point (numbers in R-parameters are
 ///        doubles: 1e-6 suffices for the virtual machine)
 [[nodiscard]] Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,

@@ -1,0 +1,372 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Which point of the program did a block execute?
+//
+// A block tells only where it ended. As long as each block ends at the point due, there is
+// nothing to decide: that is the faultless run, and no search is made. At the first block that
+// does not, three things may have happened: an old point was executed again (a slot read before
+// its new value came), points were lost (a slot overwritten before it was read), or the end is no
+// point at all (a slot read between the writes of two axes).
+//
+// Two numbers describe where the stream is: the point `due` (the one after the farthest point
+// that was believed) and the point `last` executed. They differ while old points are repeated:
+//
+//   program 1 2 3 4 5 6 7 8, slots of 4       last   due
+//   1 2 3 4     as they should be             4      5
+//   1 2 3 4     the loop, once more           4      5    the due point waits
+//   5 2 7 8     slot 2 came late: 6 is lost   8      9    2 is a repetition, 7 jumps over 6
+//
+// So a block is tried as `due` first, then as the one after `last`, which carries a repeated
+// stretch along. If neither fits, all points at this place are candidates, the nearest few on
+// both sides of `due`. Contours that close and paths that go there and back visit a place more
+// than once; then the blocks that follow decide: each candidate is followed as if it were the
+// right one, and the one that explains most wins. If they explain the same, the nearest to the
+// due point is taken, and among these the earlier one, since repeating a slot is the smaller
+// accident than losing a stretch.
+//
+// The counts do not depend on each single decision: executions and distinct points are counted,
+// and what was skipped or out of order is read off the whole at the end.
+
+#include "trace/analysis/integrity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/contract.h"
+
+namespace rivulet::trace {
+namespace {
+
+using base::Vec3;
+using Kind = IntegrityFault::Kind;
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kFaultsMax = 100;
+/// A block shorter than this moves no axis.
+constexpr double kHoldMm = 1e-9;
+/// Candidates on each side of the due point that are looked into.
+constexpr std::size_t kCandidatesPerSide = 4;
+/// Blocks that are followed to decide between candidates: longer than any window in use.
+constexpr std::size_t kLookAheadBlocks = 256;
+
+/// Finds the points at a place: points sorted by the cell of a grid they lie in.
+class PointGrid {
+ public:
+  PointGrid(const std::vector<gcode::StreamPoint>& points, double toleranceMm)
+      : m_points(points), m_toleranceMm(toleranceMm), m_cellMm(std::max(4 * toleranceMm, 1e-6)) {
+    m_entries.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3 at = points[i].positionMm;
+      if (isInside(at)) {
+        m_entries.emplace_back(key(cell(at.x), cell(at.y), cell(at.z)), i);
+      }
+    }
+    std::sort(m_entries.begin(), m_entries.end());
+  }
+
+  /// The nearest few points before and behind `due` that lie at `place`, ascending.
+  [[nodiscard]] std::vector<std::size_t> at(Vec3 place, std::size_t due) const {
+    std::vector<std::size_t> found;
+    if (!isInside(place)) {
+      return found;
+    }
+    const auto low = place - Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
+    const auto high = place + Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
+    // A cell is wider than the tolerance reaches, so there are two cells per axis at most.
+    for (std::int64_t x = cell(low.x); x <= cell(high.x); ++x) {
+      for (std::int64_t y = cell(low.y); y <= cell(high.y); ++y) {
+        for (std::int64_t z = cell(low.z); z <= cell(high.z); ++z) {
+          collect(key(x, y, z), place, due, found);
+        }
+      }
+    }
+    std::sort(found.begin(), found.end());
+    // Two cells may share a key, which then brings its points twice.
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    const auto split = std::lower_bound(found.begin(), found.end(), due);
+    const auto behind = static_cast<std::size_t>(found.end() - split);
+    found.resize(found.size() - behind + std::min(behind, kCandidatesPerSide));
+    const auto before =
+        static_cast<std::size_t>(std::lower_bound(found.begin(), found.end(), due) - found.begin());
+    if (before > kCandidatesPerSide) {
+      found.erase(found.begin(),
+                  found.begin() + static_cast<std::ptrdiff_t>(before - kCandidatesPerSide));
+    }
+    return found;
+  }
+
+ private:
+  using Entry = std::pair<std::uint64_t, std::size_t>;
+
+  /// Cell numbers have to fit a whole number; a machine is smaller by many orders.
+  [[nodiscard]] bool isInside(Vec3 at) const {
+    constexpr double kCellMax = 1e15;
+    return base::isFinite(at) && std::abs(at.x) < kCellMax * m_cellMm &&
+           std::abs(at.y) < kCellMax * m_cellMm && std::abs(at.z) < kCellMax * m_cellMm;
+  }
+  [[nodiscard]] std::int64_t cell(double mm) const {
+    return static_cast<std::int64_t>(std::floor(mm / m_cellMm));
+  }
+  [[nodiscard]] static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+    std::uint64_t mixed = 0;
+    for (const std::int64_t part : {x, y, z}) {
+      mixed = (mixed ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ULL;
+      mixed ^= mixed >> 29;
+    }
+    return mixed;
+  }
+  [[nodiscard]] bool isAt(std::size_t index, Vec3 place) const {
+    return base::distance(m_points[index].positionMm, place) <= m_toleranceMm;
+  }
+
+  void collect(std::uint64_t cellKey, Vec3 place, std::size_t due,
+               std::vector<std::size_t>& found) const {
+    const auto split = std::lower_bound(m_entries.begin(), m_entries.end(), Entry{cellKey, due});
+    std::size_t count = 0;
+    for (auto it = split; it != m_entries.end() && it->first == cellKey; ++it) {
+      if (isAt(it->second, place)) {
+        found.push_back(it->second);
+        if (++count == kCandidatesPerSide) {
+          break;
+        }
+      }
+    }
+    count = 0;
+    for (auto it = split; it != m_entries.begin() && std::prev(it)->first == cellKey; --it) {
+      if (isAt(std::prev(it)->second, place)) {
+        found.push_back(std::prev(it)->second);
+        if (++count == kCandidatesPerSide) {
+          break;
+        }
+      }
+    }
+  }
+
+  const std::vector<gcode::StreamPoint>& m_points;
+  double m_toleranceMm;
+  double m_cellMm;
+  std::vector<Entry> m_entries;
+};
+
+class Judge {
+ public:
+  Judge(const std::vector<gcode::StreamPoint>& points, const std::vector<ExecutedBlock>& blocks,
+        double toleranceMm)
+      : m_points(points),
+        m_blocks(blocks),
+        m_toleranceMm(toleranceMm),
+        m_firstBlock(points.size(), kNone) {}
+
+  [[nodiscard]] Integrity judge();
+
+ private:
+  [[nodiscard]] bool matches(std::size_t block, std::size_t point) const {
+    return point < m_points.size() &&
+           base::distance(m_blocks[block].targetMm, m_points[point].positionMm) <= m_toleranceMm;
+  }
+  [[nodiscard]] static bool isHold(const ExecutedBlock& block) { return block.lengthMm < kHoldMm; }
+  void judgeHold(std::size_t block);
+  void judgeMotion(std::size_t block);
+  void execute(std::size_t block, std::size_t point);
+  void passOverDuePointsHere(std::size_t block);
+  [[nodiscard]] std::size_t choose(std::size_t block);
+  [[nodiscard]] std::size_t explained(std::size_t block, std::size_t point) const;
+  void addFault(Kind kind, std::size_t point, base::Instant at) {
+    m_faults.push_back({kind, base::PointIndex{static_cast<std::uint32_t>(point)}, at});
+  }
+  void findSkipped();
+  void findOutOfOrder();
+
+  const std::vector<gcode::StreamPoint>& m_points;
+  const std::vector<ExecutedBlock>& m_blocks;
+  double m_toleranceMm;
+  std::vector<std::size_t> m_firstBlock;  ///< per point the block that executed it first
+  std::vector<std::size_t> m_order;       ///< points in the order of their first executions
+  std::size_t m_due = 0;
+  std::size_t m_last = kNone;
+  std::optional<Vec3> m_positionMm;  ///< where the axes stand; unknown before the first block
+  bool m_inOrder = true;
+  std::optional<PointGrid> m_grid;  ///< made at the first fault
+  Integrity m_result;
+  std::vector<IntegrityFault> m_faults;
+};
+
+Integrity Judge::judge() {
+  m_result.judged = true;
+  m_order.reserve(m_points.size());
+  for (std::size_t block = 0; block < m_blocks.size(); ++block) {
+    if (isHold(m_blocks[block])) {
+      judgeHold(block);
+    } else {
+      judgeMotion(block);
+    }
+  }
+  m_result.executed = m_order.size();
+  findSkipped();
+  if (!m_inOrder) {
+    findOutOfOrder();
+  }
+  std::stable_sort(m_faults.begin(), m_faults.end(),
+                   [](const IntegrityFault& a, const IntegrityFault& b) { return a.at < b.at; });
+  m_faults.resize(std::min(m_faults.size(), kFaultsMax));
+  m_result.faults = std::move(m_faults);
+  return std::move(m_result);
+}
+
+void Judge::judgeHold(std::size_t block) {
+  // What moves nothing cannot be wrong. It is the point due if the axes stand there already.
+  const Vec3 target = m_blocks[block].targetMm;
+  if (m_positionMm && base::distance(*m_positionMm, target) > m_toleranceMm) {
+    return;
+  }
+  m_positionMm = target;
+  if (matches(block, m_due)) {
+    execute(block, m_due);
+  }
+}
+
+void Judge::judgeMotion(std::size_t block) {
+  if (!matches(block, m_due)) {
+    passOverDuePointsHere(block);
+  }
+  const std::size_t point = choose(block);
+  m_positionMm = m_blocks[block].targetMm;
+  if (point == kNone) {
+    ++m_result.foreign;
+    addFault(Kind::Foreign, std::min(m_due, m_points.empty() ? 0 : m_points.size() - 1),
+             m_blocks[block].from);
+    return;
+  }
+  execute(block, point);
+}
+
+/// Due points at which the axes stand already need no block: they were executed on arrival.
+void Judge::passOverDuePointsHere(std::size_t block) {
+  while (m_positionMm && m_last != kNone && m_due == m_last + 1 && m_due < m_points.size() &&
+         base::distance(m_points[m_due].positionMm, m_points[m_last].positionMm) < kHoldMm) {
+    execute(block, m_due);
+  }
+}
+
+void Judge::execute(std::size_t block, std::size_t point) {
+  m_last = point;
+  if (m_firstBlock[point] == kNone) {
+    m_inOrder = m_inOrder && (m_order.empty() || m_order.back() < point);
+    m_firstBlock[point] = block;
+    m_order.push_back(point);
+  } else {
+    ++m_result.repeated;
+    addFault(Kind::Repeated, point, m_blocks[block].from);
+  }
+  m_due = std::max(m_due, point + 1);
+}
+
+std::size_t Judge::choose(std::size_t block) {
+  if (matches(block, m_due)) {
+    return m_due;
+  }
+  if (m_last != kNone && matches(block, m_last + 1)) {
+    return m_last + 1;
+  }
+  if (!m_grid) {
+    m_grid.emplace(m_points, m_toleranceMm);
+  }
+  const std::vector<std::size_t> candidates = m_grid->at(m_blocks[block].targetMm, m_due);
+  if (candidates.size() < 2) {
+    return candidates.empty() ? kNone : candidates.front();
+  }
+  const auto distanceToDue = [this](std::size_t point) {
+    return point < m_due ? m_due - point : point - m_due;
+  };
+  std::size_t best = kNone;
+  std::size_t bestExplained = 0;
+  for (const std::size_t point : candidates) {  // ascending: of equals the earlier one stays
+    const std::size_t count = explained(block, point);
+    if (best == kNone || count > bestExplained ||
+        (count == bestExplained && distanceToDue(point) < distanceToDue(best))) {
+      best = point;
+      bestExplained = count;
+    }
+  }
+  return best;
+}
+
+/// How many of the blocks from `block` on fit without another jump if `block` executed `point`.
+std::size_t Judge::explained(std::size_t block, std::size_t point) const {
+  std::size_t due = std::max(m_due, point + 1);
+  std::size_t last = point;
+  std::size_t count = 1;
+  const std::size_t end = std::min(m_blocks.size(), block + kLookAheadBlocks);
+  for (std::size_t i = block + 1; i < end; ++i) {
+    if (isHold(m_blocks[i])) {
+      continue;
+    }
+    if (matches(i, due)) {
+      last = due++;
+    } else if (matches(i, last + 1)) {
+      due = std::max(due, ++last + 1);
+    } else {
+      break;
+    }
+    ++count;
+  }
+  return count;
+}
+
+/// A point is skipped if it was never executed although a later one was.
+void Judge::findSkipped() {
+  std::size_t passedBy = kNone;  // the earliest block that executed a later point
+  for (std::size_t point = m_points.size(); point-- > 0;) {
+    if (m_firstBlock[point] != kNone) {
+      passedBy = std::min(passedBy, m_firstBlock[point]);
+    } else if (passedBy != kNone) {
+      ++m_result.skipped;
+      addFault(Kind::Skipped, point, m_blocks[passedBy].from);
+    }
+  }
+}
+
+/// The longest ascending subsequence of the first executions is what was in order (patience
+/// sorting: `tails[k]` is the smallest end of an ascending sequence of k + 1 points).
+void Judge::findOutOfOrder() {
+  std::vector<std::size_t> tails;
+  std::vector<std::size_t> rank(m_order.size());
+  for (std::size_t i = 0; i < m_order.size(); ++i) {
+    const auto place = std::lower_bound(tails.begin(), tails.end(), m_order[i]);
+    rank[i] = static_cast<std::size_t>(place - tails.begin());
+    if (place == tails.end()) {
+      tails.push_back(m_order[i]);
+    } else {
+      *place = m_order[i];
+    }
+  }
+  // Backwards: the last point of each rank that is below its successor belongs to the sequence.
+  std::size_t wanted = tails.size();
+  std::size_t successor = m_points.size();
+  for (std::size_t i = m_order.size(); i-- > 0;) {
+    if (wanted > 0 && rank[i] == wanted - 1 && m_order[i] < successor) {
+      successor = m_order[i];
+      --wanted;
+    } else {
+      ++m_result.outOfOrder;
+      addFault(Kind::OutOfOrder, m_order[i], m_blocks[m_firstBlock[m_order[i]]].from);
+    }
+  }
+}
+
+}  // namespace
+
+Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
+                         const std::vector<ExecutedBlock>& blocks, double toleranceMm) {
+  RIVULET_ASSERT(toleranceMm >= 0.0);
+  RIVULET_ASSERT(points.size() <= std::numeric_limits<std::uint32_t>::max());
+  return Judge(points, blocks, toleranceMm).judge();
+}
+
+}  // namespace rivulet::trace

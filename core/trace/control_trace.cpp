@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trace/control_trace.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "trace/lines.h"
+
+namespace rivulet::trace {
+namespace {
+
+constexpr std::string_view kName = "rivulet-control-trace";
+constexpr int kVersion = 1;
+/// A sample's line is about this long: one reservation instead of many moves.
+constexpr std::size_t kSampleBytes = 120;
+constexpr std::size_t kBlockBytes = 90;
+
+tl::unexpected<base::Error> damaged(std::size_t line, std::string_view what) {
+  return base::fail(
+      TraceError::Damaged,
+      fmt::format("The control's trace is damaged in line {}: {}. Fetch it again.", line, what));
+}
+
+/// What the last line says of the whole.
+struct EndLine {
+  std::size_t samples = 0;
+  std::size_t blocks = 0;
+  bool truncated = false;
+};
+
+std::optional<EndLine> readEnd(lines::Fields fields) {
+  EndLine end;
+  while (fields.ok() && !fields.atEnd()) {
+    const std::string_view key = fields.key();
+    if (key == "samples") {
+      end.samples = fields.integer<std::size_t>();
+    } else if (key == "blocks") {
+      end.blocks = fields.integer<std::size_t>();
+    } else if (key == "truncated") {
+      end.truncated = fields.integer<int>() != 0;
+    } else {
+      fields.skipValue();
+    }
+  }
+  return fields.ok() ? std::optional(end) : std::nullopt;
+}
+
+}  // namespace
+
+std::error_code make_error_code(TraceError code) {
+  static const base::NamedCategory category("trace");
+  return {static_cast<int>(code), category};
+}
+
+std::string printControlTrace(const ControlTrace& trace) {
+  std::string out;
+  out.reserve(trace.samples.size() * kSampleBytes + trace.blocks.size() * kBlockBytes + 100);
+  fmt::format_to(std::back_inserter(out), "{} {} cycle_ns={}\n", kName, kVersion,
+                 trace.cycle.count());
+  for (const ControlSample& sample : trace.samples) {
+    lines::appendSample(out, sample);
+  }
+  for (const ExecutedBlock& block : trace.blocks) {
+    lines::appendBlock(out, block);
+  }
+  fmt::format_to(std::back_inserter(out), "end samples={} blocks={} truncated={}\n",
+                 trace.samples.size(), trace.blocks.size(), trace.truncated ? 1 : 0);
+  return out;
+}
+
+base::Result<ControlTrace> parseControlTrace(std::string_view text) {
+  lines::LineReader reader(text);
+  const auto first = reader.next();
+  const lines::Header header = first ? lines::readHeader(first->text, kName) : lines::Header{};
+  if (!header.known) {
+    return base::fail(TraceError::NotATrace,
+                      fmt::format("This is not a trace of the control: its first line does not "
+                                  "begin with \"{}\".",
+                                  kName));
+  }
+  if (header.version > kVersion) {
+    return base::fail(
+        TraceError::NewerVersion,
+        fmt::format("The control's trace has format {}, this Rivulet reads formats up to {}. "
+                    "Use a newer Rivulet.",
+                    header.version, kVersion));
+  }
+  ControlTrace trace;
+  lines::Fields head(header.rest);
+  while (head.ok() && !head.atEnd()) {
+    if (head.key() == "cycle_ns") {
+      trace.cycle = head.duration();
+    } else {
+      head.skipValue();
+    }
+  }
+  if (!first->whole || !head.ok() || trace.cycle < base::Duration::zero()) {
+    return damaged(1, "the header cannot be read");
+  }
+  trace.samples.reserve(text.size() / (2 * kSampleBytes));
+
+  std::size_t lastLine = 1;
+  bool ended = false;
+  while (const auto line = reader.next()) {
+    lastLine = line->number;
+    if (!line->whole) {
+      return damaged(line->number, "the file was cut off there");
+    }
+    if (line->text.empty()) {
+      continue;
+    }
+    if (ended) {
+      return damaged(line->number, "something follows the end line");
+    }
+    lines::Fields fields(line->text);
+    const std::string_view keyword = fields.word();
+    if (keyword == "s") {
+      const auto sample = lines::readSample(fields);
+      if (!sample) {
+        return damaged(line->number, "the sample cannot be read");
+      }
+      trace.samples.push_back(*sample);
+    } else if (keyword == "b") {
+      const auto block = lines::readBlock(fields);
+      if (!block) {
+        return damaged(line->number, "the block cannot be read");
+      }
+      trace.blocks.push_back(*block);
+    } else if (keyword == "end") {
+      const auto end = readEnd(fields);
+      if (!end) {
+        return damaged(line->number, "the end line cannot be read");
+      }
+      if (end->samples != trace.samples.size() || end->blocks != trace.blocks.size()) {
+        return damaged(
+            line->number,
+            fmt::format("{} samples and {} blocks were written, {} and {} are there", end->samples,
+                        end->blocks, trace.samples.size(), trace.blocks.size()));
+      }
+      trace.truncated = end->truncated;
+      ended = true;
+    } else {
+      return damaged(line->number, "the kind of line is unknown");
+    }
+  }
+  if (!ended) {
+    return damaged(lastLine, "the end line is missing, the file was cut off");
+  }
+  return trace;
+}
+
+}  // namespace rivulet::trace

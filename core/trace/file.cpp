@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trace/file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#if defined(__unix__)
+#include <unistd.h>
+#endif
+
+#include "trace/control_trace.h"
+
+namespace rivulet::trace {
+namespace fs = std::filesystem;
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string reason(int errorNumber) {
+  return std::generic_category().message(errorNumber);
+}
+
+tl::unexpected<base::Error> unreadable(const fs::path& path, std::string_view why) {
+  return base::fail(TraceError::FileUnreadable, fmt::format("The file cannot be read: {}.", why),
+                    path.string());
+}
+
+tl::unexpected<base::Error> notWritable(const fs::path& path, std::string_view why) {
+  return base::fail(TraceError::FileNotWritable,
+                    fmt::format("The file cannot be written: {}.", why), path.string());
+}
+
+/// Writes everything and makes sure that it arrived. @return 0 or the system's error number
+int writeAll(File file, std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
+      std::fflush(file.get()) != 0) {
+    return errno != 0 ? errno : EIO;
+  }
+#if defined(__unix__)
+  // The new name must not become visible before the content is on the disk. Pipes and devices
+  // refuse, which is no failure of theirs.
+  if (fsync(fileno(file.get())) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) {
+    return errno;
+  }
+#endif
+  // Some file systems report a full disk only here.
+  return std::fclose(file.release()) == 0 ? 0 : (errno != 0 ? errno : EIO);
+}
+
+}  // namespace
+
+base::Result<std::string> readFile(const fs::path& path) {
+  std::error_code status;
+  if (fs::is_directory(path, status)) {
+    return unreadable(path, "it is a folder");
+  }
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (!file) {
+    return unreadable(path, reason(errno));
+  }
+  std::string text;
+  const std::uintmax_t size = fs::file_size(path, status);
+  if (!status && size <= kFileBytesMax) {
+    text.reserve(static_cast<std::size_t>(size));
+  }
+  std::array<char, 65536> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+    text.append(buffer.data(), count);
+    if (text.size() > kFileBytesMax) {
+      return unreadable(path, fmt::format("it is larger than {} MiB", kFileBytesMax >> 20));
+    }
+  }
+  if (std::ferror(file.get()) != 0) {
+    return unreadable(path, reason(errno));
+  }
+  return text;
+}
+
+base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
+  std::error_code status;
+  // The name may be a link: what it points to is replaced, the link stays.
+  fs::path path =
+      fs::is_symlink(requested, status) ? fs::weakly_canonical(requested, status) : requested;
+  if (status || path.empty()) {
+    path = requested;
+  }
+  const fs::file_status kind = fs::status(path, status);
+  if (fs::is_directory(kind)) {
+    return notWritable(requested, "it is a folder");
+  }
+  if (fs::exists(kind) && !fs::is_regular_file(kind)) {
+    File file(std::fopen(path.c_str(), "wb"));
+    const int error = file ? writeAll(std::move(file), text) : errno;
+    return error == 0 ? base::Result<void>{} : notWritable(requested, reason(error));
+  }
+
+  // "x": a name that exists is another writer's or a left-over, and is not touched.
+  constexpr int kNamesMax = 100;
+  fs::path temporary;
+  File file;
+  int error = EEXIST;
+  for (int i = 0; i < kNamesMax && !file && error == EEXIST; ++i) {
+    temporary = path;
+    temporary += fmt::format(".part{}", i);
+    file.reset(std::fopen(temporary.c_str(), "wbx"));
+    error = file ? 0 : errno;
+  }
+  if (file) {
+    error = writeAll(std::move(file), text);
+    if (error == 0) {
+      if (fs::exists(kind)) {
+        fs::permissions(temporary, kind.permissions(), status);  // a refusal is no reason to fail
+      }
+      fs::rename(temporary, path, status);
+      if (!status) {
+        return {};
+      }
+      error = status.value();
+    }
+    fs::remove(temporary, status);
+  }
+  return notWritable(requested, reason(error));
+}
+
+}  // namespace rivulet::trace

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// How one line of a trace file is taken apart and put together; shared by the two formats of
+/// docs/formats.md and by nobody else. A line is a keyword and fields separated by blanks;
+/// numbers are locale-free and doubles read back to the bit. @threadsafety pure.
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "trace/control_trace.h"
+
+namespace rivulet::trace::lines {
+
+/// The lines of a text, one after another. A line without its line feed is not whole.
+class LineReader {
+ public:
+  struct Line {
+    std::string_view text;   ///< without line end; a CR an editor may have added is gone too
+    std::size_t number = 0;  ///< from 1
+    bool whole = true;       ///< false: the text ends within this line
+  };
+
+  explicit LineReader(std::string_view text) : m_rest(text) {}
+  [[nodiscard]] std::optional<Line> next();
+
+ private:
+  std::string_view m_rest;
+  std::size_t m_number = 0;
+};
+
+/// The fields of a line. After the first field that cannot be read, `ok()` is false and stays so.
+class Fields {
+ public:
+  explicit Fields(std::string_view line) : m_rest(line) {}
+
+  [[nodiscard]] std::string_view word();
+  [[nodiscard]] double number();
+  [[nodiscard]] base::Vec3 vector();
+  template <class Integer>
+  [[nodiscard]] Integer integer() {
+    const std::string_view text = word();
+    Integer value{};
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    m_ok = m_ok && status == std::errc{} && end == text.data() + text.size();
+    return value;
+  }
+  [[nodiscard]] base::Duration duration() { return base::Duration{integer<std::int64_t>()}; }
+  [[nodiscard]] base::Instant instant() { return base::Instant{duration()}; }
+  /// A text in double quotes, as `appendQuoted` writes it.
+  [[nodiscard]] std::string quoted();
+  /// The name in front of '=': `key()` and then one value function reads "key=value".
+  [[nodiscard]] std::string_view key();
+  /// Takes a value of any kind without looking at it.
+  void skipValue();
+
+  void refuse() { m_ok = false; }
+  [[nodiscard]] bool ok() const { return m_ok; }
+  [[nodiscard]] bool atEnd();
+
+ private:
+  void skipBlanks();
+
+  std::string_view m_rest;
+  bool m_ok = true;
+};
+
+/// Appends `text` in double quotes; quotes, backslashes and line ends are escaped.
+void appendQuoted(std::string& out, std::string_view text);
+
+void appendSample(std::string& out, const ControlSample& sample);
+void appendBlock(std::string& out, const ExecutedBlock& block);
+/// Reads what follows the keyword; nothing if a field is missing, wrong or left over.
+[[nodiscard]] std::optional<ControlSample> readSample(Fields fields);
+[[nodiscard]] std::optional<ExecutedBlock> readBlock(Fields fields);
+
+/// What the first line of a file says: "<name> <version> ...".
+struct Header {
+  bool known = false;  ///< the name is the expected one and the version a number
+  int version = 0;
+  std::string_view rest;  ///< after the version
+};
+[[nodiscard]] Header readHeader(std::string_view line, std::string_view name);
+
+}  // namespace rivulet::trace::lines

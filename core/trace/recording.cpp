@@ -1,0 +1,504 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trace/recording.h"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+#include "base/contract.h"
+#include "trace/lines.h"
+
+namespace rivulet::trace {
+namespace {
+
+using lines::Fields;
+
+constexpr std::string_view kName = "rivulet-recording";
+constexpr int kVersion = 1;
+/// Long lists go to the sink in pieces of about this size.
+constexpr std::size_t kFlushBytes = 64 * 1024;
+
+std::int64_t nanoseconds(base::Instant at) {
+  return at.time_since_epoch().count();
+}
+
+void appendText(std::string& out, std::string_view key, std::string_view text) {
+  out += ' ';
+  out += key;
+  out += '=';
+  lines::appendQuoted(out, text);
+}
+
+template <class Number>
+void appendNumber(std::string& out, std::string_view key, Number value) {
+  fmt::format_to(std::back_inserter(out), FMT_COMPILE(" {}={}"), key, value);
+}
+
+/// Reading: each function takes what follows the keyword into the recording, or returns false
+/// and changes nothing.
+class Reader {
+ public:
+  bool read(std::string_view line);
+  [[nodiscard]] Recording take(std::size_t unreadableLines) &&;
+
+ private:
+  bool readRun(Fields fields);
+  bool readPoints(Fields fields);
+  bool readPoint(Fields fields);
+  bool readLive(Fields fields);
+  bool readAccess(Fields fields);
+  bool readPause(Fields fields);
+  bool readNote(Fields fields);
+  bool readTrace(Fields fields);
+  bool readTraceEnd(Fields fields);
+  bool readEnd(Fields fields);
+
+  Recording m_recording;
+  std::optional<std::size_t> m_pointsAnnounced;
+  bool m_traceWhole = false;
+};
+
+bool Reader::read(std::string_view line) {
+  Fields fields(line);
+  const std::string_view keyword = fields.word();
+  std::optional<ControlTrace>& trace = m_recording.controlTrace;
+  if (keyword == "s") {
+    const auto sample = lines::readSample(fields);
+    if (sample && trace) {
+      trace->samples.push_back(*sample);
+    }
+    return sample && trace;
+  }
+  if (keyword == "b") {
+    const auto block = lines::readBlock(fields);
+    if (block && trace) {
+      trace->blocks.push_back(*block);
+    }
+    return block && trace;
+  }
+  if (keyword == "l") {
+    return readLive(fields);
+  }
+  if (keyword == "a") {
+    return readAccess(fields);
+  }
+  if (keyword == "p") {
+    return readPoint(fields);
+  }
+  if (keyword == "z") {
+    return readPause(fields);
+  }
+  if (keyword == "n") {
+    return readNote(fields);
+  }
+  if (keyword == "run") {
+    return readRun(fields);
+  }
+  if (keyword == "points") {
+    return readPoints(fields);
+  }
+  if (keyword == "trace") {
+    return readTrace(fields);
+  }
+  if (keyword == "trace-end") {
+    return readTraceEnd(fields);
+  }
+  return keyword == "end" && readEnd(fields);
+}
+
+bool Reader::readRun(Fields fields) {
+  RunStart start;
+  while (fields.ok() && !fields.atEnd()) {
+    const std::string_view key = fields.key();
+    if (key == "tool") {
+      start.toolVersion = fields.quoted();
+    } else if (key == "method") {
+      start.method = fields.quoted();
+    } else if (key == "points_per_loop") {
+      start.pointsPerLoop = fields.integer<int>();
+    } else if (key == "layout") {
+      start.layout = fields.quoted();
+    } else if (key == "delta_mm") {
+      start.deltaMm = fields.number();
+    } else if (key == "feed_mm_per_s") {
+      start.feedMmPerS = fields.number();
+    } else if (key == "program") {
+      start.programName = fields.quoted();
+    } else if (key == "hash") {
+      start.programHash = fields.quoted();
+    } else if (key == "endpoint") {
+      start.endpoint = fields.quoted();
+    } else if (key == "started_utc") {
+      start.startedAtUtc = fields.quoted();
+    } else {
+      fields.skipValue();
+    }
+  }
+  if (fields.ok()) {
+    m_recording.start = std::move(start);
+  }
+  return fields.ok();
+}
+
+bool Reader::readPoints(Fields fields) {
+  std::size_t count = 0;
+  std::size_t merged = 0;
+  while (fields.ok() && !fields.atEnd()) {
+    const std::string_view key = fields.key();
+    if (key == "count") {
+      count = fields.integer<std::size_t>();
+    } else if (key == "merged") {
+      merged = fields.integer<std::size_t>();
+    } else {
+      fields.skipValue();
+    }
+  }
+  if (fields.ok()) {
+    m_pointsAnnounced = count;
+    m_recording.points.merged = merged;
+  }
+  return fields.ok();
+}
+
+bool Reader::readPoint(Fields fields) {
+  gcode::StreamPoint point;
+  point.line.value = fields.integer<std::uint32_t>();
+  point.positionMm = fields.vector();
+  if (!fields.ok() || !fields.atEnd()) {
+    return false;
+  }
+  m_recording.points.points.push_back(point);
+  return true;
+}
+
+bool Reader::readLive(Fields fields) {
+  LiveSample sample;
+  sample.at = fields.instant();
+  Fields ahead = fields;
+  if (ahead.word() == "-") {
+    fields = ahead;
+  } else {
+    sample.positionMm = fields.vector();
+  }
+  ahead = fields;
+  if (ahead.word() == "-") {
+    fields = ahead;
+  } else {
+    sample.feedMmPerS = fields.number();
+  }
+  if (!fields.ok() || !fields.atEnd()) {
+    return false;
+  }
+  m_recording.samples.push_back(sample);
+  return true;
+}
+
+bool Reader::readAccess(Fields fields) {
+  Access access;
+  access.sent = fields.instant();
+  access.took = fields.duration();
+  const std::string_view kind = fields.word();
+  access.write = kind == "w";
+  access.nodes = fields.integer<int>();
+  if (!fields.ok() || !fields.atEnd() || (kind != "w" && kind != "r")) {
+    return false;
+  }
+  m_recording.accesses.push_back(access);
+  return true;
+}
+
+bool Reader::readPause(Fields fields) {
+  Pause pause;
+  pause.start = fields.instant();
+  pause.duration = fields.duration();
+  const std::string_view name = fields.word();
+  if (!fields.ok() || !fields.atEnd()) {
+    return false;
+  }
+  for (const PauseOrigin origin :
+       {PauseOrigin::Measured, PauseOrigin::Inferred, PauseOrigin::Predicted}) {
+    if (pauseOriginName(origin) == name) {
+      pause.origin = origin;
+      m_recording.pauses.push_back(pause);
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Reader::readNote(Fields fields) {
+  Note note;
+  note.at = fields.instant();
+  note.text = fields.quoted();
+  if (!fields.ok() || !fields.atEnd()) {
+    return false;
+  }
+  m_recording.notes.push_back(std::move(note));
+  return true;
+}
+
+bool Reader::readTrace(Fields fields) {
+  ControlTrace trace;
+  while (fields.ok() && !fields.atEnd()) {
+    const std::string_view key = fields.key();
+    if (key == "cycle_ns") {
+      trace.cycle = fields.duration();
+    } else if (key == "truncated") {
+      trace.truncated = fields.integer<int>() != 0;
+    } else {
+      fields.skipValue();
+    }
+  }
+  if (fields.ok()) {
+    m_recording.controlTrace = std::move(trace);
+    m_traceWhole = false;
+  }
+  return fields.ok();
+}
+
+bool Reader::readTraceEnd(Fields fields) {
+  std::size_t samples = 0;
+  std::size_t blocks = 0;
+  while (fields.ok() && !fields.atEnd()) {
+    const std::string_view key = fields.key();
+    if (key == "samples") {
+      samples = fields.integer<std::size_t>();
+    } else if (key == "blocks") {
+      blocks = fields.integer<std::size_t>();
+    } else {
+      fields.skipValue();
+    }
+  }
+  if (!fields.ok() || !m_recording.controlTrace) {
+    return false;
+  }
+  m_traceWhole = m_recording.controlTrace->samples.size() == samples &&
+                 m_recording.controlTrace->blocks.size() == blocks;
+  return true;
+}
+
+bool Reader::readEnd(Fields fields) {
+  RunEnd end;
+  while (fields.ok() && !fields.atEnd()) {
+    const std::string_view key = fields.key();
+    if (key == "outcome") {
+      end.outcome = fields.quoted();
+    } else if (key == "sent") {
+      end.sent = fields.integer<std::size_t>();
+    } else if (key == "accepted") {
+      end.accepted = fields.integer<std::size_t>();
+    } else if (key == "executed") {
+      end.executed = fields.integer<std::size_t>();
+    } else if (key == "total") {
+      end.total = fields.integer<std::size_t>();
+    } else if (key == "duration_ns") {
+      end.duration = fields.duration();
+    } else if (key == "error") {
+      end.errorText = fields.quoted();
+    } else {
+      fields.skipValue();
+    }
+  }
+  if (fields.ok()) {
+    m_recording.end = std::move(end);
+  }
+  return fields.ok();
+}
+
+Recording Reader::take(std::size_t unreadableLines) && {
+  m_recording.unreadableLines = unreadableLines;
+  m_recording.complete = m_recording.end.has_value();
+  m_recording.pointsComplete = m_pointsAnnounced == m_recording.points.points.size();
+  if (m_recording.controlTrace && !m_traceWhole) {
+    // Whatever the reason, a part of the trace is missing: nobody may judge the run by it.
+    m_recording.controlTrace->truncated = true;
+  }
+  return std::move(m_recording);
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(RecordingSink sink) : m_sink(std::move(sink)) {
+  RIVULET_ASSERT(m_sink != nullptr);
+}
+
+bool RecordingWriter::flush() {
+  if (m_ok && !m_lines.empty()) {
+    m_ok = m_sink(m_lines);
+  }
+  m_lines.clear();
+  return m_ok;
+}
+
+bool RecordingWriter::flushIfLarge() {
+  return m_lines.size() < kFlushBytes ? m_ok : flush();
+}
+
+bool RecordingWriter::start(const RunStart& start) {
+  fmt::format_to(std::back_inserter(m_lines), "{} {}\nrun", kName, kVersion);
+  appendText(m_lines, "tool", start.toolVersion);
+  appendText(m_lines, "method", start.method);
+  appendNumber(m_lines, "points_per_loop", start.pointsPerLoop);
+  appendText(m_lines, "layout", start.layout);
+  appendNumber(m_lines, "delta_mm", start.deltaMm);
+  appendNumber(m_lines, "feed_mm_per_s", start.feedMmPerS);
+  appendText(m_lines, "program", start.programName);
+  appendText(m_lines, "hash", start.programHash);
+  appendText(m_lines, "endpoint", start.endpoint);
+  appendText(m_lines, "started_utc", start.startedAtUtc);
+  m_lines += '\n';
+  return flush();
+}
+
+bool RecordingWriter::points(const gcode::PointList& points) {
+  m_lines += "points";
+  appendNumber(m_lines, "count", points.points.size());
+  appendNumber(m_lines, "merged", points.merged);
+  m_lines += '\n';
+  for (const gcode::StreamPoint& point : points.points) {
+    fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE("p {} {} {} {}\n"), point.line.value,
+                   point.positionMm.x, point.positionMm.y, point.positionMm.z);
+    flushIfLarge();
+  }
+  return flush();
+}
+
+bool RecordingWriter::sample(const LiveSample& sample) {
+  fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE("l {}"), nanoseconds(sample.at));
+  if (sample.positionMm) {
+    fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE(" {} {} {}"), sample.positionMm->x,
+                   sample.positionMm->y, sample.positionMm->z);
+  } else {
+    m_lines += " -";
+  }
+  if (sample.feedMmPerS) {
+    fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE(" {}\n"), *sample.feedMmPerS);
+  } else {
+    m_lines += " -\n";
+  }
+  return flush();
+}
+
+bool RecordingWriter::access(const Access& access) {
+  fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE("a {} {} {} {}\n"),
+                 nanoseconds(access.sent), access.took.count(), access.write ? 'w' : 'r',
+                 access.nodes);
+  return flush();
+}
+
+bool RecordingWriter::pause(const Pause& pause) {
+  fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE("z {} {} {}\n"), nanoseconds(pause.start),
+                 pause.duration.count(), pauseOriginName(pause.origin));
+  return flush();
+}
+
+bool RecordingWriter::note(const Note& note) {
+  fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE("n {} "), nanoseconds(note.at));
+  lines::appendQuoted(m_lines, note.text);
+  m_lines += '\n';
+  return flush();
+}
+
+bool RecordingWriter::controlTrace(const ControlTrace& trace) {
+  m_lines += "trace";
+  appendNumber(m_lines, "cycle_ns", trace.cycle.count());
+  appendNumber(m_lines, "truncated", trace.truncated ? 1 : 0);
+  m_lines += '\n';
+  for (const ControlSample& sample : trace.samples) {
+    lines::appendSample(m_lines, sample);
+    flushIfLarge();
+  }
+  for (const ExecutedBlock& block : trace.blocks) {
+    lines::appendBlock(m_lines, block);
+    flushIfLarge();
+  }
+  m_lines += "trace-end";
+  appendNumber(m_lines, "samples", trace.samples.size());
+  appendNumber(m_lines, "blocks", trace.blocks.size());
+  m_lines += '\n';
+  return flush();
+}
+
+bool RecordingWriter::end(const RunEnd& end) {
+  m_lines += "end";
+  appendText(m_lines, "outcome", end.outcome);
+  appendNumber(m_lines, "sent", end.sent);
+  appendNumber(m_lines, "accepted", end.accepted);
+  appendNumber(m_lines, "executed", end.executed);
+  appendNumber(m_lines, "total", end.total);
+  appendNumber(m_lines, "duration_ns", end.duration.count());
+  appendText(m_lines, "error", end.errorText);
+  m_lines += '\n';
+  return flush();
+}
+
+std::string printRecording(const Recording& recording) {
+  std::string text;
+  RecordingWriter writer([&text](std::string_view lines) {
+    text += lines;
+    return true;
+  });
+  writer.start(recording.start);
+  writer.points(recording.points);
+  for (const LiveSample& sample : recording.samples) {
+    writer.sample(sample);
+  }
+  for (const Access& access : recording.accesses) {
+    writer.access(access);
+  }
+  for (const Pause& pause : recording.pauses) {
+    writer.pause(pause);
+  }
+  for (const Note& note : recording.notes) {
+    writer.note(note);
+  }
+  if (recording.controlTrace) {
+    writer.controlTrace(*recording.controlTrace);
+  }
+  if (recording.end) {
+    writer.end(*recording.end);
+  }
+  return text;
+}
+
+base::Result<Recording> parseRecording(std::string_view text) {
+  lines::LineReader reader(text);
+  const auto first = reader.next();
+  const std::string_view begin = first ? first->text : std::string_view();
+  const lines::Header header = lines::readHeader(begin, kName);
+  if (first && !first->whole &&
+      (header.known || kName.substr(0, begin.size()) == begin ||
+       (begin.substr(0, kName.size()) == kName && begin.size() == kName.size() + 1 &&
+        begin.back() == ' '))) {
+    return base::fail(TraceError::Damaged,
+                      "The recording was cut off in its first line: nothing of the run is in it.");
+  }
+  if (!header.known) {
+    return base::fail(
+        TraceError::NotATrace,
+        fmt::format("This is not a recording of a run: its first line does not begin with \"{}\".",
+                    kName));
+  }
+  if (header.version > kVersion) {
+    return base::fail(
+        TraceError::NewerVersion,
+        fmt::format("The recording has format {}, this Rivulet reads formats up to {}. "
+                    "Use a newer Rivulet.",
+                    header.version, kVersion));
+  }
+  Reader recording;
+  std::size_t unreadable = 0;
+  while (const auto line = reader.next()) {
+    if (!line->whole || (!line->text.empty() && !recording.read(line->text))) {
+      ++unreadable;
+    }
+  }
+  return std::move(recording).take(unreadable);
+}
+
+}  // namespace rivulet::trace

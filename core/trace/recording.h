@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The recording of one run: what was ordered, what was sent, what was seen and what came out.
+/// It is the interface between streaming and everything that looks at a run afterwards. Format:
+/// docs/formats.md. @threadsafety plain values; one writer, one thread.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/instant.h"
+#include "base/result.h"
+#include "base/vec3.h"
+#include "gcode/trajectory.h"
+#include "trace/control_trace.h"
+#include "trace/pause.h"
+
+namespace rivulet::trace {
+
+/// What the run was ordered to do.
+struct RunStart {
+  std::string toolVersion;
+  std::string method;  ///< `base::methodName`
+  int pointsPerLoop = 0;
+  std::string layout;
+  double deltaMm = 0.0;
+  double feedMmPerS = 0.0;
+  std::string programName;
+  std::string programHash;
+  std::string endpoint;      ///< of the OPC UA server, or "simulated <preset> <seed>"
+  std::string startedAtUtc;  ///< ISO 8601, given by the caller (core asks no clock); may be empty
+};
+
+/// One live observation. What was not read stays empty.
+struct LiveSample {
+  base::Instant at{};
+  std::optional<base::Vec3> positionMm;
+  std::optional<double> feedMmPerS;
+};
+
+/// One request to the control.
+struct Access {
+  base::Instant sent{};
+  base::Duration took{};
+  bool write = false;
+  int nodes = 0;
+};
+
+/// A change of state, a fault, a line of the log.
+struct Note {
+  base::Instant at{};
+  std::string text;
+};
+
+struct RunEnd {
+  std::string outcome;  ///< "completed", "stopped", "failed"
+  std::size_t sent = 0;
+  std::size_t accepted = 0;
+  std::size_t executed = 0;
+  std::size_t total = 0;
+  base::Duration duration{};  ///< first motion to end of program
+  std::string errorText;      ///< why, for "failed"
+};
+
+struct Recording {
+  RunStart start;
+  gcode::PointList points;
+  std::vector<LiveSample> samples;
+  std::vector<Access> accesses;
+  std::vector<Pause> pauses;
+  std::vector<Note> notes;
+  std::optional<ControlTrace> controlTrace;
+  std::optional<RunEnd> end;
+
+  bool complete = false;  ///< an end record was found: the writer was not interrupted
+  /// False if points are missing or could not be read. The list must not be used to judge a run
+  /// then: the indices of the points would be wrong.
+  bool pointsComplete = false;
+  std::size_t unreadableLines = 0;  ///< left out; a last line that was cut off counts too
+};
+
+/// Takes text that ends with a whole line. @return false if it could not be stored
+using RecordingSink = std::function<bool(std::string_view)>;
+
+/// Puts a recording together while the run lasts. Every call hands whole lines to the sink, so
+/// that a file which is cut off anywhere can be read up to its last whole line. After the sink
+/// has refused once, nothing more is handed to it: a recording has no holes.
+class RecordingWriter {
+ public:
+  /// @param sink  not empty; called on the thread that calls the functions below
+  explicit RecordingWriter(RecordingSink sink);
+
+  /// Header and settings; first, and once.
+  bool start(const RunStart& start);
+  bool points(const gcode::PointList& points);
+  bool sample(const LiveSample& sample);
+  bool access(const Access& access);
+  bool pause(const Pause& pause);
+  bool note(const Note& note);
+  bool controlTrace(const ControlTrace& trace);
+  /// The last record.
+  bool end(const RunEnd& end);
+
+  /// False once the sink has refused: the recording ends there.
+  [[nodiscard]] bool ok() const { return m_ok; }
+
+ private:
+  bool flush();
+  /// Hands over what has gathered when it is large enough.
+  bool flushIfLarge();
+
+  RecordingSink m_sink;
+  std::string m_lines;
+  bool m_ok = true;
+};
+
+/// The same text a writer makes, record by record. An absent `end` leaves the recording open.
+[[nodiscard]] std::string printRecording(const Recording& recording);
+
+/// Reads as much as is there: lines that cannot be read are left out and counted.
+/// @return error NotATrace, NewerVersion; Damaged if not even the first line is whole
+[[nodiscard]] base::Result<Recording> parseRecording(std::string_view text);
+
+}  // namespace rivulet::trace

@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <rapidcheck.h>
+
+#include <QtTest>
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "base/random.h"
+#include "trace/analysis/integrity.h"
+
+using namespace rivulet::trace;
+using rivulet::base::Duration;
+using rivulet::base::Instant;
+using rivulet::base::PointIndex;
+using rivulet::base::Random;
+using rivulet::base::Vec3;
+using rivulet::gcode::StreamPoint;
+
+namespace {
+
+constexpr double kToleranceMm = 1e-6;
+
+/// A place per letter, not on one line, so that neighbours differ in every axis.
+Vec3 place(char letter) {
+  const double n = letter;
+  return {n, 0.1 * n * n - 700.0, -n / 3.0};
+}
+
+/// "ABCA": a path that ends where it began.
+std::vector<StreamPoint> program(std::string_view letters) {
+  std::vector<StreamPoint> points;
+  for (const char letter : letters) {
+    points.push_back({place(letter), {}});
+  }
+  return points;
+}
+
+/// What the machine did, one block every millisecond: a letter is a motion to its place, '.' a
+/// block that moves nothing (it starts at A), '?' a motion to a place of no point, blanks only
+/// group.
+std::vector<ExecutedBlock> executed(std::string_view letters) {
+  std::vector<ExecutedBlock> blocks;
+  Vec3 at = place('A');
+  std::int64_t milliseconds = 0;
+  for (const char letter : letters) {
+    if (letter == ' ') {
+      continue;
+    }
+    const Vec3 target = letter == '.' ? at : (letter == '?' ? Vec3{-1e4, 0, 0} : place(letter));
+    ExecutedBlock block;
+    block.from = Instant{Duration{milliseconds * 1'000'000}};
+    block.to = block.from + Duration{1'000'000};
+    block.targetMm = target;
+    block.lengthMm = letter == '.' ? 0.0 : std::max(1e-3, rivulet::base::distance(at, target));
+    blocks.push_back(block);
+    at = target;
+    ++milliseconds;
+  }
+  return blocks;
+}
+
+/// "executed/repeated/skipped/foreign/out of order"
+std::string judge(std::string_view points, std::string_view blocks) {
+  const Integrity result = judgeIntegrity(program(points), executed(blocks), kToleranceMm);
+  return std::to_string(result.executed) + "/" + std::to_string(result.repeated) + "/" +
+         std::to_string(result.skipped) + "/" + std::to_string(result.foreign) + "/" +
+         std::to_string(result.outOfOrder);
+}
+
+std::string faults(std::string_view points, std::string_view blocks) {
+  std::string text;
+  for (const IntegrityFault& fault :
+       judgeIntegrity(program(points), executed(blocks), kToleranceMm).faults) {
+    const char kind = std::string_view("RSFO")[static_cast<std::size_t>(fault.kind)];
+    text += (text.empty() ? "" : " ") + std::string(1, kind) + std::to_string(fault.point.value) +
+            "@" + std::to_string(fault.at.time_since_epoch().count() / 1'000'000);
+  }
+  return text;
+}
+
+std::vector<ExecutedBlock> blocksOf(const std::vector<StreamPoint>& points,
+                                    const std::vector<std::size_t>& order) {
+  std::vector<ExecutedBlock> blocks;
+  for (const std::size_t index : order) {
+    ExecutedBlock block;
+    block.from = Instant{Duration{static_cast<std::int64_t>(blocks.size())}};
+    block.targetMm = points[index].positionMm;
+    block.lengthMm = 1.0;
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+/// Points that are all at places of their own.
+std::vector<StreamPoint> distinctPoints(Random& random, std::size_t count) {
+  std::vector<StreamPoint> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back(
+        {{static_cast<double>(i) + 0.4 * random.uniform(), random.normal(), random.normal()}, {}});
+  }
+  // In random order, so that neighbours of the program are not neighbours in space.
+  for (std::size_t i = count; i > 1; --i) {
+    std::swap(points[i - 1], points[random.below(i)]);
+  }
+  return points;
+}
+
+/// A walk over a small grid: most places are visited many times.
+std::vector<StreamPoint> crowdedPoints(Random& random, std::size_t count) {
+  std::vector<StreamPoint> points;
+  Vec3 at;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 next = at;
+    while (next == at) {
+      next.set(random.below(3), static_cast<double>(random.below(3)));
+    }
+    at = next;
+    points.push_back({at, {}});
+  }
+  return points;
+}
+
+std::vector<std::size_t> faithful(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    order[i] = i;
+  }
+  return order;
+}
+
+}  // namespace
+
+class TestIntegrity : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void judges_data() {
+    QTest::addColumn<std::string>("points");
+    QTest::addColumn<std::string>("blocks");
+    QTest::addColumn<std::string>("counts");
+    const auto row = [](const char* name, const char* points, const char* blocks,
+                        const char* counts) {
+      QTest::newRow(name) << std::string(points) << std::string(blocks) << std::string(counts);
+    };
+    row("nothing", "", "", "0/0/0/0/0");
+    row("nothing executed", "ABC", "", "0/0/0/0/0");
+    row("no points", "", "AB", "0/0/0/2/0");
+    row("faithful", "ABCDEFGH", "ABCD EFGH", "8/0/0/0/0");
+    row("stopped early", "ABCDEFGH", "ABCD", "4/0/0/0/0");
+    row("loop repeated", "ABCDEFGH", "ABCD ABCD EFGH", "8/4/0/0/0");
+    row("loop repeated twice", "ABCDEFGH", "ABCD ABCD ABCD EFGH", "8/8/0/0/0");
+    row("loop repeated, then lost one", "ABCDEFGH", "ABCD ABCD FGH", "7/4/1/0/0");
+    row("slot late, its point lost", "ABCDEFGH", "ABCD EBGH", "7/1/1/0/0");
+    row("slot late, executed a loop later", "ABCDEFGHIJKL", "ABCD EBGH IFKL", "11/1/1/0/1");
+    row("slots late twice", "ABCDEFGHIJKL", "ABCD EBGH IBKL", "10/2/2/0/0");
+    row("one skipped", "ABCDE", "ABDE", "4/0/1/0/0");
+    row("first skipped", "ABCDE", "BCDE", "4/0/1/0/0");
+    row("last missing is no skip", "ABCDE", "ABCD", "4/0/0/0/0");
+    row("back and on", "ABCD", "ABCBCD", "4/2/0/0/0");
+    row("same again", "ABCD", "ABBCD", "4/1/0/0/0");
+    row("swapped", "ABCDE", "ABDCE", "5/0/0/0/1");
+    row("overwritten too early", "ABCDEFGHIJKLMN", "ABCD EFKH IJKL MN", "13/1/1/0/1");
+    row("torn between two writes", "ABCDE", "AB?DE", "4/0/1/1/0");
+    row("extra motion", "ABCDE", "AB?CDE", "5/0/0/1/0");
+    row("extra motion first", "ABCDE", "?ABCDE", "5/0/0/1/0");
+    // Blocks that move nothing.
+    row("padded end", "ABC", "ABC.....", "3/0/0/0/0");
+    row("holds everywhere", "ABC", "A..B...C.", "3/0/0/0/0");
+    row("starts where it stands", "ABC", ".BC", "3/0/0/0/0");
+    row("stands elsewhere at first", "BCA", "..BCA", "3/0/0/0/0");
+    row("point repeats its predecessor", "ABBC", "AB.C", "4/0/0/0/0");
+    row("such a point without a block", "ABBC", "ABC", "4/0/0/0/0");
+    row("two of them", "ABBBC", "AB.C", "5/0/0/0/0");
+    // Places visited more than once.
+    row("closed contour", "ABCDA", "ABCDA", "5/0/0/0/0");
+    row("two laps", "ABCDABCDA", "ABCDABCDA", "9/0/0/0/0");
+    row("there and back", "ABCDCBA", "ABCDCBA", "7/0/0/0/0");
+    row("there and back, loop repeated", "ABCDCBA", "ABCD BCD CBA", "7/3/0/0/0");
+    row("there and back, reversal lost", "ABCDCBA", "ABCDBA", "6/0/1/0/0");
+    row("closed contour, loop repeated", "ABCDA", "AB AB CD A", "5/2/0/0/0");
+    row("closed contour, start again", "ABCDA", "ABC A", "4/0/1/0/0");
+    row("pocket: many laps, loop repeated", "ABCDEFABCDEFABCDEF", "ABC DEF DEF ABC DEF ABC DEF",
+        "18/3/0/0/0");
+    row("pocket: one lost", "ABCDEFABCDEFABCDEF", "ABCDEF ABCEF ABCDEF", "17/0/1/0/0");
+    row("to and fro", "ABABABAB", "ABABABAB", "8/0/0/0/0");
+  }
+
+  void judges() {
+    QFETCH(std::string, points);
+    QFETCH(std::string, blocks);
+    QFETCH(std::string, counts);
+    QCOMPARE(judge(points, blocks), counts);
+  }
+
+  void listsFaultsInTimeOrder() {
+    QCOMPARE(faults("ABCDEFGH", "ABCD EFGH"), std::string());
+    QCOMPARE(faults("ABCDEFGH", "ABCD EBGH"), std::string("R1@5 S5@6"));
+    QCOMPARE(faults("ABCDE", "AB?DE"), std::string("F2@2 S2@3"));
+    QCOMPARE(faults("ABCDE", "ABDCE"), std::string("O3@2"));
+    QCOMPARE(faults("ABCDE", "BA"), std::string("O1@0"));
+  }
+
+  void listsAHundredFaultsAtMost() {
+    std::string blocks = "A";
+    for (int i = 0; i < 150; ++i) {
+      blocks += "?";
+    }
+    const Integrity result = judgeIntegrity(program("AB"), executed(blocks), kToleranceMm);
+    QCOMPARE(result.foreign, std::size_t{150});
+    QCOMPARE(result.faults.size(), std::size_t{100});
+  }
+
+  void tellsWhetherItIsFaultless() {
+    QVERIFY(!Integrity{}.isFaultless());
+    QVERIFY(judgeIntegrity(program("ABC"), executed("AB"), kToleranceMm).isFaultless());
+    for (const char* blocks : {"AAB", "AC", "A?B", "ACB"}) {
+      QVERIFY(!judgeIntegrity(program("ABC"), executed(blocks), kToleranceMm).isFaultless());
+    }
+  }
+
+  void holdsToTheTolerance() {
+    const std::vector<StreamPoint> points{{{0, 0, 0}, {}}, {{1, 0, 0}, {}}};
+    auto blocks = blocksOf(points, {0, 1});
+    blocks[1].targetMm.x += 0.9e-6;
+    QVERIFY(judgeIntegrity(points, blocks, kToleranceMm).isFaultless());
+    blocks[1].targetMm.x += 0.2e-6;
+    QCOMPARE(judgeIntegrity(points, blocks, kToleranceMm).foreign, std::size_t{1});
+    // The search after a fault holds to it too, also across the borders of its grid.
+    for (const double x : {0.0, 4e-6, 8e-6 - 0.5e-6, -4e-6, 1e3 / 3.0, 1e9}) {
+      const std::vector<StreamPoint> far{{{-7, 0, 0}, {}}, {{-8, 0, 0}, {}}, {{x, x, x}, {}}};
+      auto skipping = blocksOf(far, {0, 2});
+      skipping[1].targetMm = skipping[1].targetMm + Vec3{-0.5e-6, 0.5e-6, -0.5e-6};
+      QCOMPARE(judgeIntegrity(far, skipping, kToleranceMm).skipped, std::size_t{1});
+      skipping[1].targetMm.x -= 0.5e-6;
+      QCOMPARE(judgeIntegrity(far, skipping, kToleranceMm).foreign, std::size_t{1});
+    }
+    QVERIFY(judgeIntegrity(points, blocksOf(points, {0, 1}), 0.0).isFaultless());
+  }
+
+  void takesTargetsThatAreNoPlace() {
+    const std::vector<StreamPoint> points = program("ABC");
+    auto blocks = executed("ABC");
+    blocks[1].targetMm.x = std::numeric_limits<double>::quiet_NaN();
+    blocks[2].targetMm.y = 1e300;
+    const Integrity result = judgeIntegrity(points, blocks, kToleranceMm);
+    QCOMPARE(result.foreign, std::size_t{2});
+    QCOMPARE(result.executed, std::size_t{1});
+  }
+
+  void faithfulRunsAreFaultless() {
+    QVERIFY(rc::check("a list executed as it is has no fault", [] {
+      Random random(*rc::gen::arbitrary<std::uint64_t>());
+      const std::size_t count = 1 + random.below(300);
+      const auto points =
+          random.below(2) == 0 ? crowdedPoints(random, count) : distinctPoints(random, count);
+      const std::size_t done = random.below(count + 1);
+      const Integrity result =
+          judgeIntegrity(points, blocksOf(points, faithful(done)), kToleranceMm);
+      RC_ASSERT(result.isFaultless());
+      RC_ASSERT(result.executed == done);
+      RC_ASSERT(result.faults.empty());
+    }));
+  }
+
+  void anyOtherRunIsNot() {
+    QVERIFY(rc::check("a motion that differs from the program is a fault", [] {
+      Random random(*rc::gen::arbitrary<std::uint64_t>());
+      const std::size_t count = 4 + random.below(100);
+      const auto points = crowdedPoints(random, count);
+      auto blocks = blocksOf(points, faithful(count));
+      // One block goes elsewhere: where it should go is the only place that is no fault.
+      const std::size_t changed = random.below(count);
+      blocks[changed].targetMm = points[random.below(count)].positionMm;
+      const bool differs = blocks[changed].targetMm != points[changed].positionMm;
+      const Integrity result = judgeIntegrity(points, blocks, kToleranceMm);
+      RC_ASSERT(result.isFaultless() == !differs);
+      RC_ASSERT(result.executed + result.repeated + result.foreign == count);
+    }));
+  }
+
+  void countsRepetitionsAndSkipsExactly() {
+    QVERIFY(rc::check("repetitions and skips of distinct points are counted exactly", [] {
+      Random random(*rc::gen::arbitrary<std::uint64_t>());
+      const std::size_t count = 2 + random.below(200);
+      const auto points = distinctPoints(random, count);
+      std::vector<std::size_t> order;
+      std::vector<std::size_t> lost;
+      std::size_t repeated = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (random.below(10) == 0 && i + 1 < count) {
+          lost.push_back(i);
+        } else {
+          order.push_back(i);
+        }
+        if (random.below(10) == 0 && !order.empty()) {
+          // A stretch executed before, once more.
+          const std::size_t from = random.below(order.size());
+          const std::size_t length =
+              1 + random.below(std::min<std::size_t>(7, order.size() - from));
+          for (std::size_t k = 0; k < length; ++k) {
+            order.push_back(order[from + k]);
+          }
+          repeated += length;
+        }
+      }
+      const Integrity result = judgeIntegrity(points, blocksOf(points, order), kToleranceMm);
+      RC_ASSERT(result.executed == count - lost.size());
+      RC_ASSERT(result.repeated == repeated);
+      RC_ASSERT(result.skipped == lost.size());
+      RC_ASSERT(result.foreign == 0U);
+      RC_ASSERT(result.outOfOrder == 0U);
+    }));
+  }
+
+  void countsWhatIsOutOfOrder() {
+    QVERIFY(rc::check("one point moved elsewhere is one point out of order", [] {
+      Random random(*rc::gen::arbitrary<std::uint64_t>());
+      const std::size_t count = 3 + random.below(100);
+      const auto points = distinctPoints(random, count);
+      std::vector<std::size_t> order = faithful(count);
+      const std::size_t from = random.below(count);
+      const std::size_t to = random.below(count);
+      order.erase(order.begin() + static_cast<std::ptrdiff_t>(from));
+      order.insert(order.begin() + static_cast<std::ptrdiff_t>(to), from);
+      const Integrity result = judgeIntegrity(points, blocksOf(points, order), kToleranceMm);
+      RC_ASSERT(result.executed == count);
+      RC_ASSERT(result.repeated + result.skipped + result.foreign == 0U);
+      RC_ASSERT(result.outOfOrder == (from == to ? 0U : 1U));
+    }));
+  }
+
+  void staysFastOnLongFaultyRuns() {
+    // 20 000 laps over the same five places, every third block lost: a search through all points
+    // of one place would not end within the time ctest allows.
+    std::vector<StreamPoint> points;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < 100'000; ++i) {
+      points.push_back({place(static_cast<char>('A' + i % 5)), {}});
+      if (i % 3 != 2) {
+        order.push_back(i);
+      }
+    }
+    const Integrity result = judgeIntegrity(points, blocksOf(points, order), kToleranceMm);
+    QVERIFY(!result.isFaultless());
+    QCOMPARE(result.executed + result.repeated + result.foreign, order.size());
+  }
+};
+
+QTEST_APPLESS_MAIN(TestIntegrity)
+#include "tst_integrity.moc"

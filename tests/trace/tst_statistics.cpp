@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include "trace/analysis/statistics.h"
+
+using namespace rivulet::trace;
+using rivulet::base::Duration;
+
+class TestStatistics : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void isZeroForNothing() {
+    const DurationStatistics figures = durationStatistics({});
+    QCOMPARE(figures.count, std::size_t{0});
+    QVERIFY(figures.max == Duration::zero());
+    QVERIFY(figures.mean == Duration::zero());
+  }
+
+  void takesTheNearestRank() {
+    std::vector<Duration> durations;
+    for (int i = 100; i >= 1; --i) {
+      durations.emplace_back(i);
+    }
+    const DurationStatistics figures = durationStatistics(durations);
+    QCOMPARE(figures.count, std::size_t{100});
+    QCOMPARE(figures.p50.count(), 50);
+    QCOMPARE(figures.p95.count(), 95);
+    QCOMPARE(figures.p99.count(), 99);
+    QCOMPARE(figures.max.count(), 100);
+    QCOMPARE(figures.mean.count(), 51);  // 50.5 rounded
+  }
+
+  void roundsRanksUp() {
+    const std::vector<Duration> twenty = [] {
+      std::vector<Duration> values;
+      for (int i = 1; i <= 20; ++i) {
+        values.emplace_back(i);
+      }
+      return values;
+    }();
+    QCOMPARE(quantile(twenty, 95).count(), 19);  // exactly 19 of 20
+    QCOMPARE(quantile(twenty, 96).count(), 20);
+    QCOMPARE(quantile(twenty, 1).count(), 1);
+    QCOMPARE(quantile(twenty, 100).count(), 20);
+    QCOMPARE(quantile({Duration{7}}, 50).count(), 7);
+  }
+
+  void sumsLongRuns() {
+    const Duration day = std::chrono::hours{24 * 365 * 100};
+    const DurationStatistics figures = durationStatistics({day, day, day, day});
+    QVERIFY(figures.mean == day);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestStatistics)
+#include "tst_statistics.moc"
