@@ -20,8 +20,10 @@
 #include "opcua/link.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
+#include "trace/analysis/statistics.h"
 #include "trace/control_trace.h"
 #include "trace/pause.h"
+#include "trace/recording.h"
 
 namespace rivulet::streaming {
 
@@ -44,32 +46,18 @@ enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted };
 /// "idle", "armed", ...
 [[nodiscard]] std::string_view runStateName(RunState state);
 
-/// What method position watches.
-enum class Observe {
-  Position,      ///< actual position against the next point (three reads)
-  DistanceToGo,  ///< distance to the end of the block in motion (three reads)
-};
-
 struct RunSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
   double deltaMm = 0.3;                      ///< δ, > 0
   double feedMmPerS = 10.0;                  ///< > 0
-  Observe observe = Observe::Position;
   opcua::Grouping grouping = opcua::Grouping::List;
   base::Duration requestDeadline = std::chrono::seconds{2};
-  base::Duration startDeadline = std::chrono::minutes{5};  ///< for cycle start at the control
-  base::Duration stopDeadline = std::chrono::seconds{30};  ///< for the confirmation of a stop
-  base::Duration stallDeadline = std::chrono::seconds{20}; ///< without a sign of progress
+  base::Duration startDeadline = std::chrono::minutes{5};       ///< for cycle start at the control
+  base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
+  base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
   bool monitor = true;  ///< read position and feed for the display where the stream has slack
-};
-
-/// One live observation. What was not read stays empty.
-struct LiveSample {
-  base::Instant at{};
-  std::optional<base::Vec3> positionMm;
-  std::optional<double> feedMmPerS;
 };
 
 struct Counters {
@@ -79,14 +67,13 @@ struct Counters {
   std::size_t total = 0;     ///< points of the program
 };
 
-/// Distribution of access times of the requests of one run.
+/// What the accesses of a run cost. "Per node" is the access time of [P1]: the duration of a
+/// request divided by the number of its variables.
 struct AccessStatistics {
   std::size_t requests = 0;
-  double meanMs = 0.0;
-  double p50Ms = 0.0;
-  double p95Ms = 0.0;
-  double p99Ms = 0.0;
-  double maxMs = 0.0;
+  std::size_t nodes = 0;
+  trace::DurationStatistics perNode;
+  trace::DurationStatistics perRequest;
 };
 
 /// A moment of the run, for the display.
@@ -94,10 +81,10 @@ struct LiveUpdate {
   RunState state = RunState::Idle;
   base::Instant at{};
   Counters counters;
-  std::optional<LiveSample> sample;
-  std::optional<trace::Pause> pause;         ///< a pause that has just become known
-  std::optional<base::Duration> margin;      ///< time until the next point is needed minus p99
-  std::string waitingFor;                    ///< English key of what the run waits for; may be empty
+  std::optional<trace::LiveSample> sample;
+  std::optional<trace::Pause> pause;     ///< a pause that has just become known
+  std::optional<base::Duration> margin;  ///< time until the next point is needed minus p99
+  std::string waitingFor;                ///< English key of what the run waits for; may be empty
   std::optional<base::Duration> stopConfirmedAfter;
 };
 
@@ -112,7 +99,7 @@ struct RunReport {
   Counters counters;
   trace::Integrity integrity;
   std::vector<trace::Pause> pauses;
-  base::Duration duration{};            ///< first motion to end of program
+  base::Duration duration{};  ///< first motion to end of program
   AccessStatistics access;
   std::optional<base::Duration> stopConfirmedAfter;
   std::string programName;

@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/driver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+
+/// Orders of the operator are looked at this often while nothing else happens.
+constexpr Duration kOrderInterval = std::chrono::milliseconds{20};
+/// The display gets at most this many samples a second.
+constexpr Duration kDisplayInterval = std::chrono::milliseconds{33};
+constexpr Duration kStatusInterval = std::chrono::milliseconds{200};
+/// Counters without a sample reach the display this often.
+constexpr Duration kPublishInterval = std::chrono::milliseconds{40};
+/// An inferred pause gives way to a measured one that comes within this time.
+constexpr Duration kInferredSettles = std::chrono::milliseconds{200};
+/// A display read may take this many times its estimate before the method is due.
+constexpr int kSlackFactor = 2;
+/// Request durations the live margin is computed from.
+constexpr std::size_t kRecentMax = 100;
+
+constexpr double kChannelReset = 0.0;
+
+}  // namespace
+
+Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
+               RunSink& sink, std::size_t total, int stopCell)
+    : m_link(link), m_method(method), m_settings(settings), m_orders(orders), m_sink(sink) {
+  m_counters.total = total;
+  m_stopCell = stopCell;
+  // Method position reads the axes itself; for it only the feed is missing on the display.
+  if (settings.parameters.method == base::MethodKind::Signal) {
+    for (int axis = 0; axis < static_cast<int>(base::kAxisCount); ++axis) {
+      m_display.push_back({opcua::VariableKind::ActualPosition, axis});
+    }
+  }
+  m_display.push_back({opcua::VariableKind::PathFeed, 0});
+  m_status.push_back({opcua::VariableKind::ChannelStatus, 0});
+  m_status.push_back({opcua::VariableKind::Alarm, 0});
+}
+
+StreamEnd Driver::run() {
+  while (!m_done) {
+    checkStop();
+    if (m_abandonedAt) {
+      submitStop();
+    }
+    submitMonitor();
+    if (!m_abandonedAt) {
+      submitMethod();
+    }
+    const Instant now = m_link.now();
+    Instant until = now + kOrderInterval;
+    if (!m_methodPending && !m_monitorPending) {
+      until = std::min(until, std::max(now, m_nextStatus));
+    }
+    if (const std::optional<opcua::Event> event = m_link.wait(until)) {
+      handle(*event);
+    }
+    settleInferred(false);
+    checkDeadlines();
+    if (m_link.now() - m_lastPublished >= kPublishInterval) {
+      publish();
+    }
+  }
+  settleInferred(true);
+  publish();
+  return m_end;
+}
+
+void Driver::checkStop() {
+  if (m_stopWantedAt || !m_orders.stopRequested(m_link.now())) {
+    return;
+  }
+  m_stopWantedAt = m_link.now();
+  m_end.stopped = true;
+  m_method.requestStop();
+  m_sink.note({m_link.now(), "stop requested"});
+  publish();
+}
+
+bool Driver::hasSlackFor(int nodes) const {
+  const Duration needed = kSlackFactor * (m_settings.accessTime * (nodes + 1));
+  return m_link.now() + needed < m_method.progress().nextEarliest;
+}
+
+bool Driver::wantsStatus() const {
+  const Instant now = m_link.now();
+  if (now < m_nextStatus) {
+    return false;
+  }
+  if (m_abandonedAt) {
+    return true;
+  }
+  const Progress& progress = m_method.progress();
+  // Once the program has been told to end, or once it is later than it could be, the channel is
+  // asked whether it still runs; before that only where nobody waits.
+  const bool late = now > progress.nextLatest && progress.nextLatest != Instant{};
+  return late || hasSlackFor(static_cast<int>(m_status.size()));
+}
+
+void Driver::submitMonitor() {
+  const bool started = m_method.progress().lastProgress != Instant{} || m_abandonedAt;
+  if (m_methodPending || m_monitorPending || !started) {
+    return;
+  }
+  const Instant now = m_link.now();
+  if (wantsStatus()) {
+    m_monitorIsStatus = true;
+    m_nextStatus = now + kStatusInterval;
+  } else if (m_settings.monitor && !m_abandonedAt && now >= m_nextDisplay &&
+             hasSlackFor(static_cast<int>(m_display.size()))) {
+    m_monitorIsStatus = false;
+    m_nextDisplay = now + kDisplayInterval;
+  } else {
+    return;
+  }
+  const std::vector<opcua::Variable>& variables = m_monitorIsStatus ? m_status : m_display;
+  m_monitorPending =
+      Pending{m_link.read(variables, m_settings.requestDeadline, opcua::Grouping::List), false,
+              static_cast<int>(variables.size()), 0};
+}
+
+void Driver::submitMethod() {
+  if (m_methodPending || m_monitorPending) {
+    return;
+  }
+  const std::optional<Action> action = m_method.poll(m_link.now());
+  if (!action) {
+    return;
+  }
+  Pending pending;
+  pending.points = action->points;
+  if (action->kind == Action::Kind::Read) {
+    pending.nodes = static_cast<int>(action->variables.size());
+    pending.id = m_link.read(action->variables, m_settings.requestDeadline, m_settings.grouping);
+  } else {
+    pending.write = true;
+    pending.nodes = static_cast<int>(action->assignments.size());
+    // A large fill at the start takes its time: the deadline grows with the number of nodes.
+    const Duration deadline =
+        m_settings.requestDeadline + 4 * m_settings.accessTime * pending.nodes;
+    pending.id = m_link.write(action->assignments, deadline, m_settings.grouping);
+    m_counters.sent += action->points;
+  }
+  m_methodPending = pending;
+}
+
+void Driver::handle(const opcua::Event& event) {
+  if (event.kind == opcua::EventKind::ConnectionLost) {
+    m_end.error = event.error;
+    m_end.error.message +=
+        " The control goes on with the points it has and repeats them: stop it at the control.";
+    m_done = true;
+    return;
+  }
+  if (m_stopPending == event.request) {
+    m_stopPending.reset();
+    return;  // whether it worked shows in the state of the channel
+  }
+  const bool forMethod = m_methodPending && m_methodPending->id == event.request;
+  const bool forMonitor = m_monitorPending && m_monitorPending->id == event.request;
+  if (!forMethod && !forMonitor) {
+    return;  // the late answer of a request that was given up
+  }
+  const Pending pending = forMethod ? *m_methodPending : *m_monitorPending;
+  (forMethod ? m_methodPending : m_monitorPending).reset();
+  if (event.kind == opcua::EventKind::RequestFailed) {
+    abandon(event.error);
+    return;
+  }
+  m_sink.access({event.sent, event.at - event.sent, pending.write, pending.nodes});
+  m_recentAccess.push_back(event.at - event.sent);
+  if (m_recentAccess.size() > kRecentMax) {
+    m_recentAccess.pop_front();
+  }
+  for (const opcua::Reading& reading : event.readings) {
+    if (reading.status) {
+      abandon(base::makeError(reading.status,
+                              "A variable the stream needs cannot be read. Check the access "
+                              "rights on the control."));
+      return;
+    }
+  }
+  for (const std::error_code& status : event.statuses) {
+    if (status) {
+      abandon(base::makeError(status,
+                              "A cell the stream needs cannot be written. Check the access "
+                              "rights and the number of R-parameters on the control."));
+      return;
+    }
+  }
+  if (forMethod) {
+    m_counters.accepted += pending.points;
+    handleMethod(event);
+  } else {
+    handleMonitor(event);
+  }
+}
+
+void Driver::handleMethod(const opcua::Event& event) {
+  m_method.handle({event.sent, event.at, event.readings}, event.at);
+  const Progress& progress = m_method.progress();
+  m_counters.executed = progress.executed;
+  if (progress.brokenSignals > m_brokenSeen) {
+    m_brokenSeen = progress.brokenSignals;
+    m_sink.note({event.at, "a signal came out of turn: a window has been executed again"});
+  }
+  inferPauses();
+  if (const std::optional<base::Vec3> position = m_method.positionMm();
+      position && !event.readings.empty() && event.at >= m_nextDisplay) {
+    m_nextDisplay = event.at + kDisplayInterval;
+    publish(trace::LiveSample{event.at, position, std::nullopt});
+  }
+}
+
+void Driver::handleMonitor(const opcua::Event& event) {
+  if (m_monitorIsStatus) {
+    if (event.readings[0].number == kChannelReset) {
+      m_end.programEnded = true;
+      if (m_stopWantedAt) {
+        m_end.stopConfirmedAfter = event.at - *m_stopWantedAt;
+      }
+      m_done = true;
+    } else if (const int alarm = static_cast<int>(event.readings[1].number); alarm != 0) {
+      m_end.error = base::makeError(
+          StreamError::ControlAlarm,
+          fmt::format("The control stopped with alarm {}. Clear it at the control.", alarm));
+      m_done = true;
+    }
+    return;
+  }
+  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0};
+  if (event.readings.size() > base::kAxisCount) {
+    sample.positionMm =
+        base::Vec3{event.readings[0].number, event.readings[1].number, event.readings[2].number};
+  }
+  if (const auto measured = m_detector.add(event.at, *sample.feedMmPerS)) {
+    // The same stand-still may have been inferred from the handshake already.
+    if (!m_inferred.empty()) {
+      m_inferred.pop_front();
+    }
+    publishPause(measured->pause);
+  }
+  publish(sample);
+}
+
+void Driver::inferPauses() {
+  const std::size_t passed = m_method.progress().stopsPassed;
+  for (; m_stopsSeen < passed; ++m_stopsSeen) {
+    m_inferred.push_back({m_link.now() - m_settings.nominalPause / 2, m_settings.nominalPause,
+                          trace::PauseOrigin::Inferred});
+  }
+}
+
+void Driver::settleInferred(bool all) {
+  while (!m_inferred.empty() &&
+         (all || m_link.now() - m_inferred.front().start >= kInferredSettles)) {
+    publishPause(m_inferred.front());
+    m_inferred.pop_front();
+  }
+}
+
+void Driver::publishPause(const trace::Pause& pause) {
+  m_pauses.push_back(pause);
+  LiveUpdate update;
+  update.state = m_stopWantedAt ? RunState::Stopping : RunState::Running;
+  update.at = m_link.now();
+  update.counters = m_counters;
+  update.pause = pause;
+  m_sink.update(update);
+}
+
+void Driver::checkDeadlines() {
+  if (m_done) {
+    return;
+  }
+  const Instant now = m_link.now();
+  const Progress& progress = m_method.progress();
+  const std::optional<Instant> endingSince = m_abandonedAt ? m_abandonedAt : m_stopWantedAt;
+  if (endingSince && now - *endingSince > m_settings.stopDeadline) {
+    const std::string unconfirmed =
+        fmt::format("The control did not confirm the stop within {:.0f} s. Stop it at the control.",
+                    base::toSeconds(m_settings.stopDeadline));
+    if (m_end.error.code) {
+      m_end.error.message += " " + unconfirmed;
+    } else {
+      m_end.error = base::makeError(StreamError::StopNotConfirmed, unconfirmed);
+    }
+    m_done = true;
+    return;
+  }
+  if (!m_abandonedAt && progress.lastProgress != Instant{} &&
+      now > progress.nextLatest + m_settings.stallDeadline) {
+    abandon(base::makeError(
+        StreamError::StreamStalled,
+        "The stream made no progress though the control was in its program: a point or a signal "
+        "was missed and old points were repeated, or the control was on hold. Look at the report, "
+        "then reduce the feed or release the hold."));
+  }
+}
+
+void Driver::abandon(base::Error error) {
+  m_sink.note({m_link.now(), "stream abandoned: " + error.text()});
+  m_end.error = std::move(error);
+  m_abandonedAt = m_link.now();
+  m_methodPending.reset();
+  m_nextStatus = m_link.now();
+}
+
+void Driver::submitStop() {
+  if (m_stopSent) {
+    return;
+  }
+  m_stopSent = true;
+  const opcua::Assignment stop{opcua::rParameter(m_stopCell), 1.0};
+  m_stopPending = m_link.write({&stop, 1}, m_settings.requestDeadline, opcua::Grouping::List);
+}
+
+void Driver::publish(std::optional<trace::LiveSample> sample) {
+  LiveUpdate update;
+  update.state = m_stopWantedAt ? RunState::Stopping : RunState::Running;
+  update.at = m_link.now();
+  update.counters = m_counters;
+  update.sample = std::move(sample);
+  const Progress& progress = m_method.progress();
+  if (!m_recentAccess.empty() && progress.lastProgress != Instant{} && !progress.allSent) {
+    std::vector<Duration> sorted(m_recentAccess.begin(), m_recentAccess.end());
+    std::sort(sorted.begin(), sorted.end());
+    update.margin = progress.nextEarliest - update.at - trace::quantile(sorted, 99);
+  }
+  m_lastPublished = update.at;
+  m_sink.update(update);
+}
+
+}  // namespace rivulet::streaming

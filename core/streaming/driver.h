@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The only loop that performs a method's accesses on a link. It adds three things a method
+/// does not know: the operator's stop, reads for the display where the stream has slack, and
+/// the end of the program on the control. The same driver runs real and simulated.
+/// @threadsafety runs on the thread that calls `run`; the sink is called on that thread.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "streaming/method.h"
+#include "trace/analysis/pauses.h"
+#include "trace/recording.h"
+
+namespace rivulet::streaming {
+
+/// Where a run reports to while it lasts. @threadsafety called on the streaming thread only
+class RunSink {
+ public:
+  virtual ~RunSink() = default;
+  virtual void update(const LiveUpdate& update) = 0;
+  virtual void access(const trace::Access& access) = 0;
+  virtual void note(const trace::Note& note) = 0;
+};
+
+/// Where orders to a run come from. @threadsafety asked on the streaming thread only
+class RunOrders {
+ public:
+  virtual ~RunOrders() = default;
+  /// True from the moment the operator wants the run to stop. @param now the link's time
+  [[nodiscard]] virtual bool stopRequested(base::Instant now) = 0;
+};
+
+/// How the stream ended, as far as the client can know.
+struct StreamEnd {
+  bool programEnded = false;  ///< the control's channel is in reset again
+  bool stopped = false;       ///< because the operator wanted it
+  std::optional<base::Duration> stopConfirmedAfter;
+  base::Error error;  ///< code clear: none
+};
+
+class Driver {
+ public:
+  /// @param total     points of the program, for the counters
+  /// @param stopCell  R number that ends the program; written by the driver itself only when the
+  ///                  stream has to be abandoned
+  Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
+         RunSink& sink, std::size_t total, int stopCell);
+
+  /// Streams until the program on the control has ended, or until nothing more can be done.
+  [[nodiscard]] StreamEnd run();
+
+  [[nodiscard]] const Counters& counters() const { return m_counters; }
+  /// Pauses seen while it ran: measured from feed samples or inferred from handshake edges.
+  [[nodiscard]] const std::vector<trace::Pause>& pauses() const { return m_pauses; }
+
+ private:
+  struct Pending {
+    base::RequestId id;
+    bool write = false;
+    int nodes = 0;
+    std::size_t points = 0;
+  };
+
+  void submitMethod();
+  void submitMonitor();
+  void handle(const opcua::Event& event);
+  void handleMethod(const opcua::Event& event);
+  void handleMonitor(const opcua::Event& event);
+  void checkStop();
+  void checkDeadlines();
+  [[nodiscard]] bool hasSlackFor(int nodes) const;
+  [[nodiscard]] bool wantsStatus() const;
+  void publish(std::optional<trace::LiveSample> sample = std::nullopt);
+  void publishPause(const trace::Pause& pause);
+  void inferPauses();
+  void settleInferred(bool all);
+  /// The stream cannot go on: tell the control to end its program and wait for that.
+  void abandon(base::Error error);
+  void submitStop();
+
+  opcua::Link& m_link;
+  Method& m_method;
+  const RunSettings& m_settings;
+  RunOrders& m_orders;
+  RunSink& m_sink;
+  Counters m_counters;
+  int m_stopCell = 0;
+  std::optional<Pending> m_methodPending;
+  std::optional<Pending> m_monitorPending;
+  bool m_monitorIsStatus = false;
+  std::vector<opcua::Variable> m_display;  // what a display read asks for
+  std::vector<opcua::Variable> m_status;
+  base::Instant m_nextDisplay{};
+  base::Instant m_nextStatus{};
+  base::Instant m_lastPublished{};
+  std::optional<base::Instant> m_stopWantedAt;
+  std::optional<base::Instant> m_abandonedAt;
+  std::optional<base::RequestId> m_stopPending;
+  bool m_stopSent = false;
+  trace::LivePauseDetector m_detector;
+  std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
+  std::vector<trace::Pause> m_pauses;
+  std::size_t m_stopsSeen = 0;
+  std::size_t m_brokenSeen = 0;
+  std::deque<base::Duration> m_recentAccess;
+  StreamEnd m_end;
+  bool m_done = false;
+};
+
+}  // namespace rivulet::streaming

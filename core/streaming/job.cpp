@@ -1,0 +1,461 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/contract.h"
+#include "base/units.h"
+#include "templates/generator.h"
+#include "trace/analysis/pauses.h"
+#include "trace/analysis/statistics.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::Result;
+using opcua::Variable;
+using opcua::VariableKind;
+
+/// How often the control is asked while the operator goes to press cycle start.
+constexpr Duration kStartPollInterval = std::chrono::milliseconds{50};
+
+/// R-parameters are doubles on both sides: a point arrives as it was sent. A thousandth of a
+/// micrometre leaves room for a control that rounds its display values.
+constexpr double kPointToleranceMm = 1e-6;
+
+constexpr double kReset = 0.0;
+
+/// Passes everything on and keeps what the report and the recording need.
+class Ledger final : public RunSink {
+ public:
+  Ledger(RunSink& next, trace::RecordingWriter* writer) : m_next(next), m_writer(writer) {}
+
+  void update(const LiveUpdate& update) override {
+    if (m_writer != nullptr && update.sample) {
+      m_writer->sample(*update.sample);
+    }
+    if (m_writer != nullptr && update.pause) {
+      m_writer->pause(*update.pause);
+    }
+    m_next.update(update);
+  }
+
+  void access(const trace::Access& access) override {
+    m_requests.push_back(access.took);
+    m_nodes += static_cast<std::size_t>(access.nodes);
+    m_perNode.push_back(access.took / std::max(access.nodes, 1));
+    if (m_writer != nullptr) {
+      m_writer->access(access);
+    }
+    m_next.access(access);
+  }
+
+  void note(const trace::Note& note) override {
+    if (m_writer != nullptr) {
+      m_writer->note(note);
+    }
+    m_next.note(note);
+  }
+
+  [[nodiscard]] AccessStatistics statistics() const {
+    AccessStatistics statistics;
+    statistics.requests = m_requests.size();
+    statistics.nodes = m_nodes;
+    statistics.perNode = trace::durationStatistics(m_perNode);
+    statistics.perRequest = trace::durationStatistics(m_requests);
+    return statistics;
+  }
+
+ private:
+  RunSink& m_next;
+  trace::RecordingWriter* m_writer;
+  std::vector<Duration> m_requests;
+  std::vector<Duration> m_perNode;
+  std::size_t m_nodes = 0;
+};
+
+/// Waits for the answer to one request, whatever else arrives.
+Result<opcua::Event> await(opcua::Link& link, base::RequestId id, Duration deadline) {
+  // The link reports its own deadline; twice that is a bug of the link, not of the control.
+  const Instant until = link.now() + 2 * deadline;
+  while (link.now() < until) {
+    std::optional<opcua::Event> event = link.wait(until);
+    if (!event) {
+      continue;
+    }
+    if (event->kind == opcua::EventKind::ConnectionLost) {
+      return base::fail(event->error);
+    }
+    if (event->request != id) {
+      continue;
+    }
+    if (event->kind == opcua::EventKind::RequestFailed) {
+      return base::fail(event->error);
+    }
+    return std::move(*event);
+  }
+  return base::fail(opcua::LinkError::DeadlineExceeded,
+                    "The control did not answer in time. Check the network.");
+}
+
+/// One run, step by step. Every step returns an error that ends the job.
+class Job {
+ public:
+  Job(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
+      const RunSettings& settings, RunOrders& orders, RunSink& sink, JobRecorder recorder)
+      : m_link(link),
+        m_control(control),
+        m_program(program),
+        m_settings(settings),
+        m_orders(orders),
+        m_ledger(sink, recorder.writer),
+        m_recorder(std::move(recorder)) {}
+
+  RunReport run() {
+    m_report.programName = m_program.name;
+    m_report.settings = m_settings;
+    Result<void> result = prepare();
+    if (result) {
+      result = arm();
+    }
+    if (result && !m_cancelled) {
+      stream();
+    } else if (!result) {
+      m_report.error = result.error();
+    }
+    finish();
+    return std::move(m_report);
+  }
+
+ private:
+  Result<void> prepare() {
+    Result<templates::CellMap> cells = templates::planCells(m_settings.parameters);
+    if (!cells) {
+      return base::fail(cells.error());
+    }
+    m_cells = *cells;
+    Result<Preflight> flight = preflight(m_link, m_program, m_settings);
+    if (!flight) {
+      return base::fail(flight.error());
+    }
+    m_flight = std::move(*flight);
+    m_report.counters.total = m_flight.points.points.size();
+    startRecording();
+    return {};
+  }
+
+  void startRecording() {
+    if (m_recorder.writer == nullptr) {
+      return;
+    }
+    trace::RunStart& start = m_recorder.start;
+    start.method = base::methodName(m_settings.parameters.method);
+    start.pointsPerLoop = m_settings.parameters.pointsPerLoop;
+    start.layout = templates::layoutName(m_settings.parameters.layout);
+    start.deltaMm = m_settings.deltaMm;
+    start.feedMmPerS = m_settings.feedMmPerS;
+    start.programName = m_program.name;
+    start.programHash = m_program.hash;
+    m_recorder.writer->start(start);
+    m_recorder.writer->points(m_flight.points);
+  }
+
+  /// The flexible program onto the control, selected, started, and waiting for us.
+  Result<void> arm() {
+    const Result<std::string> text = templates::generateTemplate(m_settings.parameters);
+    if (!text) {
+      return base::fail(text.error());
+    }
+    const std::string name = templates::templateFileName(m_settings.parameters);
+    publish(RunState::Armed, "transfer");
+    if (Result<void> done = m_control.uploadProgram(name, *text, true); !done) {
+      return done;
+    }
+    const Result<std::string> there = m_control.downloadProgram(name);
+    if (!there) {
+      return base::fail(there.error());
+    }
+    if (*there != *text) {
+      return base::fail(StreamError::WrongProgram,
+                        "The program on the control differs from the one transferred. Delete it "
+                        "there and start again.",
+                        name);
+    }
+    if (Result<void> done = m_control.selectProgram(name); !done) {
+      return done;
+    }
+    // A number left from an earlier run must not pass for the program's own.
+    const std::array<opcua::Assignment, 3> clear{{{opcua::rParameter(m_cells.layout), 0.0},
+                                                  {opcua::rParameter(m_cells.run), 0.0},
+                                                  {opcua::rParameter(m_cells.stop), 0.0}}};
+    if (Result<void> done = writeNow(m_link, clear, m_settings.requestDeadline); !done) {
+      return done;
+    }
+    publish(RunState::Armed, "cycle-start");
+    if (m_control.isVirtualMachine()) {
+      if (Result<void> done = m_control.cycleStart(); !done) {
+        return done;
+      }
+    }
+    return awaitStart();
+  }
+
+  /// Until the program on the control has written its layout number: it is the right program,
+  /// and it waits for the run cell.
+  Result<void> awaitStart() {
+    const Instant until = m_link.now() + m_settings.startDeadline;
+    const int expected = templates::layoutNumber(m_settings.parameters);
+    const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
+                                           opcua::rParameter(m_cells.layout),
+                                           {VariableKind::Alarm, 0}}};
+    while (m_link.now() < until) {
+      if (m_orders.stopRequested(m_link.now())) {
+        return cancel();
+      }
+      const auto readings = readNow(m_link, watched, m_settings.requestDeadline);
+      if (!readings) {
+        return base::fail(readings.error());
+      }
+      for (const opcua::Reading& reading : *readings) {
+        if (reading.status) {
+          return base::fail(reading.status,
+                            "A variable of the control cannot be read. Check the access rights.");
+        }
+      }
+      const int layout = static_cast<int>((*readings)[1].number);
+      if (const int alarm = static_cast<int>((*readings)[2].number); alarm != 0) {
+        return base::fail(
+            StreamError::ControlAlarm,
+            fmt::format("The control reports alarm {}. Clear it at the control.", alarm));
+      }
+      if ((*readings)[0].number != kReset && layout != 0) {
+        if (layout != expected) {
+          return base::fail(
+              StreamError::WrongProgram,
+              fmt::format("The control runs another flexible program (layout {} "
+                          "instead of {}). Nothing was started: reset the control "
+                          "and select {}.",
+                          layout, expected, templates::templateFileName(m_settings.parameters)));
+        }
+        return {};
+      }
+      pause(kStartPollInterval);
+    }
+    return base::fail(
+        StreamError::NotStarted,
+        "Cycle start was not pressed in time. Start again when the machine is ready.");
+  }
+
+  /// Stop before anything has moved.
+  Result<void> cancel() {
+    m_cancelled = true;
+    m_report.outcome = Outcome::Stopped;
+    const Instant asked = m_link.now();
+    if (m_control.isVirtualMachine()) {
+      if (Result<void> done = m_control.reset(); !done) {
+        return done;
+      }
+      m_report.stopConfirmedAfter = m_link.now() - asked;
+    }
+    return {};
+  }
+
+  void stream() {
+    MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings};
+    const std::unique_ptr<Method> method = makeMethod(std::move(setup));
+    Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
+                  m_cells.stop);
+    const Instant from = m_link.now();
+    const StreamEnd end = driver.run();
+    m_report.counters = driver.counters();
+    m_report.pauses = driver.pauses();
+    m_report.duration = m_link.now() - from;
+    m_report.stopConfirmedAfter = end.stopConfirmedAfter;
+    m_report.error = end.error;
+    m_streamed = true;
+    if (end.error.code || !end.programEnded) {
+      m_report.outcome = Outcome::Failed;
+    } else if (end.stopped) {
+      m_report.outcome = Outcome::Stopped;
+    } else {
+      m_report.outcome = Outcome::Completed;
+    }
+  }
+
+  void finish() {
+    if (m_streamed) {
+      judge();
+    }
+    if (m_report.outcome == Outcome::Completed) {
+      m_report.counters.executed = m_report.counters.total;
+    }
+    if (m_report.integrity.judged) {
+      m_report.counters.executed = m_report.integrity.executed;
+    }
+    if (m_report.outcome == Outcome::Completed && m_report.integrity.judged &&
+        m_report.integrity.executed < m_report.counters.total) {
+      m_report.outcome = Outcome::Failed;
+      m_report.error =
+          base::makeError(StreamError::EndedEarly,
+                          "The program on the control ended before every point was executed.");
+    }
+    m_report.access = m_ledger.statistics();
+    if (m_recorder.writer != nullptr) {
+      m_recorder.writer->end({std::string(outcomeName(m_report.outcome)), m_report.counters.sent,
+                              m_report.counters.accepted, m_report.counters.executed,
+                              m_report.counters.total, m_report.duration,
+                              m_report.error.code ? m_report.error.text() : std::string()});
+    }
+    publish(m_report.outcome == Outcome::Failed ? RunState::Aborted : RunState::Done, "");
+  }
+
+  /// The control's own trace takes the place of what the client believes.
+  void judge() {
+    if (!m_control.isVirtualMachine() || m_report.error.code == opcua::LinkError::ConnectionLost) {
+      return;
+    }
+    publish(RunState::Stopping, "trace");
+    const Result<std::string> text = m_control.fetchTrace();
+    Result<trace::ControlTrace> trace =
+        text ? trace::parseControlTrace(*text) : base::fail(text.error());
+    if (!trace) {
+      m_ledger.note(
+          {m_link.now(), "the control's trace could not be had: " + trace.error().text()});
+      return;
+    }
+    m_report.integrity =
+        trace::judgeIntegrity(m_flight.points.points, trace->blocks, kPointToleranceMm);
+    m_report.pauses = trace::findPauses(*trace);
+    if (!trace->samples.empty()) {
+      m_report.duration = trace->samples.back().at - trace->samples.front().at;
+    }
+    if (m_recorder.writer != nullptr) {
+      m_recorder.writer->controlTrace(*trace);
+    }
+    m_report.controlTrace = std::make_shared<const trace::ControlTrace>(std::move(*trace));
+  }
+
+  void pause(Duration duration) {
+    const Instant until = m_link.now() + duration;
+    while (m_link.now() < until) {
+      if (!m_link.wait(until)) {
+        return;
+      }
+    }
+  }
+
+  void publish(RunState state, const char* waitingFor) {
+    LiveUpdate update;
+    update.state = state;
+    update.at = m_link.now();
+    update.counters = m_report.counters;
+    update.waitingFor = waitingFor;
+    update.stopConfirmedAfter = m_report.stopConfirmedAfter;
+    m_ledger.update(update);
+  }
+
+  opcua::Link& m_link;
+  opcua::Control& m_control;
+  const gcode::Program& m_program;
+  const RunSettings& m_settings;
+  RunOrders& m_orders;
+  Ledger m_ledger;
+  JobRecorder m_recorder;
+  templates::CellMap m_cells;
+  Preflight m_flight;
+  RunReport m_report;
+  bool m_cancelled = false;
+  bool m_streamed = false;
+};
+
+}  // namespace
+
+Result<std::vector<opcua::Reading>> readNow(opcua::Link& link, std::span<const Variable> variables,
+                                            Duration deadline) {
+  Result<opcua::Event> event =
+      await(link, link.read(variables, deadline, opcua::Grouping::List), deadline);
+  if (!event) {
+    return base::fail(event.error());
+  }
+  return std::move(event->readings);
+}
+
+Result<void> writeNow(opcua::Link& link, std::span<const opcua::Assignment> assignments,
+                      Duration deadline) {
+  const Result<opcua::Event> event =
+      await(link, link.write(assignments, deadline, opcua::Grouping::List), deadline);
+  if (!event) {
+    return base::fail(event.error());
+  }
+  for (std::size_t i = 0; i < event->statuses.size(); ++i) {
+    if (event->statuses[i]) {
+      return base::fail(event->statuses[i],
+                        fmt::format("R{} of the control cannot be written. Check the access rights "
+                                    "and the number of R-parameters (MD28050).",
+                                    assignments[i].variable.index));
+    }
+  }
+  return {};
+}
+
+Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
+                            const RunSettings& settings) {
+  if (!program.isStreamable()) {
+    return base::fail(StreamError::ProgramNotStreamable,
+                      "The program has findings that leave its path unknown. Correct them first.",
+                      program.name);
+  }
+  if (!(settings.feedMmPerS > 0.0) || !(settings.deltaMm > 0.0)) {
+    return base::fail(StreamError::ProgramNotStreamable,
+                      "The feed and δ must be greater than zero.");
+  }
+  const std::array<Variable, 5> watched{{{VariableKind::ChannelStatus, 0},
+                                         {VariableKind::ActualPosition, 0},
+                                         {VariableKind::ActualPosition, 1},
+                                         {VariableKind::ActualPosition, 2},
+                                         {VariableKind::Alarm, 0}}};
+  const auto readings = readNow(link, watched, settings.requestDeadline);
+  if (!readings) {
+    return base::fail(readings.error());
+  }
+  for (const opcua::Reading& reading : *readings) {
+    if (reading.status) {
+      return base::fail(reading.status,
+                        "A variable of the control cannot be read. Check the access rights.");
+    }
+  }
+  if ((*readings)[0].number != kReset) {
+    return base::fail(StreamError::ChannelBusy,
+                      "A program runs on the control. Let it end or reset the control, then start "
+                      "again.");
+  }
+  if (const int alarm = static_cast<int>((*readings)[4].number); alarm != 0) {
+    return base::fail(StreamError::ControlAlarm,
+                      fmt::format("The control reports alarm {}. Clear it at the control.", alarm));
+  }
+  Preflight flight;
+  flight.toolMm = {(*readings)[1].number, (*readings)[2].number, (*readings)[3].number};
+  flight.points = gcode::streamPoints(program.trajectory, flight.toolMm);
+  if (flight.points.points.empty()) {
+    return base::fail(StreamError::ProgramNotStreamable, "The program moves nothing.",
+                      program.name);
+  }
+  flight.approachMm = base::distance(flight.toolMm, flight.points.points.front().positionMm);
+  return flight;
+}
+
+RunReport runJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
+                 const RunSettings& settings, RunOrders& orders, RunSink& sink,
+                 JobRecorder recorder) {
+  return Job(link, control, program, settings, orders, sink, std::move(recorder)).run();
+}
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A streaming method as a state machine without I/O. The driver drains `poll` after every
+/// `handle`, performs what it gets on a link and feeds the answer back. Nothing here knows
+/// whether the control is real, nor asks the time: every call is told `now`.
+/// @threadsafety one object, one thread. No allocation between the first poll and the end.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/instant.h"
+#include "gcode/trajectory.h"
+#include "opcua/link.h"
+#include "streaming/run.h"
+#include "templates/cells.h"
+
+namespace rivulet::streaming {
+
+/// One access a method asks for. The spans stay valid until the answer has been handled.
+struct Action {
+  enum class Kind { Read, Write } kind = Kind::Read;
+  std::span<const opcua::Variable> variables;      ///< Read
+  std::span<const opcua::Assignment> assignments;  ///< Write
+  std::size_t points = 0;                          ///< points of the program this write hands over
+};
+
+/// The answer to the action polled last.
+struct Answer {
+  base::Instant sent{};
+  base::Instant at{};
+  std::span<const opcua::Reading> readings;  ///< Read; empty for a write
+};
+
+/// What a method tells the world.
+struct Progress {
+  std::size_t executed = 0;       ///< points known to be passed
+  std::size_t stopsPassed = 0;    ///< STOPREs of the template known to be passed
+  std::size_t brokenSignals = 0;  ///< signals that came out of turn: a window was missed
+  base::Instant lastProgress{};   ///< when `executed` grew last
+  base::Instant nextEarliest{};   ///< the next access is not needed before
+  base::Instant nextLatest{};     ///< progress after this means something is slower than planned
+  bool allSent = false;           ///< every point is on the control
+  bool stopWritten = false;       ///< the program on the control has been told to end
+};
+
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  /// The next access; nothing while an answer is outstanding or there is nothing left to do.
+  /// The order is: cells of the first N points, then `run`, then the stream.
+  [[nodiscard]] virtual std::optional<Action> poll(base::Instant now) = 0;
+
+  /// Exactly one call per action polled.
+  virtual void handle(const Answer& answer, base::Instant now) = 0;
+
+  /// The operator wants the program to end after the loop it is in. Refilling goes on until the
+  /// control has left the loop: what it still passes must be new points, never old ones.
+  virtual void requestStop() = 0;
+
+  [[nodiscard]] virtual const Progress& progress() const = 0;
+
+  /// Tool position contained in the answer handled last, if the method reads it anyway.
+  [[nodiscard]] virtual std::optional<base::Vec3> positionMm() const { return std::nullopt; }
+};
+
+/// What every method is made from.
+struct MethodSetup {
+  std::vector<gcode::StreamPoint> points;  ///< at least one
+  base::Vec3 startMm;  ///< where the tool stands before the run, workpiece frame
+  templates::CellMap cells;
+  RunSettings settings;
+};
+
+/// The method named in the settings. @param setup see MethodSetup
+[[nodiscard]] std::unique_ptr<Method> makeMethod(MethodSetup setup);
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the methods of [P1] share: the points in order, the slots they go to, and the loops of
+/// the flexible program. Beyond the last point a slot gets the last point again: the axes stand
+/// there already, so the block moves nothing. @threadsafety one object, one thread.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/contract.h"
+#include "base/units.h"
+#include "streaming/method.h"
+
+namespace rivulet::streaming {
+
+class SlotPlan {
+ public:
+  explicit SlotPlan(MethodSetup setup) : m_setup(std::move(setup)) {
+    RIVULET_ASSERT(!m_setup.points.empty());
+    const auto slots = static_cast<std::size_t>(m_setup.cells.pointsPerLoop);
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      m_cells.push_back(m_setup.cells.slotCells(static_cast<int>(slot)));
+    }
+    m_writes.reserve(slots * base::kAxisCount + 4);
+    m_arcMm.reserve(m_setup.points.size());
+    double length = 0.0;
+    for (std::size_t i = 0; i < m_setup.points.size(); ++i) {
+      if (i > 0) {
+        length += base::distance(m_setup.points[i - 1].positionMm, m_setup.points[i].positionMm);
+      }
+      m_arcMm.push_back(length);
+    }
+  }
+
+  [[nodiscard]] std::size_t pointCount() const { return m_setup.points.size(); }
+  [[nodiscard]] std::size_t slotCount() const { return m_cells.size(); }
+  [[nodiscard]] const templates::CellMap& cells() const { return m_setup.cells; }
+  [[nodiscard]] const RunSettings& settings() const { return m_setup.settings; }
+  [[nodiscard]] base::Vec3 pointMm(std::size_t index) const {
+    return m_setup.points[std::min(index, pointCount() - 1)].positionMm;
+  }
+  /// Index of the loop that holds the last point; the stop must be written while it runs.
+  [[nodiscard]] std::size_t lastLoop() const { return (pointCount() - 1) / slotCount(); }
+
+  /// Shortest time from point `from` to point `to` (clamped to the last one) at the feed.
+  [[nodiscard]] base::Duration travelTime(std::size_t from, std::size_t to) const {
+    const std::size_t last = pointCount() - 1;
+    const double length = m_arcMm[std::min(to, last)] - m_arcMm[std::min(from, last)];
+    return base::fromSeconds(std::max(0.0, length) / m_setup.settings.feedMmPerS);
+  }
+
+  /// Shortest time from where the tool stands to the first point.
+  [[nodiscard]] base::Duration approachTime() const {
+    return base::fromSeconds(base::distance(m_setup.startMm, pointMm(0)) /
+                             m_setup.settings.feedMmPerS);
+  }
+
+  void clearWrites() { m_writes.clear(); }
+  void addCell(int cell, double value) { m_writes.push_back({opcua::rParameter(cell), value}); }
+  /// Point `index` (or the last one) into its slot.
+  void addPoint(std::size_t index) {
+    const std::vector<int>& cells = m_cells[index % slotCount()];
+    const base::Vec3 point = pointMm(index);
+    std::size_t next = 0;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (m_setup.cells.axes[axis]) {
+        addCell(cells[next++], point[axis]);
+      }
+    }
+  }
+  [[nodiscard]] std::span<const opcua::Assignment> writes() const { return m_writes; }
+
+  /// Feed, cleared stop cell and the first N points.
+  void addFirstLoop() {
+    addCell(m_setup.cells.feed, base::mmPerMinFromMmPerS(m_setup.settings.feedMmPerS));
+    for (std::size_t index = 0; index < slotCount(); ++index) {
+      addPoint(index);
+    }
+  }
+
+ private:
+  MethodSetup m_setup;
+  std::vector<std::vector<int>> m_cells;
+  std::vector<double> m_arcMm;  ///< path length up to each point
+  std::vector<opcua::Assignment> m_writes;
+};
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/run.h"
+
+namespace rivulet::streaming {
+
+std::error_code make_error_code(StreamError code) {
+  static const base::NamedCategory category("streaming");
+  return {static_cast<int>(code), category};
+}
+
+std::string_view runStateName(RunState state) {
+  switch (state) {
+    case RunState::Idle:
+      return "idle";
+    case RunState::Armed:
+      return "armed";
+    case RunState::Running:
+      return "running";
+    case RunState::Stopping:
+      return "stopping";
+    case RunState::Done:
+      return "done";
+    case RunState::Aborted:
+      return "aborted";
+  }
+  return "";
+}
+
+std::string_view outcomeName(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::Completed:
+      return "completed";
+    case Outcome::Stopped:
+      return "stopped";
+    case Outcome::Failed:
+      return "failed";
+  }
+  return "";
+}
+
+bool RunReport::isFaultless() const {
+  if (outcome == Outcome::Failed || (integrity.judged && !integrity.isFaultless())) {
+    return false;
+  }
+  return outcome == Outcome::Stopped || !integrity.judged || integrity.executed == counters.total;
+}
+
+}  // namespace rivulet::streaming

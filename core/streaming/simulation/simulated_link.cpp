@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/simulation/simulated_link.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/contract.h"
+#include "base/units.h"
+
+namespace rivulet::streaming {
+
+using base::Instant;
+using opcua::Event;
+using opcua::EventKind;
+using opcua::LinkError;
+
+base::RequestId SimulatedLink::read(std::span<const opcua::Variable> variables,
+                                    base::Duration deadline, opcua::Grouping grouping) {
+  Request request;
+  request.kind = machine::AccessKind::Read;
+  request.grouping = grouping;
+  request.variables.assign(variables.begin(), variables.end());
+  return submit(std::move(request), deadline);
+}
+
+base::RequestId SimulatedLink::write(std::span<const opcua::Assignment> assignments,
+                                     base::Duration deadline, opcua::Grouping grouping) {
+  Request request;
+  request.kind = machine::AccessKind::Write;
+  request.grouping = grouping;
+  for (const opcua::Assignment& assignment : assignments) {
+    request.variables.push_back(assignment.variable);
+    request.values.push_back(assignment.value);
+    request.refused = request.refused || !std::isfinite(assignment.value);
+  }
+  return submit(std::move(request), deadline);
+}
+
+base::RequestId SimulatedLink::submit(Request request, base::Duration deadline) {
+  request.id = ++m_lastId;
+  request.sent = now();
+  request.deadline = now() + deadline;
+  request.event.request = request.id;
+  request.event.sent = request.sent;
+  request.event.kind =
+      request.kind == machine::AccessKind::Read ? EventKind::ReadDone : EventKind::WriteDone;
+  m_requests.push_back(std::move(request));
+  return m_lastId;
+}
+
+void SimulatedLink::beginNode(Request& request) {
+  // A list is one request; single accesses are one request each, sent when the last is answered.
+  if (!request.begun || request.grouping == opcua::Grouping::Single) {
+    m_machine.beginRequest(request.kind, request.begun ? now() : request.sent);
+  }
+  request.begun = true;
+  request.nextDoneAt = m_machine.serveNode();
+}
+
+std::optional<Event> SimulatedLink::wait(Instant until) {
+  while (!m_requests.empty()) {
+    Request& request = m_requests.front();
+    const auto finish = [&]() -> std::optional<Event> {
+      const bool silent = request.reported;
+      Event event = std::move(request.event);
+      event.at = now();
+      m_requests.pop_front();
+      return silent ? std::nullopt : std::optional<Event>(std::move(event));
+    };
+    if (request.refused) {
+      request.event.kind = EventKind::RequestFailed;
+      request.event.error = base::makeError(
+          LinkError::BadValue, "A value that is no number was to be written. Nothing was sent.");
+      return finish();
+    }
+    if (request.next == request.variables.size()) {
+      if (std::optional<Event> event = finish()) {
+        return event;
+      }
+      continue;
+    }
+    if (!request.begun) {
+      beginNode(request);
+    }
+    if (!request.reported && request.deadline < request.nextDoneAt && request.deadline <= until) {
+      // The client gives up; the control carries the request out all the same.
+      m_machine.advance(request.deadline);
+      request.reported = true;
+      Event event;
+      event.kind = EventKind::RequestFailed;
+      event.request = request.id;
+      event.sent = request.sent;
+      event.at = now();
+      event.error = base::makeError(LinkError::DeadlineExceeded,
+                                    "The control did not answer in time. Check the network and "
+                                    "the load of the control.");
+      return event;
+    }
+    if (request.nextDoneAt > until) {
+      break;
+    }
+    m_machine.advance(request.nextDoneAt);
+    access(request);
+    if (++request.next < request.variables.size()) {
+      beginNode(request);
+    }
+  }
+  m_machine.advance(until);
+  return std::nullopt;
+}
+
+void SimulatedLink::access(Request& request) {
+  const opcua::Variable& variable = request.variables[request.next];
+  if (request.kind == machine::AccessKind::Read) {
+    request.event.readings.push_back(readVariable(variable));
+    return;
+  }
+  std::error_code status;
+  if (variable.kind != opcua::VariableKind::RParameter) {
+    status = LinkError::NotWritable;
+  } else if (!m_machine.hasRParameter(variable.index)) {
+    status = LinkError::VariableMissing;
+  } else {
+    m_machine.writeRParameter(variable.index, request.values[request.next]);
+  }
+  request.event.statuses.push_back(status);
+}
+
+opcua::Reading SimulatedLink::readVariable(const opcua::Variable& variable) const {
+  opcua::Reading reading;
+  if (variable.kind == opcua::VariableKind::RParameter) {
+    if (m_machine.hasRParameter(variable.index)) {
+      reading.number = m_machine.rParameter(variable.index);
+    } else {
+      reading.status = LinkError::VariableMissing;
+    }
+    return reading;
+  }
+  const bool isAxis = variable.kind == opcua::VariableKind::ActualPosition ||
+                      variable.kind == opcua::VariableKind::DistanceToGo;
+  if (isAxis && (variable.index < 0 || variable.index >= static_cast<int>(base::kAxisCount))) {
+    reading.status = LinkError::VariableMissing;
+    return reading;
+  }
+  const machine::MachineState state = m_machine.state();
+  const auto axis = static_cast<std::size_t>(variable.index);
+  switch (variable.kind) {
+    case opcua::VariableKind::RParameter:
+      break;
+    case opcua::VariableKind::ActualPosition:
+      reading.number = state.actualMm[axis];
+      break;
+    case opcua::VariableKind::DistanceToGo:
+      reading.number = state.distanceToGoMm[axis];
+      break;
+    case opcua::VariableKind::PathFeed:
+      reading.number = base::mmPerMinFromMmPerS(state.feedMmPerS);
+      break;
+    case opcua::VariableKind::ProgramStatus:
+      reading.number = static_cast<double>(state.program);
+      break;
+    case opcua::VariableKind::ChannelStatus:
+      reading.number = static_cast<double>(state.channel);
+      break;
+    case opcua::VariableKind::LineNumber:
+      reading.number = state.line;
+      break;
+    case opcua::VariableKind::ProgramName:
+      reading.text = state.programName;
+      break;
+    case opcua::VariableKind::Message:
+      reading.text = state.message;
+      break;
+    case opcua::VariableKind::Alarm:
+      reading.number = state.alarm;
+      break;
+  }
+  return reading;
+}
+
+base::Result<void> SimulatedLink::uploadProgram(const std::string& name, const std::string& text,
+                                                bool overwrite) {
+  return m_machine.storeProgram(name, text, overwrite);
+}
+
+base::Result<std::string> SimulatedLink::downloadProgram(const std::string& name) {
+  return m_machine.programText(name);
+}
+
+base::Result<void> SimulatedLink::selectProgram(const std::string& name) {
+  return m_machine.selectProgram(name);
+}
+
+base::Result<void> SimulatedLink::cycleStart() {
+  return m_machine.cycleStart();
+}
+
+base::Result<void> SimulatedLink::reset() {
+  m_machine.reset();
+  return {};
+}
+
+base::Result<std::string> SimulatedLink::fetchTrace() {
+  return trace::printControlTrace(m_machine.trace());
+}
+
+}  // namespace rivulet::streaming

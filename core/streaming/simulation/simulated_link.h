@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A `Link` to a virtual machine in virtual time: `wait` jumps the clock to the next event
+/// instead of sleeping. Requests pay the access cost of the machine's variable service, node
+/// after node, exactly as through the OPC UA front.
+/// @threadsafety one object, one thread.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "machine/machine.h"
+#include "opcua/link.h"
+
+namespace rivulet::streaming {
+
+class SimulatedLink final : public opcua::Link, public opcua::Control {
+ public:
+  /// @param machine  must outlive the link
+  explicit SimulatedLink(machine::Machine& machine) : m_machine(machine) {}
+
+  [[nodiscard]] base::Instant now() const override { return m_machine.now(); }
+  base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
+                       opcua::Grouping grouping) override;
+  base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
+                        opcua::Grouping grouping) override;
+  std::optional<opcua::Event> wait(base::Instant until) override;
+
+  base::Result<void> uploadProgram(const std::string& name, const std::string& text,
+                                   bool overwrite) override;
+  base::Result<std::string> downloadProgram(const std::string& name) override;
+  base::Result<void> selectProgram(const std::string& name) override;
+  [[nodiscard]] bool isVirtualMachine() const override { return true; }
+  base::Result<void> cycleStart() override;
+  base::Result<void> reset() override;
+  base::Result<std::string> fetchTrace() override;
+
+ private:
+  struct Request {
+    base::RequestId id;
+    machine::AccessKind kind = machine::AccessKind::Read;
+    opcua::Grouping grouping = opcua::Grouping::List;
+    std::vector<opcua::Variable> variables;
+    std::vector<double> values;  ///< Write
+    base::Instant sent{};
+    base::Instant deadline{};
+    std::size_t next = 0;        ///< node to be served
+    base::Instant nextDoneAt{};  ///< when that node is done; valid once begun
+    bool begun = false;
+    bool refused = false;   ///< a value is not finite: fails without being sent
+    bool reported = false;  ///< its deadline has passed and been reported
+    opcua::Event event;
+  };
+
+  base::RequestId submit(Request request, base::Duration deadline);
+  void beginNode(Request& request);
+  void access(Request& request);
+  [[nodiscard]] opcua::Reading readVariable(const opcua::Variable& variable) const;
+
+  machine::Machine& m_machine;
+  base::RequestId m_lastId;
+  std::deque<Request> m_requests;
+};
+
+}  // namespace rivulet::streaming
