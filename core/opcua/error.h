@@ -10,19 +10,19 @@
 namespace rivulet::opcua {
 
 enum class LinkError {
-  NotReachable = 1,     ///< no server answers at the endpoint
-  ConnectionLost,       ///< it was there and is gone
-  DeadlineExceeded,     ///< no answer in time; the request may still have been carried out
-  VariableMissing,      ///< the control has no such variable
-  NotWritable,          ///< write access is missing
-  BadValue,             ///< NaN or infinity offered, or an unusable type received
-  Rejected,             ///< the server refused the request
-  NamespaceMissing,     ///< the server is no SINUMERIK (no SinumerikVarProvider)
-  MethodMissing,        ///< the server does not offer the method
-  ProgramMissing,       ///< no such program on the control
-  ChannelNotInReset,    ///< a program can be selected and started only in reset
+  NotReachable = 1,   ///< no server answers at the endpoint
+  ConnectionLost,     ///< it was there and is gone
+  DeadlineExceeded,   ///< no answer in time; the request may still have been carried out
+  VariableMissing,    ///< the control has no such variable
+  NotWritable,        ///< write access is missing
+  BadValue,           ///< NaN or infinity offered, or an unusable type received
+  Rejected,           ///< the server refused the request
+  NamespaceMissing,   ///< the server is no SINUMERIK (no SinumerikVarProvider)
+  MethodMissing,      ///< the server does not offer the method
+  ProgramMissing,     ///< no such program on the control
+  ChannelNotInReset,  ///< a program can be selected and started only in reset
   FileExists,
-  TooManyItems,         ///< request larger than the link takes
+  TooManyItems,  ///< request larger than the link takes
 };
 
 [[nodiscard]] std::error_code make_error_code(LinkError code);

@@ -65,7 +65,13 @@ class Link {
   virtual std::optional<Event> wait(base::Instant until) = 0;
 };
 
-enum class SelectStatus { Done = 0, NoSuchChannel = 1, NoSuchProgram = 2, NotInReset = 3, Rejected = 4 };
+enum class SelectStatus {
+  Done = 0,
+  NoSuchChannel = 1,
+  NoSuchProgram = 2,
+  NotInReset = 3,
+  Rejected = 4
+};
 
 /// Commands outside the stream. Each call blocks up to its deadline and must not be made while
 /// a stream runs (except `reset`).

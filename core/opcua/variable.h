@@ -14,16 +14,16 @@
 namespace rivulet::opcua {
 
 enum class VariableKind : unsigned char {
-  RParameter,       ///< index = R number; number, read and write
-  ActualPosition,   ///< index = geometry axis from 0; mm, workpiece frame (aaAcsRel)
-  DistanceToGo,     ///< index = geometry axis from 0; mm to the end of the block (aaDtew)
-  PathFeed,         ///< mm/min (actFeedRateIpo)
-  ProgramStatus,    ///< 1 interrupted, 2 stopped, 3 running, 4 waiting, 5 aborted
-  ChannelStatus,    ///< 0 reset, 1 active, 2 interrupted
-  LineNumber,       ///< line of the program in motion
-  ProgramName,      ///< text: program selected in the channel
-  Message,          ///< text: what MSG("...") shows
-  Alarm,            ///< number of the newest alarm of the channel; 0 none
+  RParameter,      ///< index = R number; number, read and write
+  ActualPosition,  ///< index = geometry axis from 0; mm, workpiece frame (aaAcsRel)
+  DistanceToGo,    ///< index = geometry axis from 0; mm to the end of the block (aaDtew)
+  PathFeed,        ///< mm/min (actFeedRateIpo)
+  ProgramStatus,   ///< 1 interrupted, 2 stopped, 3 running, 4 waiting, 5 aborted
+  ChannelStatus,   ///< 0 reset, 1 active, 2 interrupted
+  LineNumber,      ///< line of the program in motion
+  ProgramName,     ///< text: program selected in the channel
+  Message,         ///< text: what MSG("...") shows
+  Alarm,           ///< number of the newest alarm of the channel; 0 none
 };
 
 /// One variable of channel 1.

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Names as on a SINUMERIK OPC UA server: variable ↔ node identifier, methods, program paths.
+/// The link asks with them, the virtual machine's front answers to them.
+/// @threadsafety pure.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "opcua/variable.h"
+
+namespace rivulet::opcua {
+
+/// Namespace of the variables and of the control's methods. Its index differs between servers:
+/// always resolve it by this URI.
+inline constexpr std::string_view kNamespaceUri = "SinumerikVarProvider";
+
+/// Namespace of what only a virtual machine offers. A server that has it is no real control.
+inline constexpr std::string_view kVirtualNamespaceUri = "urn:rivulet:virtual-machine";
+
+/// Object of the control's methods, and the object newer controls keep the file methods in.
+inline constexpr std::string_view kMethodsObject = "/Methods";
+inline constexpr std::string_view kFileMethodsObject = "/Methods/Filehandling";
+inline constexpr std::string_view kCopyToServer = "CopyFileToServer";
+inline constexpr std::string_view kCopyFromServer = "CopyFileFromServer";
+inline constexpr std::string_view kSelect = "Select";
+
+/// Object of the virtual machine and its members, in `kVirtualNamespaceUri`.
+inline constexpr std::string_view kVirtualObject = "VirtualMachine";
+inline constexpr std::string_view kCycleStart = "CycleStart";
+inline constexpr std::string_view kReset = "Reset";
+inline constexpr std::string_view kFetchTrace = "FetchTrace";
+inline constexpr std::string_view kSimulated = "Simulated";
+inline constexpr std::string_view kPresetName = "PresetName";
+
+/// Identifier of a member of an object: "/Methods" and "Select" give "/Methods/Select".
+[[nodiscard]] std::string memberIdentifier(std::string_view object, std::string_view member);
+
+/// Identifier of the variable's node, e.g. "/Channel/Parameter/R[u1,11]".
+/// @param variable index as documented at `VariableKind`, not negative
+[[nodiscard]] std::string nodeIdentifier(const Variable& variable);
+
+/// The variable behind an identifier. The unit may be left out ("R[11]"), and so may the index
+/// of the first element ("/Channel/Parameter/R" is R1). Upper and lower case matter.
+/// @return nothing for another node, another channel or a malformed index
+[[nodiscard]] std::optional<Variable> variableOf(std::string_view identifier);
+
+/// Path of a part program in the control's file system.
+[[nodiscard]] std::string programPath(std::string_view name);
+
+/// Inverse of `programPath`; nothing for a path outside "Part Program" or an unusable name.
+[[nodiscard]] std::optional<std::string> programNameOf(std::string_view path);
+
+}  // namespace rivulet::opcua

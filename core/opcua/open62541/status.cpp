@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "opcua/open62541/status.h"
+
+#include <fmt/format.h>
+
+#include "base/contract.h"
+
+namespace rivulet::opcua {
+
+LinkError linkErrorOf(UA_StatusCode status, Operation operation) {
+  if (meansConnectionLost(status)) {
+    return LinkError::ConnectionLost;
+  }
+  switch (status) {
+    case UA_STATUSCODE_BADTIMEOUT:
+    case UA_STATUSCODE_BADREQUESTTIMEOUT:
+      return LinkError::DeadlineExceeded;
+    case UA_STATUSCODE_BADNODEIDUNKNOWN:
+    case UA_STATUSCODE_BADNODEIDINVALID:
+      return operation == Operation::Call ? LinkError::MethodMissing : LinkError::VariableMissing;
+    case UA_STATUSCODE_BADATTRIBUTEIDINVALID:  // SINUMERIK: browsable, but not on this machine
+    case UA_STATUSCODE_BADINDEXRANGEINVALID:
+    case UA_STATUSCODE_BADINDEXRANGENODATA:
+      return LinkError::VariableMissing;
+    case UA_STATUSCODE_BADMETHODINVALID:
+    case UA_STATUSCODE_BADNOTIMPLEMENTED:
+      return LinkError::MethodMissing;
+    case UA_STATUSCODE_BADNOTWRITABLE:
+    case UA_STATUSCODE_BADWRITENOTSUPPORTED:
+      return LinkError::NotWritable;
+    case UA_STATUSCODE_BADUSERACCESSDENIED:
+      return operation == Operation::Write ? LinkError::NotWritable : LinkError::Rejected;
+    case UA_STATUSCODE_BADTYPEMISMATCH:
+    case UA_STATUSCODE_BADOUTOFRANGE:
+      return LinkError::BadValue;
+    case UA_STATUSCODE_BADTOOMANYOPERATIONS:
+    case UA_STATUSCODE_BADREQUESTTOOLARGE:
+    case UA_STATUSCODE_BADRESPONSETOOLARGE:
+    case UA_STATUSCODE_BADENCODINGLIMITSEXCEEDED:
+      return LinkError::TooManyItems;
+    case UA_STATUSCODE_BADNOTFOUND:
+    case UA_STATUSCODE_BADNOENTRYEXISTS:
+      return LinkError::ProgramMissing;
+    case UA_STATUSCODE_BADINVALIDSTATE:
+      return LinkError::ChannelNotInReset;
+    case UA_STATUSCODE_BADBROWSENAMEDUPLICATED:
+    case UA_STATUSCODE_BADENTRYEXISTS:
+    case UA_STATUSCODE_BADALREADYEXISTS:
+      return LinkError::FileExists;
+    default:
+      return LinkError::Rejected;
+  }
+}
+
+bool meansConnectionLost(UA_StatusCode status) {
+  switch (status) {
+    case UA_STATUSCODE_BADSECURECHANNELCLOSED:
+    case UA_STATUSCODE_BADSECURECHANNELIDINVALID:
+    case UA_STATUSCODE_BADCONNECTIONCLOSED:
+    case UA_STATUSCODE_BADCONNECTIONREJECTED:
+    case UA_STATUSCODE_BADNOTCONNECTED:
+    case UA_STATUSCODE_BADSERVERNOTCONNECTED:
+    case UA_STATUSCODE_BADSESSIONCLOSED:
+    case UA_STATUSCODE_BADSESSIONIDINVALID:
+    case UA_STATUSCODE_BADCOMMUNICATIONERROR:
+    case UA_STATUSCODE_BADSHUTDOWN:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string sentenceOf(LinkError error) {
+  switch (error) {
+    case LinkError::NotReachable:
+      return "No OPC UA server answers. Check the address, the network and that the server runs.";
+    case LinkError::ConnectionLost:
+      return "The connection to the control is lost. Check network and server, then connect "
+             "again.";
+    case LinkError::DeadlineExceeded:
+      return "The control did not answer in time; the request may still have been carried out.";
+    case LinkError::VariableMissing:
+      return "The control has no such variable. Check the range of R-parameters it has.";
+    case LinkError::NotWritable:
+      return "The variable cannot be written. Grant the OPC UA user write access on the control.";
+    case LinkError::BadValue:
+      return "The value cannot be used: it is not a finite number or has another type.";
+    case LinkError::Rejected:
+      return "The server refused the request. Check the rights of the OPC UA user.";
+    case LinkError::NamespaceMissing:
+      return "The server is no SINUMERIK: it has no namespace SinumerikVarProvider.";
+    case LinkError::MethodMissing:
+      return "The server does not offer this method.";
+    case LinkError::ProgramMissing:
+      return "There is no such program on the control. Upload it first.";
+    case LinkError::ChannelNotInReset:
+      return "The channel is not in reset. Press Reset on the control, then try again.";
+    case LinkError::FileExists:
+      return "A program of this name is already on the control. Overwrite it or choose another "
+             "name.";
+    case LinkError::TooManyItems:
+      return "The request has more items than the link or the server takes. Split it.";
+  }
+  base::contractViolated("every LinkError has a sentence", __FILE__, __LINE__);
+}
+
+base::Error requestError(UA_StatusCode status, Operation operation, const std::string& context) {
+  const LinkError error = linkErrorOf(status, operation);
+  return base::makeError(
+      error, fmt::format("{} ({})", sentenceOf(error), UA_StatusCode_name(status)), context);
+}
+
+}  // namespace rivulet::opcua

@@ -1,0 +1,952 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "opcua/open62541/ua_link.h"
+
+#include <fmt/format.h>
+#include <open62541/client.h>
+#include <open62541/client_config_default.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <deque>
+#include <map>
+#include <utility>
+
+#include "base/contract.h"
+#include "opcua/node_map.h"
+#include "opcua/open62541/handle.h"
+#include "opcua/open62541/monotonic_clock.h"
+#include "opcua/open62541/quiet_logger.h"
+#include "opcua/open62541/status.h"
+
+// How it works. Requests stand in one queue, oldest first. A request of Grouping::List is one
+// service call; one of Grouping::Single is a chain of calls, each sent when the one before is
+// answered, and nothing behind it is sent until the chain is through: so the server sees the
+// items in the order they were asked for. Every service call has a serial number that travels
+// through the library as its user data; the answer to a call whose request has been given up
+// finds no request with its serial and is dropped. Callbacks only record; what follows from a
+// record (an expired deadline, a lost connection, the next call) is done in `settle`, outside
+// the library.
+
+namespace rivulet::opcua {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using std::chrono::milliseconds;
+
+using CallResponse = Handle<UA_CallResponse, UA_TYPES_CALLRESPONSE>;
+using ReadResponse = Handle<UA_ReadResponse, UA_TYPES_READRESPONSE>;
+
+/// The library waits in whole milliseconds. A shorter rest is waited for in naps of this length
+/// with a look at the network between them.
+constexpr Duration kNap = std::chrono::microseconds(200);
+/// Longest single wait inside the library; its timers run in between.
+constexpr Duration kIterationMax = milliseconds(200);
+/// The library's own calls (closing the session), not ours: those carry their own deadline.
+constexpr UA_UInt32 kLibraryTimeoutMs = 1000;
+/// As on the control; the library keeps the session alive by itself well within it.
+constexpr UA_UInt32 kSessionTimeoutMs = 60'000;
+constexpr UA_UInt32 kConnectivityCheckMs = 10'000;
+/// A part program or trace that is larger is an error of the other side.
+constexpr std::size_t kTraceBytesMax = std::size_t{1} << 30U;
+
+[[nodiscard]] UA_UInt32 timeoutHintMs(Duration deadline) {
+  // One millisecond up, so that the library never gives up before the link does.
+  const auto ms = std::chrono::duration_cast<milliseconds>(deadline).count() + 1;
+  return static_cast<UA_UInt32>(std::clamp<decltype(ms)>(ms, 1, UA_INT32_MAX));
+}
+
+[[nodiscard]] Instant addSaturating(Instant instant, Duration duration) {
+  return duration > Instant::max() - instant ? Instant::max() : instant + duration;
+}
+
+template <class T>
+[[nodiscard]] std::optional<double> numberAs(const UA_Variant& variant, std::size_t typeIndex) {
+  const T* value = scalarOf<T>(variant, typeIndex);
+  return value == nullptr ? std::nullopt : std::optional(static_cast<double>(*value));
+}
+
+/// The number of a scalar of any numeric type.
+[[nodiscard]] std::optional<double> numberOf(const UA_Variant& variant) {
+  if (variant.type == nullptr || !UA_Variant_isScalar(&variant)) {
+    return std::nullopt;
+  }
+  switch (variant.type->typeKind) {
+    case UA_DATATYPEKIND_BOOLEAN:
+      return numberAs<UA_Boolean>(variant, UA_TYPES_BOOLEAN);
+    case UA_DATATYPEKIND_SBYTE:
+      return numberAs<UA_SByte>(variant, UA_TYPES_SBYTE);
+    case UA_DATATYPEKIND_BYTE:
+      return numberAs<UA_Byte>(variant, UA_TYPES_BYTE);
+    case UA_DATATYPEKIND_INT16:
+      return numberAs<UA_Int16>(variant, UA_TYPES_INT16);
+    case UA_DATATYPEKIND_UINT16:
+      return numberAs<UA_UInt16>(variant, UA_TYPES_UINT16);
+    case UA_DATATYPEKIND_INT32:
+      return numberAs<UA_Int32>(variant, UA_TYPES_INT32);
+    case UA_DATATYPEKIND_UINT32:
+      return numberAs<UA_UInt32>(variant, UA_TYPES_UINT32);
+    case UA_DATATYPEKIND_INT64:
+      return numberAs<UA_Int64>(variant, UA_TYPES_INT64);
+    case UA_DATATYPEKIND_UINT64:
+      return numberAs<UA_UInt64>(variant, UA_TYPES_UINT64);
+    case UA_DATATYPEKIND_FLOAT:
+      return numberAs<UA_Float>(variant, UA_TYPES_FLOAT);
+    case UA_DATATYPEKIND_DOUBLE:
+      return numberAs<UA_Double>(variant, UA_TYPES_DOUBLE);
+    default:
+      return std::nullopt;
+  }
+}
+
+[[nodiscard]] std::optional<std::string> textOf(const UA_Variant& variant) {
+  if (const auto* string = scalarOf<UA_String>(variant, UA_TYPES_STRING)) {
+    return std::string(view(*string));
+  }
+  if (const auto* localized = scalarOf<UA_LocalizedText>(variant, UA_TYPES_LOCALIZEDTEXT)) {
+    return std::string(view(localized->text));
+  }
+  return std::nullopt;
+}
+
+[[nodiscard]] Reading readingOf(const UA_DataValue& value, VariableKind kind) {
+  Reading reading;
+  if (value.hasStatus && isBad(value.status)) {
+    reading.status = linkErrorOf(value.status, Operation::Read);
+    return reading;
+  }
+  if (isText(kind)) {
+    if (auto text = value.hasValue ? textOf(value.value) : std::nullopt) {
+      reading.text = std::move(*text);
+      return reading;
+    }
+  } else if (const auto number = value.hasValue ? numberOf(value.value) : std::nullopt;
+             number && std::isfinite(*number)) {
+    reading.number = *number;
+    return reading;
+  }
+  reading.status = LinkError::BadValue;
+  return reading;
+}
+
+/// What a method answered to `Select` or `CycleStart`.
+[[nodiscard]] base::Result<void> resultOf(int status, const std::string& subject,
+                                          const std::string& detail = {}) {
+  const auto failed = [&](LinkError error) {
+    return base::fail(error, detail.empty() ? sentenceOf(error) : detail, subject);
+  };
+  switch (static_cast<SelectStatus>(status)) {
+    case SelectStatus::Done:
+      return {};
+    case SelectStatus::NoSuchProgram:
+      return failed(LinkError::ProgramMissing);
+    case SelectStatus::NotInReset:
+      return failed(LinkError::ChannelNotInReset);
+    case SelectStatus::NoSuchChannel:
+    case SelectStatus::Rejected:
+      break;
+  }
+  return failed(LinkError::Rejected);
+}
+
+}  // namespace
+
+class UaLink::Impl {
+ public:
+  explicit Impl(ConnectOptions options) : m_options(std::move(options)) {}
+  ~Impl();
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  [[nodiscard]] base::Result<void> open();
+
+  [[nodiscard]] Instant now() const { return m_clock.now(); }
+  [[nodiscard]] bool isVirtual() const { return m_virtualNamespace.has_value(); }
+  [[nodiscard]] const std::string& endpoint() const { return m_options.endpoint; }
+
+  base::RequestId request(Operation operation, std::vector<Variable> variables,
+                          std::vector<double> values, Duration deadline, Grouping grouping);
+  std::optional<Event> wait(Instant until);
+
+  /// Calls a method and waits for its answer. @return its output arguments
+  [[nodiscard]] base::Result<CallResponse> call(UA_UInt16 namespaceIndex, std::string_view object,
+                                                std::string_view method,
+                                                std::span<UA_Variant> inputs);
+  /// Calls a method of the control's file system, wherever this edition keeps it.
+  [[nodiscard]] base::Result<CallResponse> callFileMethod(std::string_view method,
+                                                          std::span<UA_Variant> inputs);
+  [[nodiscard]] base::Result<CallResponse> callMethods(std::string_view method,
+                                                       std::span<UA_Variant> inputs) {
+    return call(m_namespace, kMethodsObject, method, inputs);
+  }
+  [[nodiscard]] base::Result<CallResponse> callVirtual(std::string_view method,
+                                                       std::span<UA_Variant> inputs);
+
+ private:
+  /// One request of the caller; its service calls are made from the front of the item list on.
+  struct Pending {
+    base::RequestId id;
+    Operation operation = Operation::Read;
+    Grouping grouping = Grouping::List;
+    std::vector<Variable> variables;
+    std::vector<double> values;  ///< Write: one per variable
+    Instant deadline{};
+    std::uint64_t serial = 0;  ///< of the service call under way; 0 none
+    std::size_t itemsSent = 0;
+    Event event;  ///< grows with every answer
+    UA_StatusCode failure = UA_STATUSCODE_GOOD;
+    bool done = false;
+
+    [[nodiscard]] bool isSent() const { return itemsSent == variables.size(); }
+  };
+
+  /// One call of `exchange`.
+  struct Exchange {
+    std::uint64_t serial = 0;
+    void* response = nullptr;
+    const UA_DataType* responseType = nullptr;
+    bool answered = false;
+  };
+
+  static void onAnswer(UA_Client* client, void* serial, UA_UInt32 requestId,
+                       void* response) noexcept;
+  static void onState(UA_Client* client, UA_SecureChannelState channel, UA_SessionState session,
+                      UA_StatusCode status) noexcept;
+  void answered(std::uint64_t serial, void* response);
+  static void takeRead(Pending& pending, const UA_ReadResponse& response);
+  static void takeWrite(Pending& pending, const UA_WriteResponse& response);
+
+  [[nodiscard]] base::Error error(LinkError code) const;
+  [[nodiscard]] base::Error connectError(UA_StatusCode status) const;
+  [[nodiscard]] std::string place() const;
+
+  void step(Instant until);
+  void settle();
+  void finishAnswered();
+  void expire(Instant now);
+  void sendDue();
+  void send(Pending& pending);
+  void fail(Pending& pending, base::Error error);
+  void reportLoss();
+  [[nodiscard]] const std::string& identifier(const Variable& variable);
+
+  [[nodiscard]] UA_StatusCode exchange(const void* request, const UA_DataType* requestType,
+                                       void* response, const UA_DataType* responseType,
+                                       Instant deadline);
+  [[nodiscard]] base::Result<void> resolveNamespaces(Instant deadline);
+  [[nodiscard]] base::Result<ReadResponse> readAttribute(const UA_NodeId& node,
+                                                         UA_AttributeId attribute,
+                                                         Instant deadline);
+
+  ConnectOptions m_options;
+  MonotonicClock m_clock;
+  QuietLogger m_logger;
+  UA_Client* m_client = nullptr;
+  UA_UInt16 m_namespace = 0;
+  std::optional<UA_UInt16> m_virtualNamespace;
+
+  std::map<Variable, std::string> m_identifiers;  ///< stable: requests borrow from it
+  std::vector<UA_ReadValueId> m_readItems;        ///< scratch of `send`
+  std::vector<UA_WriteValue> m_writeItems;        ///< scratch of `send`
+
+  std::deque<Pending> m_pending;
+  std::deque<Event> m_events;
+  Exchange m_exchange;
+  base::RequestId m_lastId;
+  std::uint64_t m_lastSerial = 0;
+  bool m_established = false;  ///< from here on a bad state is a loss
+  bool m_activity = false;     ///< a callback has run
+  bool m_lost = false;
+  bool m_lossReported = false;
+};
+
+// --- connection ---------------------------------------------------------------------------------
+
+UaLink::Impl::~Impl() {
+  m_established = false;  // what the library reports while it closes is no loss
+  if (m_client != nullptr) {
+    UA_Client_delete(m_client);
+  }
+}
+
+base::Result<void> UaLink::Impl::open() {
+  const Instant deadline = addSaturating(now(), m_options.connectDeadline);
+
+  UA_ClientConfig config;
+  std::memset(&config, 0, sizeof config);
+  config.logging = m_logger.handle();
+  config.timeout = kLibraryTimeoutMs;
+  config.requestedSessionTimeout = kSessionTimeoutMs;
+  config.connectivityCheckInterval = kConnectivityCheckMs;
+  config.stateCallback = &Impl::onState;
+  config.clientContext = this;
+  if (UA_ClientConfig_setDefault(&config) != UA_STATUSCODE_GOOD) {
+    UA_ClientConfig_clear(&config);
+    return base::fail(LinkError::Rejected, "The OPC UA library cannot be set up.", endpoint());
+  }
+  const UA_String name = borrow(m_options.name);
+  UA_String_copy(&name, &config.sessionName);
+  m_client = UA_Client_newWithConfig(&config);
+  RIVULET_ASSERT(m_client != nullptr);
+
+  UA_StatusCode status = UA_Client_connectAsync(m_client, m_options.endpoint.c_str());
+  for (;;) {
+    UA_SecureChannelState channel = UA_SECURECHANNELSTATE_CLOSED;
+    UA_SessionState session = UA_SESSIONSTATE_CLOSED;
+    if (!isBad(status)) {
+      UA_Client_getState(m_client, &channel, &session, &status);
+    }
+    if (isBad(status)) {
+      return base::fail(connectError(status));
+    }
+    if (channel == UA_SECURECHANNELSTATE_OPEN && session == UA_SESSIONSTATE_ACTIVATED) {
+      break;
+    }
+    const Duration left = deadline - now();
+    if (left <= Duration::zero()) {
+      return base::fail(connectError(UA_STATUSCODE_BADTIMEOUT));
+    }
+    const auto ms = std::chrono::ceil<milliseconds>(std::min(left, kIterationMax)).count();
+    status = UA_Client_run_iterate(m_client, static_cast<UA_UInt32>(ms));
+  }
+
+  // The handshake itself may reconnect (another endpoint name or security); from here on a lost
+  // connection stays lost, because a stream must not go on as if nothing had happened.
+  UA_ClientConfig* live = UA_Client_getConfig(m_client);
+  live->noReconnect = true;
+  live->noNewSession = true;
+  m_established = true;
+  return resolveNamespaces(deadline);
+}
+
+base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
+  auto answer =
+      readAttribute(standardNodeId(UA_NS0ID_SERVER_NAMESPACEARRAY), UA_ATTRIBUTEID_VALUE, deadline);
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  const UA_DataValue& value = (*answer)->results[0];
+  std::optional<UA_UInt16> found;
+  std::optional<UA_UInt16> foundVirtual;
+  if (value.hasValue && UA_Variant_hasArrayType(&value.value, &UA_TYPES[UA_TYPES_STRING])) {
+    const auto* uris = static_cast<const UA_String*>(value.value.data);
+    for (std::size_t i = 0; i < value.value.arrayLength && i <= UA_UINT16_MAX; ++i) {
+      if (view(uris[i]) == kNamespaceUri) {
+        found = static_cast<UA_UInt16>(i);
+      } else if (view(uris[i]) == kVirtualNamespaceUri) {
+        foundVirtual = static_cast<UA_UInt16>(i);
+      }
+    }
+  }
+  if (!found) {
+    return base::fail(error(LinkError::NamespaceMissing));
+  }
+  m_namespace = *found;
+  if (foundVirtual) {
+    // The namespace alone proves nothing; the object itself must be there.
+    answer = readAttribute(borrowNodeId(*foundVirtual, kVirtualObject), UA_ATTRIBUTEID_NODECLASS,
+                           deadline);
+    if (!answer) {
+      return base::fail(answer.error());
+    }
+    const UA_DataValue& nodeClass = (*answer)->results[0];
+    if (nodeClass.hasValue && !(nodeClass.hasStatus && isBad(nodeClass.status))) {
+      m_virtualNamespace = foundVirtual;
+    }
+  }
+  return {};
+}
+
+base::Result<ReadResponse> UaLink::Impl::readAttribute(const UA_NodeId& node,
+                                                       UA_AttributeId attribute, Instant deadline) {
+  UA_ReadValueId item;
+  UA_ReadValueId_init(&item);
+  item.nodeId = node;
+  item.attributeId = static_cast<UA_UInt32>(attribute);
+  UA_ReadRequest request;
+  UA_ReadRequest_init(&request);
+  request.requestHeader.timeoutHint = timeoutHintMs(deadline - now());
+  request.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
+  request.nodesToRead = &item;
+  request.nodesToReadSize = 1;
+  ReadResponse response;
+  UA_StatusCode status = exchange(&request, &UA_TYPES[UA_TYPES_READREQUEST], response.get(),
+                                  ReadResponse::type(), deadline);
+  if (!isBad(status) && response->resultsSize != 1) {
+    status = UA_STATUSCODE_BADUNKNOWNRESPONSE;
+  }
+  if (isBad(status)) {
+    return base::fail(requestError(status, Operation::Read, place()));
+  }
+  return response;
+}
+
+base::Error UaLink::Impl::error(LinkError code) const {
+  return base::makeError(code, sentenceOf(code), place());
+}
+
+std::string UaLink::Impl::place() const {
+  const std::string message = m_logger.lastMessage();
+  return message.empty() ? endpoint() : fmt::format("{} ({})", endpoint(), message);
+}
+
+base::Error UaLink::Impl::connectError(UA_StatusCode status) const {
+  switch (status) {
+    case UA_STATUSCODE_BADTCPENDPOINTURLINVALID:
+      return base::makeError(LinkError::NotReachable,
+                             "This is no OPC UA address; one looks like opc.tcp://host:4840.",
+                             endpoint());
+    case UA_STATUSCODE_BADIDENTITYTOKENREJECTED:
+    case UA_STATUSCODE_BADIDENTITYTOKENINVALID:
+    case UA_STATUSCODE_BADUSERACCESSDENIED:
+    case UA_STATUSCODE_BADSECURITYCHECKSFAILED:
+    case UA_STATUSCODE_BADSECURITYMODEREJECTED:
+    case UA_STATUSCODE_BADSECURITYPOLICYREJECTED:
+      return base::makeError(LinkError::Rejected,
+                             fmt::format("The server does not let us in with these security and "
+                                         "user settings ({}).",
+                                         UA_StatusCode_name(status)),
+                             place());
+    case UA_STATUSCODE_BADTOOMANYSESSIONS:
+      return base::makeError(LinkError::Rejected,
+                             "The server has no session left. Close another OPC UA client.",
+                             place());
+    default:
+      return base::makeError(
+          LinkError::NotReachable,
+          fmt::format("{} ({})", sentenceOf(LinkError::NotReachable), UA_StatusCode_name(status)),
+          place());
+  }
+}
+
+// --- callbacks of the library -------------------------------------------------------------------
+
+void UaLink::Impl::onState(UA_Client* client, UA_SecureChannelState channel,
+                           UA_SessionState session, UA_StatusCode status) noexcept {
+  auto* self = static_cast<Impl*>(UA_Client_getContext(client));
+  if (self->m_established && (isBad(status) || channel != UA_SECURECHANNELSTATE_OPEN ||
+                              session != UA_SESSIONSTATE_ACTIVATED)) {
+    self->m_lost = true;
+    self->m_activity = true;
+  }
+}
+
+void UaLink::Impl::onAnswer(UA_Client* client, void* serial, UA_UInt32 /*requestId*/,
+                            void* response) noexcept {
+  auto* self = static_cast<Impl*>(UA_Client_getContext(client));
+  self->m_activity = true;
+  self->answered(reinterpret_cast<std::uintptr_t>(serial), response);
+}
+
+void UaLink::Impl::answered(std::uint64_t serial, void* response) {
+  const UA_StatusCode status = static_cast<const UA_ResponseHeader*>(response)->serviceResult;
+  if (meansConnectionLost(status)) {
+    m_lost = m_lost || m_established;
+    return;
+  }
+  if (m_exchange.serial == serial) {
+    // Moved out; the library clears what is left.
+    std::memcpy(m_exchange.response, response, m_exchange.responseType->memSize);
+    UA_init(response, m_exchange.responseType);
+    m_exchange.answered = true;
+    return;
+  }
+  const auto pending = std::find_if(m_pending.begin(), m_pending.end(),
+                                    [&](const Pending& p) { return p.serial == serial; });
+  if (pending == m_pending.end()) {
+    return;  // given up meanwhile
+  }
+  pending->serial = 0;
+  pending->event.at = now();
+  if (isBad(status)) {
+    pending->failure = status;
+    pending->done = true;
+    return;
+  }
+  if (pending->operation == Operation::Read) {
+    takeRead(*pending, *static_cast<const UA_ReadResponse*>(response));
+  } else {
+    takeWrite(*pending, *static_cast<const UA_WriteResponse*>(response));
+  }
+}
+
+void UaLink::Impl::takeRead(Pending& pending, const UA_ReadResponse& response) {
+  std::vector<Reading>& readings = pending.event.readings;
+  if (response.resultsSize != pending.itemsSent - readings.size()) {
+    pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
+    pending.done = true;
+    return;
+  }
+  for (std::size_t i = 0; i < response.resultsSize; ++i) {
+    const VariableKind kind = pending.variables[readings.size()].kind;
+    readings.push_back(readingOf(response.results[i], kind));
+  }
+  pending.done = readings.size() == pending.variables.size();
+}
+
+void UaLink::Impl::takeWrite(Pending& pending, const UA_WriteResponse& response) {
+  std::vector<std::error_code>& statuses = pending.event.statuses;
+  if (response.resultsSize != pending.itemsSent - statuses.size()) {
+    pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
+    pending.done = true;
+    return;
+  }
+  for (std::size_t i = 0; i < response.resultsSize; ++i) {
+    const UA_StatusCode status = response.results[i];
+    statuses.push_back(isBad(status) ? make_error_code(linkErrorOf(status, Operation::Write))
+                                     : std::error_code());
+  }
+  pending.done = statuses.size() == pending.variables.size();
+}
+
+// --- requests -----------------------------------------------------------------------------------
+
+base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable> variables,
+                                      std::vector<double> values, Duration deadline,
+                                      Grouping grouping) {
+  Pending pending;
+  pending.id = ++m_lastId;
+  pending.operation = operation;
+  pending.grouping = grouping;
+  pending.variables = std::move(variables);
+  pending.values = std::move(values);
+  pending.event.kind = operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone;
+  pending.event.request = pending.id;
+  pending.event.sent = now();
+  pending.event.at = pending.event.sent;
+  pending.deadline = addSaturating(pending.event.sent, deadline);
+
+  settle();  // a loss noticed in between comes before this request
+  if (m_lost) {
+    fail(pending, error(LinkError::ConnectionLost));
+  } else if (pending.variables.size() > kItemsMax) {
+    fail(pending, error(LinkError::TooManyItems));
+  } else if (!std::all_of(pending.values.begin(), pending.values.end(),
+                          [](double value) { return std::isfinite(value); })) {
+    fail(pending, error(LinkError::BadValue));
+  } else if (pending.variables.empty()) {
+    m_events.push_back(std::move(pending.event));  // nothing to ask the server for
+  } else {
+    m_pending.push_back(std::move(pending));
+    sendDue();
+  }
+  return m_lastId;
+}
+
+const std::string& UaLink::Impl::identifier(const Variable& variable) {
+  const auto found = m_identifiers.find(variable);
+  return found != m_identifiers.end()
+             ? found->second
+             : m_identifiers.emplace(variable, nodeIdentifier(variable)).first->second;
+}
+
+void UaLink::Impl::sendDue() {
+  for (Pending& pending : m_pending) {
+    if (m_lost) {
+      return;
+    }
+    if (!pending.isSent() && pending.serial == 0) {
+      send(pending);
+    }
+    if (!pending.isSent()) {
+      return;  // a chain under way: what stands behind it waits
+    }
+  }
+}
+
+void UaLink::Impl::send(Pending& pending) {
+  const std::size_t first = pending.itemsSent;
+  const std::size_t count =
+      pending.grouping == Grouping::List ? pending.variables.size() : std::size_t{1};
+  const UA_UInt32 timeoutHint = timeoutHintMs(pending.deadline - now());
+  pending.serial = ++m_lastSerial;
+  pending.itemsSent = first + count;
+  void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(pending.serial));
+
+  UA_StatusCode status = UA_STATUSCODE_GOOD;
+  if (pending.operation == Operation::Read) {
+    m_readItems.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      UA_ReadValueId& item = m_readItems[i];
+      UA_ReadValueId_init(&item);
+      item.nodeId = borrowNodeId(m_namespace, identifier(pending.variables[first + i]));
+      item.attributeId = UA_ATTRIBUTEID_VALUE;
+    }
+    UA_ReadRequest request;
+    UA_ReadRequest_init(&request);
+    request.requestHeader.timeoutHint = timeoutHint;
+    request.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
+    request.nodesToRead = m_readItems.data();
+    request.nodesToReadSize = count;
+    status = __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_READREQUEST],
+                                      &Impl::onAnswer, &UA_TYPES[UA_TYPES_READRESPONSE], serial,
+                                      nullptr);
+  } else {
+    m_writeItems.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      // The value only: some servers refuse a write that carries a status or timestamps.
+      UA_WriteValue& item = m_writeItems[i];
+      UA_WriteValue_init(&item);
+      item.nodeId = borrowNodeId(m_namespace, identifier(pending.variables[first + i]));
+      item.attributeId = UA_ATTRIBUTEID_VALUE;
+      item.value.hasValue = true;
+      item.value.value = borrowScalar(pending.values[first + i], UA_TYPES_DOUBLE);
+    }
+    UA_WriteRequest request;
+    UA_WriteRequest_init(&request);
+    request.requestHeader.timeoutHint = timeoutHint;
+    request.nodesToWrite = m_writeItems.data();
+    request.nodesToWriteSize = count;
+    status = __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_WRITEREQUEST],
+                                      &Impl::onAnswer, &UA_TYPES[UA_TYPES_WRITERESPONSE], serial,
+                                      nullptr);
+  }
+  // The library closes the channel when sending fails: nothing can be sent afterwards.
+  m_lost = m_lost || isBad(status);
+}
+
+void UaLink::Impl::fail(Pending& pending, base::Error error) {
+  Event event;
+  event.kind = EventKind::RequestFailed;
+  event.request = pending.id;
+  event.sent = pending.event.sent;
+  event.at = now();
+  event.error = std::move(error);
+  m_events.push_back(std::move(event));
+}
+
+void UaLink::Impl::finishAnswered() {
+  for (Pending& pending : m_pending) {
+    if (!pending.done) {
+      continue;
+    }
+    if (isBad(pending.failure)) {
+      fail(pending, requestError(pending.failure, pending.operation, place()));
+    } else {
+      m_events.push_back(std::move(pending.event));
+    }
+  }
+  std::erase_if(m_pending, [](const Pending& pending) { return pending.done; });
+}
+
+void UaLink::Impl::expire(Instant time) {
+  for (Pending& pending : m_pending) {
+    if (pending.deadline <= time) {
+      fail(pending, error(LinkError::DeadlineExceeded));
+      pending.done = true;
+    }
+  }
+  std::erase_if(m_pending, [](const Pending& pending) { return pending.done; });
+}
+
+void UaLink::Impl::reportLoss() {
+  m_lossReported = true;
+  m_pending.clear();
+  Event event;
+  event.kind = EventKind::ConnectionLost;
+  event.at = now();
+  event.sent = event.at;
+  event.error = error(LinkError::ConnectionLost);
+  m_events.push_back(std::move(event));
+}
+
+void UaLink::Impl::settle() {
+  finishAnswered();
+  if (!m_lost) {
+    expire(now());
+    sendDue();
+  }
+  if (m_lost && !m_lossReported) {
+    reportLoss();
+  }
+}
+
+void UaLink::Impl::step(Instant until) {
+  Instant limit = until;
+  for (const Pending& pending : m_pending) {
+    limit = std::min(limit, pending.deadline);
+  }
+  const Duration left = std::min(limit - now(), kIterationMax);
+  m_activity = false;
+  const auto ms =
+      left < milliseconds(1) ? milliseconds::zero() : std::chrono::floor<milliseconds>(left);
+  const UA_StatusCode status = UA_Client_run_iterate(m_client, static_cast<UA_UInt32>(ms.count()));
+  m_lost = m_lost || isBad(status);
+  if (ms == milliseconds::zero() && !m_activity && !m_lost) {
+    m_clock.sleepUntil(std::min(limit, now() + kNap));
+  }
+  settle();
+}
+
+std::optional<Event> UaLink::Impl::wait(Instant until) {
+  settle();
+  for (bool looked = false; m_events.empty(); looked = true) {
+    if (looked && now() >= until) {
+      return std::nullopt;
+    }
+    if (m_lost) {
+      m_clock.sleepUntil(until);  // nothing can come any more
+    } else {
+      step(until);
+    }
+  }
+  Event event = std::move(m_events.front());
+  m_events.pop_front();
+  return event;
+}
+
+// --- methods ------------------------------------------------------------------------------------
+
+UA_StatusCode UaLink::Impl::exchange(const void* request, const UA_DataType* requestType,
+                                     void* response, const UA_DataType* responseType,
+                                     Instant deadline) {
+  if (m_lost) {
+    return UA_STATUSCODE_BADCONNECTIONCLOSED;
+  }
+  m_exchange = Exchange{++m_lastSerial, response, responseType, false};
+  void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(m_exchange.serial));
+  UA_StatusCode status = __UA_Client_AsyncService(m_client, request, requestType, &Impl::onAnswer,
+                                                  responseType, serial, nullptr);
+  m_lost = m_lost || isBad(status);
+  while (!isBad(status) && !m_exchange.answered) {
+    if (m_lost) {
+      status = UA_STATUSCODE_BADCONNECTIONCLOSED;
+    } else if (now() >= deadline) {
+      status = UA_STATUSCODE_BADTIMEOUT;
+    } else {
+      step(deadline);
+    }
+  }
+  m_exchange = Exchange{};
+  settle();
+  return isBad(status) ? status : static_cast<const UA_ResponseHeader*>(response)->serviceResult;
+}
+
+base::Result<CallResponse> UaLink::Impl::call(UA_UInt16 namespaceIndex, std::string_view object,
+                                              std::string_view method,
+                                              std::span<UA_Variant> inputs) {
+  const std::string methodIdentifier = memberIdentifier(object, method);
+  UA_CallMethodRequest item;
+  UA_CallMethodRequest_init(&item);
+  item.objectId = borrowNodeId(namespaceIndex, object);
+  item.methodId = borrowNodeId(namespaceIndex, methodIdentifier);
+  item.inputArguments = inputs.data();
+  item.inputArgumentsSize = inputs.size();
+  UA_CallRequest request;
+  UA_CallRequest_init(&request);
+  request.requestHeader.timeoutHint = timeoutHintMs(m_options.commandDeadline);
+  request.methodsToCall = &item;
+  request.methodsToCallSize = 1;
+
+  CallResponse response;
+  UA_StatusCode status =
+      exchange(&request, &UA_TYPES[UA_TYPES_CALLREQUEST], response.get(), CallResponse::type(),
+               addSaturating(now(), m_options.commandDeadline));
+  if (!isBad(status)) {
+    status = response->resultsSize == 1 ? response->results[0].statusCode
+                                        : UA_STATUSCODE_BADUNKNOWNRESPONSE;
+  }
+  if (isBad(status)) {
+    return base::fail(requestError(status, Operation::Call, methodIdentifier));
+  }
+  return response;
+}
+
+base::Result<CallResponse> UaLink::Impl::callFileMethod(std::string_view method,
+                                                        std::span<UA_Variant> inputs) {
+  auto answer = call(m_namespace, kMethodsObject, method, inputs);
+  if (!answer && answer.error().code == LinkError::MethodMissing) {
+    answer = call(m_namespace, kFileMethodsObject, method, inputs);
+  }
+  return answer;
+}
+
+base::Result<CallResponse> UaLink::Impl::callVirtual(std::string_view method,
+                                                     std::span<UA_Variant> inputs) {
+  if (!m_virtualNamespace) {
+    return base::fail(LinkError::MethodMissing,
+                      "Only a virtual machine can do this; on a real control use its own keys.",
+                      endpoint());
+  }
+  return call(*m_virtualNamespace, kVirtualObject, method, inputs);
+}
+
+// --- the public face ----------------------------------------------------------------------------
+
+namespace {
+
+/// An output argument of a method, or the sentence that it is not as agreed.
+template <class T>
+[[nodiscard]] base::Result<T> output(const CallResponse& response, std::size_t index,
+                                     std::size_t typeIndex, std::string_view method) {
+  const UA_CallMethodResult& result = response->results[0];
+  const T* value = index < result.outputArgumentsSize
+                       ? scalarOf<T>(result.outputArguments[index], typeIndex)
+                       : nullptr;
+  if (value == nullptr) {
+    return base::fail(LinkError::Rejected,
+                      "The server's method answers in a form Rivulet does not know.",
+                      std::string(method));
+  }
+  return *value;
+}
+
+/// The status number of a method, of whatever integer type this server uses.
+[[nodiscard]] base::Result<int> statusOutput(const CallResponse& response,
+                                             std::string_view method) {
+  const UA_CallMethodResult& result = response->results[0];
+  const auto number =
+      result.outputArgumentsSize > 0 ? numberOf(result.outputArguments[0]) : std::nullopt;
+  if (!number || std::abs(*number) > 1e6) {
+    return base::fail(LinkError::Rejected,
+                      "The server's method answers in a form Rivulet does not know.",
+                      std::string(method));
+  }
+  return static_cast<int>(*number);
+}
+
+}  // namespace
+
+UaLink::UaLink(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {
+}
+UaLink::~UaLink() = default;
+
+base::Result<std::unique_ptr<UaLink>> UaLink::connect(const ConnectOptions& options) {
+  auto impl = std::make_unique<Impl>(options);
+  if (auto opened = impl->open(); !opened) {
+    return base::fail(opened.error());
+  }
+  return std::unique_ptr<UaLink>(new UaLink(std::move(impl)));
+}
+
+base::Instant UaLink::now() const {
+  return m_impl->now();
+}
+
+base::RequestId UaLink::read(std::span<const Variable> variables, base::Duration deadline,
+                             Grouping grouping) {
+  return m_impl->request(Operation::Read, {variables.begin(), variables.end()}, {}, deadline,
+                         grouping);
+}
+
+base::RequestId UaLink::write(std::span<const Assignment> assignments, base::Duration deadline,
+                              Grouping grouping) {
+  std::vector<Variable> variables;
+  std::vector<double> values;
+  variables.reserve(assignments.size());
+  values.reserve(assignments.size());
+  for (const Assignment& assignment : assignments) {
+    variables.push_back(assignment.variable);
+    values.push_back(assignment.value);
+  }
+  return m_impl->request(Operation::Write, std::move(variables), std::move(values), deadline,
+                         grouping);
+}
+
+std::optional<Event> UaLink::wait(base::Instant until) {
+  return m_impl->wait(until);
+}
+
+base::Result<void> UaLink::uploadProgram(const std::string& name, const std::string& text,
+                                         bool overwrite) {
+  const std::string path = programPath(name);
+  UA_String target = borrow(path);
+  UA_ByteString data = borrow(text);
+  UA_Boolean mayOverwrite = overwrite;
+  std::array inputs{borrowScalar(target, UA_TYPES_STRING), borrowScalar(data, UA_TYPES_BYTESTRING),
+                    borrowScalar(mayOverwrite, UA_TYPES_BOOLEAN)};
+  const auto answer = m_impl->callFileMethod(kCopyToServer, inputs);
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  return {};
+}
+
+base::Result<std::string> UaLink::downloadProgram(const std::string& name) {
+  const std::string path = programPath(name);
+  UA_String source = borrow(path);
+  std::array inputs{borrowScalar(source, UA_TYPES_STRING)};
+  const auto answer = m_impl->callFileMethod(kCopyFromServer, inputs);
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  const auto data = output<UA_ByteString>(*answer, 0, UA_TYPES_BYTESTRING, kCopyFromServer);
+  if (!data) {
+    return base::fail(data.error());
+  }
+  return std::string(view(*data));
+}
+
+base::Result<void> UaLink::selectProgram(const std::string& name) {
+  const std::string path = programPath(name);
+  UA_String source = borrow(path);
+  UA_UInt32 channel = 1;
+  std::array inputs{borrowScalar(source, UA_TYPES_STRING), borrowScalar(channel, UA_TYPES_UINT32)};
+  const auto answer = m_impl->callMethods(kSelect, inputs);
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  const auto status = statusOutput(*answer, kSelect);
+  if (!status) {
+    return base::fail(status.error());
+  }
+  return resultOf(*status, name);
+}
+
+bool UaLink::isVirtualMachine() const {
+  return m_impl->isVirtual();
+}
+
+base::Result<void> UaLink::cycleStart() {
+  const auto answer = m_impl->callVirtual(kCycleStart, {});
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  const auto status = statusOutput(*answer, kCycleStart);
+  if (!status) {
+    return base::fail(status.error());
+  }
+  const auto message = output<UA_String>(*answer, 1, UA_TYPES_STRING, kCycleStart);
+  return resultOf(*status, m_impl->endpoint(),
+                  message ? std::string(view(*message)) : std::string());
+}
+
+base::Result<void> UaLink::reset() {
+  const auto answer = m_impl->callVirtual(kReset, {});
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  return {};
+}
+
+base::Result<std::string> UaLink::fetchTrace() {
+  std::string text;
+  for (;;) {
+    UA_UInt64 offset = text.size();
+    std::array inputs{borrowScalar(offset, UA_TYPES_UINT64)};
+    const auto answer = m_impl->callVirtual(kFetchTrace, inputs);
+    if (!answer) {
+      return base::fail(answer.error());
+    }
+    const auto data = output<UA_ByteString>(*answer, 0, UA_TYPES_BYTESTRING, kFetchTrace);
+    const auto total = output<UA_UInt64>(*answer, 1, UA_TYPES_UINT64, kFetchTrace);
+    if (!data || !total) {
+      return base::fail(!data ? data.error() : total.error());
+    }
+    text.append(view(*data));
+    if (text.size() == *total) {
+      return text;
+    }
+    if (data->length == 0 || text.size() > *total || *total > kTraceBytesMax) {
+      return base::fail(LinkError::Rejected,
+                        "The trace of the control changed while it was fetched. Fetch it again.",
+                        std::string(kFetchTrace));
+    }
+  }
+}
+
+}  // namespace rivulet::opcua

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The connection to a real control: OPC UA with the open62541 library. Wall time.
+/// @threadsafety one object, one thread at a time. Starts no thread: the network is served
+/// inside `wait` and inside the calls of `Control`, and nowhere else.
+#pragma once
+
+#include <memory>
+
+#include "opcua/link.h"
+
+namespace rivulet::opcua {
+
+/// Most items of one request, as many as the control's server takes.
+inline constexpr std::size_t kItemsMax = 1000;
+
+struct ConnectOptions {
+  std::string endpoint;  ///< as typed, e.g. "opc.tcp://192.168.214.1:4840"; used as it stands
+  base::Duration connectDeadline = std::chrono::seconds(5);
+  base::Duration commandDeadline = std::chrono::seconds(5);  ///< of each method of `Control`
+  std::string name = "Rivulet";                              ///< session name the server shows
+};
+
+class UaLink final : public Link, public Control {
+ public:
+  /// Connects, opens a session and resolves the namespaces. Blocks up to the deadline.
+  /// @return NotReachable, Rejected, NamespaceMissing
+  [[nodiscard]] static base::Result<std::unique_ptr<UaLink>> connect(const ConnectOptions& options);
+
+  /// Closes the session; blocks a second at most if the server has stopped answering.
+  ~UaLink() override;
+  UaLink(const UaLink&) = delete;
+  UaLink& operator=(const UaLink&) = delete;
+
+  /// Time since `connect`.
+  [[nodiscard]] base::Instant now() const override;
+  base::RequestId read(std::span<const Variable> variables, base::Duration deadline,
+                       Grouping grouping) override;
+  base::RequestId write(std::span<const Assignment> assignments, base::Duration deadline,
+                        Grouping grouping) override;
+  /// Never returns before `until` without an event, also after the connection is lost.
+  /// An answer found in time is reported even if this call came after the request's deadline.
+  std::optional<Event> wait(base::Instant until) override;
+
+  base::Result<void> uploadProgram(const std::string& name, const std::string& text,
+                                   bool overwrite) override;
+  base::Result<std::string> downloadProgram(const std::string& name) override;
+  base::Result<void> selectProgram(const std::string& name) override;
+  [[nodiscard]] bool isVirtualMachine() const override;
+  base::Result<void> cycleStart() override;
+  base::Result<void> reset() override;
+  base::Result<std::string> fetchTrace() override;
+
+ private:
+  class Impl;
+  explicit UaLink(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace rivulet::opcua
