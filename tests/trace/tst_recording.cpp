@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "trace/file.h"
 #include "trace/recording.h"
 
 using namespace rivulet::trace;
@@ -274,6 +275,22 @@ class TestRecording : public QObject {
     QVERIFY(back);
     QVERIFY(back->complete);
     QCOMPARE(back->points.points.size(), std::size_t{20'000});
+  }
+
+  void documentedExamplesAreValid() {
+    const auto document = readFile(RIVULET_SOURCE_DIR "/docs/formats.md");
+    QVERIFY(document);
+    const auto example = [&document](const std::string& name) {
+      const std::size_t begin = document->find("```\n" + name + " ") + 4;
+      return document->substr(begin, document->find("```", begin) - begin);
+    };
+    const auto recording = parseRecording(example("rivulet-recording"));
+    QVERIFY(recording);
+    QVERIFY(recording->complete);
+    QVERIFY(recording->pointsComplete);
+    QVERIFY(recording->controlTrace && !recording->controlTrace->truncated);
+    QCOMPARE(recording->unreadableLines, std::size_t{0});
+    QVERIFY(parseControlTrace(example("rivulet-control-trace")));
   }
 
   void staysSilentAfterARefusal() {
