@@ -20,26 +20,30 @@ enum class Severity {
 };
 
 enum class DiagnosticCode {
-  UnexpectedCharacter,    ///< argument: the character
-  NumberMissing,          ///< argument: the address letter
-  NumberMalformed,        ///< argument: the text
-  CommentNotClosed,       ///< no argument
-  UnknownGCode,           ///< argument: the word, e.g. "G87"
-  UnknownWord,            ///< argument: the word
-  UnsupportedGCode,       ///< known, changes the path, not supported: argument the word
-  UnsupportedExpression,  ///< variables, expressions and jumps: argument the text
-  IgnoredCode,            ///< known and without effect on the path: argument the word
-  ConflictingGCodes,      ///< two of one group in a block: argument both words
-  RepeatedWord,           ///< the same address twice in a block: argument the address
-  ArcWithoutCentre,       ///< no I J K and no CR=
-  ArcRadiusMismatch,      ///< argument: the difference in mm
-  ArcRadiusTooSmall,      ///< argument: CR= and the half chord
-  ArcFromUnknownPosition, ///< the start of the arc was never programmed
+  UnexpectedCharacter,          ///< argument: the character
+  NumberMissing,                ///< argument: the address letter
+  NumberMalformed,              ///< argument: the text
+  CommentNotClosed,             ///< no argument
+  UnknownGCode,                 ///< argument: the word, e.g. "G87"
+  UnknownWord,                  ///< argument: the word
+  UnsupportedGCode,             ///< known, changes the path, not supported: argument the word
+  UnsupportedExpression,        ///< variables, expressions and jumps: argument the text
+  IgnoredCode,                  ///< known and without effect on the path: argument the word
+  ConflictingGCodes,            ///< two of one group in a block: argument both words
+  RepeatedWord,                 ///< the same address twice in a block: argument the address
+  ArcWithoutCentre,             ///< no I J K and no CR=
+  ArcRadiusMismatch,            ///< argument: the difference in mm
+  ArcRadiusTooSmall,            ///< argument: CR= and the half chord
+  ArcFromUnknownPosition,       ///< the start of the arc was never programmed
   RelativeFromUnknownPosition,  ///< argument: the axis
-  FeedMissing,            ///< G1/G2/G3 before any F
-  FeedNotPositive,        ///< argument: the value
-  ValueOutOfRange,        ///< argument: the word
-  TextAfterProgramEnd,    ///< blocks after M30/M02/M17 are not read
+  FeedMissing,                  ///< G1/G2/G3 before any F
+  FeedNotPositive,              ///< argument: the value
+  ValueOutOfRange,              ///< argument: the word
+  TextAfterProgramEnd,          ///< blocks after M30/M02/M17 are not read
+  MotionModeAssumed,            ///< an axis before any G0..G3: G1, as SINUMERIK after reset
+  CentreOutsidePlane,           ///< I, J or K across the plane of the arc: argument the word
+  TooManyPoints,                ///< argument: the limit; the program was not read further
+  MoreFindings,                 ///< the list was cut here: argument how many are not in it
 };
 
 struct Diagnostic {

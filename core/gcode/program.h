@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -19,6 +20,13 @@
 
 namespace rivulet::gcode {
 
+/// Findings kept of one program.
+inline constexpr std::size_t kDiagnosticsMax = 1000;
+/// Points of one trajectory; beyond it the program is refused, not the machine's memory.
+inline constexpr std::size_t kTrajectoryPointsMax = 32'000'000;
+/// Bytes of a program file: 512 MiB.
+inline constexpr std::uintmax_t kProgramBytesMax = std::uintmax_t{512} * 1024 * 1024;
+
 struct LoadOptions {
   double chordToleranceMm = 0.005;  ///< greatest distance of an arc's chords from the arc, > 0
 };
@@ -30,8 +38,9 @@ struct Statistics {
   base::Vec3 minMm{};                    ///< smallest programmed coordinate per axis (NaN if never)
   base::Vec3 maxMm{};                    ///< largest
   double rapidLengthMm = 0.0;
-  double cutLengthMm = 0.0;              ///< G1, G2, G3
-  std::vector<double> feedsMmPerMin;     ///< every F programmed, ascending, each once
+  double cutLengthMm = 0.0;           ///< G1, G2, G3; arcs at their true length. A move that
+                                      ///< names an axis for the first time has no known length
+  std::vector<double> feedsMmPerMin;  ///< every F programmed, ascending, each once
 };
 
 struct Program {
@@ -39,7 +48,9 @@ struct Program {
   std::string text;  ///< as read
   std::string hash;  ///< 16 hex digits (FNV-1a 64) of the text, shown to tell versions apart
   Trajectory trajectory;
-  std::vector<Diagnostic> diagnostics;  ///< in text order
+  /// In text order, at most `kDiagnosticsMax` and one that says how many more there were (with the
+  /// worst severity of those). Words without effect on the path are noted at their first place.
+  std::vector<Diagnostic> diagnostics;
   Statistics statistics;
 
   /// True if no finding is an error: the whole path is known.

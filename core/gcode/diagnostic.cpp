@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gcode/diagnostic.h"
+
+#include <fmt/format.h>
+
+#include "base/contract.h"
+
+namespace rivulet::gcode {
+
+namespace {
+
+struct CodeText {
+  std::string_view name;
+  std::string_view sentence;  ///< {} is the argument
+};
+
+CodeText textOf(DiagnosticCode code) {
+  switch (code) {
+    case DiagnosticCode::UnexpectedCharacter:
+      return {"unexpected-character",
+              "The character \"{}\" has no meaning here: remove it or put it into a comment."};
+    case DiagnosticCode::NumberMissing:
+      return {"number-missing", "The word {} has no number behind it."};
+    case DiagnosticCode::NumberMalformed:
+      return {"number-malformed",
+              "\"{}\" is not a number: write digits with a point for the decimals."};
+    case DiagnosticCode::CommentNotClosed:
+      return {"comment-not-closed",
+              "A bracket is opened and not closed on this line: the rest of the line is not read."};
+    case DiagnosticCode::UnknownGCode:
+      return {"unknown-g-code",
+              "{} is not a G function Rivulet knows: what it does to the path is unknown."};
+    case DiagnosticCode::UnknownWord:
+      return {"unknown-word",
+              "The word {} is not understood here: what it does to the path is unknown."};
+    case DiagnosticCode::UnsupportedGCode:
+      return {"unsupported-g-code",
+              "{} changes the path or the feed in a way Rivulet does not support: post-process the "
+              "program without it."};
+    case DiagnosticCode::UnsupportedExpression:
+      return {"unsupported-expression",
+              "\"{}\" is a variable, a calculation or a jump, which Rivulet does not run: "
+              "post-process the program to plain coordinates."};
+    case DiagnosticCode::IgnoredCode:
+      return {"ignored-code", "{} is not sent to the control: it does not change the path."};
+    case DiagnosticCode::ConflictingGCodes:
+      return {"conflicting-g-codes", "{} contradict each other in one block: keep one of them."};
+    case DiagnosticCode::RepeatedWord:
+      return {"repeated-word", "The word {} appears twice in one block: keep one of them."};
+    case DiagnosticCode::ArcWithoutCentre:
+      return {"arc-without-centre",
+              "The arc has no centre: give I, J, K, or a radius with an end point away from the "
+              "start."};
+    case DiagnosticCode::ArcRadiusMismatch:
+      return {"arc-radius-mismatch",
+              "The arc's radius differs by {} mm between start and end: check the centre, which is "
+              "read as an increment from the start."};
+    case DiagnosticCode::ArcRadiusTooSmall:
+      return {
+          "arc-radius-too-small",
+          "The arc's radius is too small to reach its end point (radius < half chord, mm: {})."};
+    case DiagnosticCode::ArcFromUnknownPosition:
+      return {"arc-from-unknown-position",
+              "The arc starts at an unknown place: program {} with G0 or G1 before it."};
+    case DiagnosticCode::RelativeFromUnknownPosition:
+      return {"relative-from-unknown-position",
+              "The increment of {} starts at an unknown place: program {} with G90 before it."};
+    case DiagnosticCode::FeedMissing:
+      return {"feed-missing",
+              "A block moves with G1, G2 or G3 before any feed F: the feed of the run is used."};
+    case DiagnosticCode::FeedNotPositive:
+      return {"feed-not-positive", "The feed F{} is not greater than 0."};
+    case DiagnosticCode::ValueOutOfRange:
+      return {"value-out-of-range", "The value of {} is outside of what Rivulet accepts."};
+    case DiagnosticCode::TextAfterProgramEnd:
+      return {"text-after-program-end",
+              "The blocks from here on stand behind the end of the "
+              "program (M30, M2, M17 or %): they are not read."};
+    case DiagnosticCode::MotionModeAssumed:
+      return {
+          "motion-mode-assumed",
+          "An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the "
+          "control."};
+    case DiagnosticCode::CentreOutsidePlane:
+      return {"centre-outside-plane",
+              "The centre word {} does not lie in the plane of the arc: check G17, G18, G19."};
+    case DiagnosticCode::TooManyPoints:
+      return {"too-many-points",
+              "The program has more than {} points: it is not read further. Split it."};
+    case DiagnosticCode::MoreFindings:
+      return {"more-findings", "{} more findings from here on are not listed."};
+  }
+  RIVULET_ASSERT(!"every code has a text");
+  return {};
+}
+
+}  // namespace
+
+std::string_view diagnosticName(DiagnosticCode code) {
+  return textOf(code).name;
+}
+
+std::string_view severityName(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      break;
+  }
+  return "error";
+}
+
+std::string describe(const Diagnostic& diagnostic) {
+  // Words that are no path but an order to the machine deserve to be said as such.
+  if (diagnostic.code == DiagnosticCode::IgnoredCode) {
+    const std::string& word = diagnostic.argument;
+    if (diagnostic.severity == Severity::Warning) {
+      return fmt::format(
+          "{} is not sent to the control: the run does not wait here, and no tool is "
+          "changed.",
+          word);
+    }
+    if (word == "/") {
+      return "A block with \"/\" is executed: Rivulet reads the program with block skip off.";
+    }
+    if (!word.empty() && (word[0] == 'M' || word[0] == 'S' || word[0] == 'T') &&
+        (word.size() == 1 || (word[1] >= '0' && word[1] <= '9'))) {
+      return fmt::format("{} is not sent to the control: set spindle, tool and coolant there.",
+                         word);
+    }
+  }
+  std::string sentence(textOf(diagnostic.code).sentence);
+  for (std::size_t at = sentence.find("{}"); at != std::string::npos;
+       at = sentence.find("{}", at + diagnostic.argument.size())) {
+    sentence.replace(at, 2, diagnostic.argument);
+  }
+  return sentence;
+}
+
+}  // namespace rivulet::gcode

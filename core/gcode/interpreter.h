@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Blocks → trajectory, findings and figures: keeps the modal state of the control (G functions,
+/// feed, position) from block to block. @threadsafety pure.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "gcode/program.h"
+
+namespace rivulet::gcode {
+
+/// Largest coordinate, centre offset or radius accepted, mm: a kilometre is no machine tool.
+inline constexpr double kCoordinateMmMax = 1.0e6;
+
+struct Interpretation {
+  Trajectory trajectory;
+  std::vector<Diagnostic> diagnostics;
+  Statistics statistics;
+  std::size_t blocks = 0;  ///< lines that hold more than a number and a comment
+};
+
+/// @param options chordToleranceMm > 0
+/// @threadsafety pure; O(text + points).
+[[nodiscard]] Interpretation interpret(std::string_view text, const LoadOptions& options);
+
+}  // namespace rivulet::gcode

@@ -1,0 +1,489 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gcode/lexer.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "base/text.h"
+
+namespace rivulet::gcode {
+
+namespace {
+
+enum Class : std::uint8_t { kOther, kBlank, kDigit, kLetter };
+
+constexpr std::array<std::uint8_t, 256> makeClasses() {
+  std::array<std::uint8_t, 256> classes{};
+  for (const char c : {' ', '\t', '\v', '\f'}) {
+    classes[static_cast<unsigned char>(c)] = kBlank;
+  }
+  for (int c = '0'; c <= '9'; ++c) {
+    classes[static_cast<std::size_t>(c)] = kDigit;
+  }
+  for (int c = 'A'; c <= 'Z'; ++c) {
+    classes[static_cast<std::size_t>(c)] = kLetter;
+    classes[static_cast<std::size_t>(c - 'A' + 'a')] = kLetter;
+  }
+  classes['_'] = kLetter;
+  return classes;
+}
+
+constexpr std::array<std::uint8_t, 256> kClasses = makeClasses();
+
+std::uint8_t classOf(char c) {
+  return kClasses[static_cast<unsigned char>(c)];
+}
+
+char upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+bool isOneOf(char c, std::string_view set) {
+  return set.find(c) != std::string_view::npos;
+}
+
+/// What may not stand directly behind a number: the word would mean something else than what was
+/// read, "X1,5" and "X10-R1" above all.
+constexpr std::string_view kSpoilsNumber = ".,+-*/^#[";
+constexpr std::string_view kOperators = "+-*/<>=[^";
+
+/// Names that start a statement of the control's language; the rest of the line belongs to it.
+constexpr std::array<std::string_view, 42> kStatements{
+    "CALL",   "CANCEL", "CASE",    "CLEAR",    "DEF",    "DEFAULT", "DEFINE", "DO",     "ELSE",
+    "ENDFOR", "ENDIF",  "ENDLOOP", "ENDWHILE", "EVERY",  "EXTCALL", "EXTERN", "FOR",    "FROM",
+    "GOTO",   "GOTOB",  "GOTOC",   "GOTOF",    "GOTOS",  "ID",      "IDS",    "IF",     "LOOP",
+    "MCALL",  "PCALL",  "PROC",    "REDEF",    "REPEAT", "REPEATB", "SETAL",  "SETINT", "SUB",
+    "ENDSUB", "UNTIL",  "WHEN",    "WHENEVER", "WHILE",  "SAVE"};
+
+bool isStatement(std::string_view name) {
+  std::array<char, 8> folded{};
+  if (name.size() > folded.size()) {
+    return false;
+  }
+  std::transform(name.begin(), name.end(), folded.begin(), upper);
+  const std::string_view key(folded.data(), name.size());
+  return std::find(kStatements.begin(), kStatements.end(), key) != kStatements.end();
+}
+
+/// Reads one line. Pointers instead of indices: this loop decides how fast a program loads.
+class LineReader {
+ public:
+  LineReader(const char* begin, const char* end, std::vector<Token>& tokens)
+      : m_begin(begin), m_end(end), m_at(begin), m_tokens(tokens) {}
+
+  void read() {
+    skipBlanks();
+    if (m_at == m_end) {
+      return;
+    }
+    if (*m_at == '%') {
+      add(TokenKind::Tape, m_at, m_end);
+      return;
+    }
+    while (m_at != m_end) {
+      switch (classOf(*m_at)) {
+        case kBlank:
+          ++m_at;
+          break;
+        case kLetter:
+          readLetter();
+          break;
+        default:
+          if (!readOther()) {
+            return;
+          }
+      }
+    }
+  }
+
+ private:
+  void skipBlanks() {
+    while (m_at != m_end && classOf(*m_at) == kBlank) {
+      ++m_at;
+    }
+  }
+
+  [[nodiscard]] char peek() const { return m_at == m_end ? '\0' : *m_at; }
+
+  Token& add(TokenKind kind, const char* from, const char* to, char address = 0,
+             double value = 0.0) {
+    return m_tokens.emplace_back(
+        Token{kind, address, static_cast<int>(from - m_begin) + 1, value,
+              std::string_view(from, static_cast<std::size_t>(to - from))});
+  }
+
+  /// The end of the block without the comment behind ";", which may stand inside quotes.
+  [[nodiscard]] const char* endOfStatement() const {
+    bool quoted = false;
+    const char* end = m_at;
+    for (; end != m_end && (quoted || *end != ';'); ++end) {
+      quoted ^= *end == '"';
+    }
+    while (end != m_at && classOf(end[-1]) == kBlank) {
+      --end;
+    }
+    return end;
+  }
+
+  void addExpressionToEnd(const char* from, char address = 0) {
+    const char* const end = endOfStatement();
+    add(TokenKind::Expression, from, end, address);
+    m_at = end;
+  }
+
+  /// An expression in the place of one word's value ends at a blank outside of brackets.
+  void addExpressionWord(const char* from, char address) {
+    int depth = 0;
+    while (m_at != m_end && *m_at != ';') {
+      const char c = *m_at;
+      if (isOneOf(c, "([")) {
+        ++depth;
+      } else if (isOneOf(c, ")]")) {
+        --depth;
+      } else if (depth <= 0 && classOf(c) == kBlank) {
+        const char* const blank = m_at;
+        skipBlanks();
+        const bool goesOn = isOneOf(peek(), kOperators) || isOneOf(blank[-1], kOperators);
+        if (m_at == m_end || !goesOn) {
+          m_at = blank;
+          break;
+        }
+        continue;
+      }
+      ++m_at;
+    }
+    add(TokenKind::Expression, from, m_at, address);
+  }
+
+  enum class NumberStatus { Read, Missing, Malformed };
+
+  NumberStatus readNumber(double& value) {
+    bool negative = false;
+    if (m_at != m_end && (*m_at == '-' || *m_at == '+')) {
+      negative = *m_at == '-';
+      ++m_at;
+      skipBlanks();
+    }
+    const char* const from = m_at;
+    std::uint64_t mantissa = 0;
+    while (m_at != m_end && classOf(*m_at) == kDigit) {
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*m_at - '0');
+      ++m_at;
+    }
+    auto digits = m_at - from;
+    std::ptrdiff_t decimals = 0;
+    if (m_at != m_end && *m_at == '.') {
+      const char* const point = ++m_at;
+      while (m_at != m_end && classOf(*m_at) == kDigit) {
+        mantissa = mantissa * 10 + static_cast<std::uint64_t>(*m_at - '0');
+        ++m_at;
+      }
+      decimals = m_at - point;
+      digits += decimals;
+    }
+    if (digits == 0) {
+      return m_at == from ? NumberStatus::Missing : NumberStatus::Malformed;
+    }
+    if (digits <= 15) {
+      // Both operands are exact doubles, so the quotient is the correctly rounded number.
+      static constexpr std::array<double, 16> kPowers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                      1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+      value = static_cast<double>(mantissa) / kPowers[static_cast<std::size_t>(decimals)];
+    } else {
+      // The exponent form is not NC text: "1E5" must not become one number.
+      const auto [end, status] =
+          fast_float::from_chars(from, m_at, value, fast_float::chars_format::fixed);
+      if (status != std::errc{} || end != m_at) {
+        return NumberStatus::Malformed;
+      }
+    }
+    if (negative) {
+      value = -value;
+    }
+    return m_at != m_end && isOneOf(*m_at, kSpoilsNumber) ? NumberStatus::Malformed
+                                                          : NumberStatus::Read;
+  }
+
+  void addMalformed(const char* from, char address) {
+    while (m_at != m_end && classOf(*m_at) != kBlank && classOf(*m_at) != kLetter &&
+           !isOneOf(*m_at, ";()")) {
+      ++m_at;
+    }
+    add(TokenKind::NumberMalformed, from, m_at, address);
+  }
+
+  void readLetter() {
+    const char* const from = m_at++;
+    if (m_at != m_end && classOf(*m_at) == kLetter) {
+      readName(from);
+      return;
+    }
+    const char address = upper(*from);
+    skipBlanks();
+    const char c = peek();
+    if (c == '=') {
+      ++m_at;
+      readAssignedValue(from, address, TokenKind::Word);
+      return;
+    }
+    if (c == '<' || (isOneOf(c, "[#$") && m_at != m_end)) {
+      // O<name> starts a named subprogram, X#1 and X[...] are calculated.
+      if (isOneOf(address, "XYZIJKF")) {
+        addExpressionWord(from, address);
+      } else {
+        addExpressionToEnd(from, address);
+      }
+      return;
+    }
+    const char* const numberFrom = m_at;
+    double value = 0.0;
+    switch (readNumber(value)) {
+      case NumberStatus::Read:
+        add(TokenKind::Word, from, m_at, address, value);
+        break;
+      case NumberStatus::Missing:
+        if (m_at != m_end && isOneOf(*m_at, "[#$")) {
+          addExpressionWord(from, address);
+        } else {
+          add(TokenKind::NumberMissing, from, from + 1, address);
+        }
+        break;
+      case NumberStatus::Malformed:
+        addMalformed(numberFrom, address);
+        break;
+    }
+  }
+
+  /// Behind the "=" of `X=`, `CR=` or `M1=`.
+  void readAssignedValue(const char* from, char address, TokenKind kind) {
+    skipBlanks();
+    if (peek() == '"') {
+      const char* const open = m_at++;
+      while (m_at != m_end && *m_at != '"') {
+        ++m_at;
+      }
+      if (m_at == m_end) {
+        add(TokenKind::NumberMalformed, open, m_end, address);
+        return;
+      }
+      ++m_at;
+      add(kind == TokenKind::Word ? TokenKind::TextWord : kind, from, m_at, address);
+      return;
+    }
+    const char* const valueFrom = m_at;
+    double value = 0.0;
+    if (readNumber(value) == NumberStatus::Read) {
+      const char* const end = m_at;
+      skipBlanks();
+      if (m_at == m_end || !isOneOf(*m_at, kOperators)) {
+        m_at = end;
+        add(kind, from, end, address, value);
+        return;
+      }
+    } else if (m_at != m_end && isOneOf(*m_at, ",.")) {
+      m_at = valueFrom;
+      addMalformed(valueFrom, address);
+      return;
+    }
+    m_at = valueFrom;
+    if (m_at == m_end || *m_at == ';') {
+      add(TokenKind::NumberMissing, from, m_at, address);
+    } else if (kind == TokenKind::Word && isOneOf(address, "XYZIJKF")) {
+      addExpressionWord(from, address);
+    } else {
+      addExpressionToEnd(from, address);
+    }
+  }
+
+  void readName(const char* from) {
+    while (m_at != m_end && (classOf(*m_at) == kLetter || classOf(*m_at) == kDigit)) {
+      ++m_at;
+    }
+    const char* const nameEnd = m_at;
+    const std::string_view name(from, static_cast<std::size_t>(nameEnd - from));
+    if (peek() == ':') {
+      ++m_at;
+      add(TokenKind::Label, from, m_at);
+      return;
+    }
+    if (isStatement(name)) {
+      addExpressionToEnd(from);
+      return;
+    }
+    skipBlanks();
+    if (peek() == '=') {
+      ++m_at;
+      readAssignedValue(from, 0, TokenKind::NamedValue);
+      return;
+    }
+    if (peek() == '[') {
+      addExpressionToEnd(from);
+      return;
+    }
+    // Behind a blank, "(" starts a comment unless it encloses a text, as in MSG ("...").
+    if (peek() == '(' && (m_at == nameEnd || (m_end - m_at > 1 && m_at[1] == '"'))) {
+      readArguments(from);
+      return;
+    }
+    m_at = nameEnd;
+    add(TokenKind::Name, from, nameEnd);
+  }
+
+  void readArguments(const char* from) {
+    int depth = 0;
+    bool quoted = false;
+    for (; m_at != m_end; ++m_at) {
+      if (*m_at == '"') {
+        quoted = !quoted;
+      } else if (!quoted && *m_at == '(') {
+        ++depth;
+      } else if (!quoted && *m_at == ')' && --depth == 0) {
+        ++m_at;
+        add(TokenKind::Call, from, m_at);
+        return;
+      }
+    }
+    add(TokenKind::CommentNotClosed, from, m_end);
+  }
+
+  /// @return false if the rest of the line is done with
+  bool readOther() {
+    const char* const from = m_at;
+    switch (*m_at) {
+      case ';':
+        return false;
+      case '(':
+        return readComment();
+      case '/':
+        if (m_tokens.empty() || (m_tokens.size() == 1 && m_tokens.front().address == 'N')) {
+          ++m_at;
+          if (m_at != m_end && classOf(*m_at) == kDigit) {
+            ++m_at;
+          }
+          add(TokenKind::BlockSkip, from, m_at);
+          return true;
+        }
+        break;
+      case ':':
+        // ":10" is the number of a main block.
+        if (m_tokens.empty()) {
+          ++m_at;
+          double value = 0.0;
+          if (readNumber(value) == NumberStatus::Read) {
+            add(TokenKind::Word, from, m_at, 'N', value);
+            return true;
+          }
+          m_at = from;
+        }
+        break;
+      case '=':
+        if (!m_tokens.empty() && m_tokens.back().kind == TokenKind::Word) {
+          const Token previous = m_tokens.back();
+          m_tokens.pop_back();
+          ++m_at;
+          const bool indexed = isOneOf(previous.address, "MSTHD");
+          if (indexed) {
+            readAssignedValue(previous.text.data(), previous.address, TokenKind::IndexedWord);
+          } else {
+            addExpressionToEnd(previous.text.data(), previous.address);
+          }
+          return true;
+        }
+        break;
+      case '#':
+      case '$':
+        addExpressionToEnd(from);
+        return true;
+      default:
+        break;
+    }
+    ++m_at;
+    if (static_cast<unsigned char>(*from) >= 0x80) {
+      // The bytes of one character, or a run of them, are one finding.
+      while (m_at != m_end && static_cast<unsigned char>(*m_at) >= 0x80) {
+        ++m_at;
+      }
+    }
+    add(TokenKind::UnexpectedCharacter, from, m_at);
+    return true;
+  }
+
+  bool readComment() {
+    const char* const from = m_at;
+    int depth = 0;
+    for (; m_at != m_end; ++m_at) {
+      if (*m_at == '(') {
+        ++depth;
+      } else if (*m_at == ')' && --depth == 0) {
+        ++m_at;
+        return true;
+      }
+    }
+    add(TokenKind::CommentNotClosed, from, m_end);
+    return false;
+  }
+
+  const char* m_begin;
+  const char* m_end;
+  const char* m_at;
+  std::vector<Token>& m_tokens;
+};
+
+}  // namespace
+
+std::string_view tokenName(const Token& token) {
+  std::size_t length = 0;
+  while (length < token.text.size() &&
+         (classOf(token.text[length]) == kLetter || classOf(token.text[length]) == kDigit)) {
+    ++length;
+  }
+  return token.text.substr(0, length);
+}
+
+Lexer::Lexer(std::string_view text) {
+  // A byte order mark and the end marks of old systems are not part of the program.
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") {
+    text.remove_prefix(3);
+  }
+  while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) {
+    text.remove_suffix(1);
+  }
+  m_position = text.data();
+  m_end = text.data() + text.size();
+  m_lineFeed = nullptr;
+}
+
+bool Lexer::next(Block& block) {
+  if (m_position == m_end) {
+    return false;
+  }
+  ++m_line;
+  block.line.value = m_line;
+  block.tokens.clear();
+  const char* const begin = m_position;
+  const auto find = [begin](char c, const char* end) {
+    const void* const found = std::memchr(begin, c, static_cast<std::size_t>(end - begin));
+    return found == nullptr ? end : static_cast<const char*>(found);
+  };
+  if (m_lineFeed == nullptr || m_lineFeed < begin) {
+    m_lineFeed = find('\n', m_end);
+  }
+  const char* const end = find('\r', m_lineFeed);
+  m_position = end;
+  if (m_position != m_end && *m_position == '\r') {
+    ++m_position;
+  }
+  if (m_position != m_end && *m_position == '\n' && m_position == m_lineFeed) {
+    ++m_position;
+  }
+  LineReader(begin, end, block.tokens).read();
+  return true;
+}
+
+}  // namespace rivulet::gcode

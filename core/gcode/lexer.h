@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// NC text → blocks of tokens, one text line after another. Knows how words are written, not what
+/// they mean. Tokens borrow from the text; a block's buffer is reused, so that a line costs no
+/// allocation. @threadsafety one object, one thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/id.h"
+
+namespace rivulet::gcode {
+
+enum class TokenKind : unsigned char {
+  Word,         ///< a letter and a number: G1, X-2.5, X 10, X=10
+  TextWord,     ///< a letter and a quoted text: T="MILL_10"
+  IndexedWord,  ///< a spindle's or tool holder's word: M1=3, S2=500
+  Name,         ///< two letters or more: SOFT
+  NamedValue,   ///< a name and a number: CR=12.5
+  Call,         ///< a name and arguments: MSG("roughing")
+  Label,        ///< a jump target: START:
+  Expression,   ///< a variable, calculation, jump or condition; `text` is all of it
+  BlockSkip,    ///< "/" at the start of a block, with its level if any
+  Tape,         ///< a line that starts with "%"
+  UnexpectedCharacter,
+  NumberMissing,     ///< a letter without its number
+  NumberMalformed,   ///< `text` is what stands in the number's place
+  CommentNotClosed,  ///< "(" without ")" on the line; the line was read up to it
+};
+
+struct Token {
+  TokenKind kind = TokenKind::Word;
+  char address = 0;  ///< upper case letter of a word, else 0
+  int column = 1;    ///< from 1, in bytes
+  double value = 0.0;
+  std::string_view text;  ///< as written, points into the program text
+};
+
+struct Block {
+  base::LineNumber line;
+  std::vector<Token> tokens;  ///< empty for blank and comment lines
+};
+
+/// The name of a `Name`, `NamedValue`, `Call` or `Label` token: its text up to the first byte that
+/// cannot be part of a name.
+[[nodiscard]] std::string_view tokenName(const Token& token);
+
+class Lexer {
+ public:
+  /// @param text must outlive the lexer and the tokens; LF, CRLF and CR end a line
+  explicit Lexer(std::string_view text);
+
+  /// Reads the next line into `block`. @return false at the end of the text
+  [[nodiscard]] bool next(Block& block);
+
+  /// Lines read so far. A line end at the very end of the text does not start another line.
+  [[nodiscard]] std::size_t lines() const { return m_line; }
+
+ private:
+  const char* m_position;
+  const char* m_end;
+  const char* m_lineFeed;  ///< the next one at or behind m_position, searched once
+  std::uint32_t m_line = 0;
+};
+
+}  // namespace rivulet::gcode

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "gcode/interpreter.h"
+#include "gcode_text.h"
+
+using namespace rivulet;
+
+namespace {
+
+gcode::Interpretation interpret(std::string_view text, double chordToleranceMm = 0.005) {
+  gcode::LoadOptions options;
+  options.chordToleranceMm = chordToleranceMm;
+  return gcode::interpret(text, options);
+}
+
+std::string points(std::string_view text) {
+  // A metre of tolerance leaves an arc its quarters: short enough to be read.
+  return test::printPoints(interpret(text, 1000.0).trajectory);
+}
+
+std::string findings(std::string_view text) {
+  return test::printFindings(interpret(text).diagnostics);
+}
+
+std::string problems(std::string_view text) {
+  return test::printProblems(interpret(text).diagnostics);
+}
+
+}  // namespace
+
+#define COMPARE_TEXT(actual, expected) \
+  QCOMPARE(QByteArray::fromStdString(actual), QByteArray(expected))
+
+class TestInterpreter : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void paths_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("expected");
+    const auto add = [](const char* name, const char* text, const char* expected) {
+      QTest::newRow(name) << QByteArray(text) << QByteArray(expected);
+    };
+    add("lines", "G0 X1 Y2 Z3\nG1 X4 F600\nY5\nG0 Z10",
+        "1 R X1 Y2 Z3 | 2 L X4 Y2 Z3 F600 | 3 L X4 Y5 Z3 F600 | 4 R X4 Y5 Z10");
+    add("unnamed axes", "G0 X1\nG1 Z2 F60", "1 R X1 Y? Z? | 2 L X1 Y? Z2 F60");
+    add("word order", "X1 F60 G1", "1 L X1 Y? Z? F60");
+    add("feed alone", "F60\nG1 X1\nF120\nX2", "2 L X1 Y? Z? F60 | 4 L X2 Y? Z? F120");
+    add("integers are mm", "G0 X10", "1 R X10 Y? Z?");
+    add("relative", "G90 G0 X1 Y1 Z1\nG91 X1\nG1 Y-2 F60\nG90 X0",
+        "1 R X1 Y1 Z1 | 2 R X2 Y1 Z1 | 3 L X2 Y-1 Z1 F60 | 4 L X0 Y-1 Z1 F60");
+    add("inches", "G20 G0 X1\nG1 X2 F10\nG21 X1",
+        "1 R X25.4 Y? Z? | 2 L X50.8 Y? Z? F254 | "
+        "3 L X1 Y? Z? F254");
+    add("G700", "G700 G1 X1 F10\nG710 X1", "1 L X25.4 Y? Z? F254 | 2 L X1 Y? Z? F254");
+    add("G70 leaves the feed", "G70 G1 X1 F10\nG71 X1", "1 L X25.4 Y? Z? F10 | 2 L X1 Y? Z? F10");
+    add("repeated position", "G0 X1 Y1 Z1\nX1", "1 R X1 Y1 Z1 | 2 R X1 Y1 Z1");
+    add("G2 quarter", "G0 X0 Y10\nG2 X10 Y0 I0 J-10 F60", "1 R X0 Y10 Z? | 2 A X10 Y0 Z? F60");
+    add("G3 three quarters", "G0 X0 Y10\nG3 X10 Y0 J-10 F60",
+        "1 R X0 Y10 Z? | 2 A X-10 Y0 Z? F60 | 2 A X0 Y-10 Z? F60 | 2 A X10 Y0 Z? F60");
+    add("full circle", "G0 X10 Y0\nG2 I-10 F60",
+        "1 R X10 Y0 Z? | 2 A X0 Y-10 Z? F60 | 2 A X-10 Y0 Z? F60 | 2 A X0 Y10 Z? F60 | "
+        "2 A X10 Y0 Z? F60");
+    add("arc stays modal", "G0 X0 Y10\nG2 X10 Y0 J-10 F60\nX0 Y-10 I-10",
+        "1 R X0 Y10 Z? | 2 A X10 Y0 Z? F60 | 3 A X0 Y-10 Z? F60");
+    add("helix", "G0 X10 Y0 Z4\nG3 X10 Y0 Z0 I-10 F60",
+        "1 R X10 Y0 Z4 | 2 A X0 Y10 Z3 F60 | 2 A X-10 Y0 Z2 F60 | 2 A X0 Y-10 Z1 F60 | "
+        "2 A X10 Y0 Z0 F60");
+    add("G18 is Z to X", "G18 G0 X0 Z10\nG3 X10 Z0 K-10 F60", "1 R X0 Y? Z10 | 2 A X10 Y? Z0 F60");
+    add("G19 is Y to Z", "G19 G0 Y10 Z0\nG3 Y0 Z10 J-10 F60", "1 R X? Y10 Z0 | 2 A X? Y0 Z10 F60");
+    add("CR=", "G0 X0 Y10\nG2 X10 Y0 CR=10 F60", "1 R X0 Y10 Z? | 2 A X10 Y0 Z? F60");
+    add("CR= the long way", "G0 X0 Y10\nG3 X10 Y0 CR=-10 F60",
+        "1 R X0 Y10 Z? | 2 A X-10 Y0 Z? F60 | 2 A X0 Y-10 Z? F60 | 2 A X10 Y0 Z? F60");
+    add("R word", "G0 X0 Y10\nG2 X10 Y0 R10 F60", "1 R X0 Y10 Z? | 2 A X10 Y0 Z? F60");
+    add("relative arc", "G0 X0 Y10\nG91 G2 X10 Y-10 J-10 F60", "1 R X0 Y10 Z? | 2 A X10 Y0 Z? F60");
+    add("inch arc", "G20 G0 X0 Y1\nG2 X1 Y0 J-1 F10", "1 R X0 Y25.4 Z? | 2 A X25.4 Y0 Z? F254");
+    add("dwell moves nothing", "G0 X1\nG4 X5\nG4 F2\nG4 P100\nG1 X2 F60",
+        "1 R X1 Y? Z? | 5 L X2 Y? Z? F60");
+    add("cancelled cycle", "G00 G80 X1\nG80\nX2", "1 R X1 Y? Z? | 3 R X2 Y? Z?");
+    add("end", "G0 X1\nX2 M30\nX3", "1 R X1 Y? Z? | 2 R X2 Y? Z?");
+    add("program names", "%\nO1234\nN1 G0 X1\n%", "3 R X1 Y? Z?");
+    add("block skip", "G0 X1\n/X2", "1 R X1 Y? Z? | 2 R X2 Y? Z?");
+    add("lower case", "g0 x1\ng1 y2 f60", "1 R X1 Y? Z? | 2 L X1 Y2 Z? F60");
+  }
+
+  void paths() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const QByteArray, expected);
+    COMPARE_TEXT(points(text.toStdString()), expected);
+    for (const gcode::Diagnostic& diagnostic : interpret(text.toStdString()).diagnostics) {
+      QVERIFY2(diagnostic.severity != gcode::Severity::Error,
+               test::printFindings({diagnostic}).c_str());
+    }
+  }
+
+  void findings_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("expected");
+    const auto add = [](const char* text, const char* expected) {
+      QTest::newRow(QByteArray(text).replace('\n', " | ").constData())
+          << QByteArray(text) << QByteArray(expected);
+    };
+    add("G0 X1 Y2", "");
+    add("G0 X1 &", "1:7 error unexpected-character &");
+    add("G0 X", "1:4 error number-missing X");
+    add("G0 X1,5", "1:5 error number-malformed 1,5");
+    add("G0 X1 (a", "1:7 error comment-not-closed");
+    add("G777 X1",
+        "1:1 error unknown-g-code G777 | 1:6 warning motion-mode-assumed | "
+        "1:6 warning feed-missing");
+    add("G1.5", "1:1 error unknown-g-code G1.5");
+    add("G-1", "1:1 error unknown-g-code G-1");
+    add("G0 X1 A10", "1:7 error unknown-word A10");
+    add("G0 X1 L5", "1:7 error unknown-word L5");
+    add("G0 X1 P5", "1:7 error unknown-word P5");
+    add("FOO", "1:1 error unknown-word FOO");
+    add("M98 P100", "1:1 error unsupported-g-code M98 | 1:5 error unknown-word P100");
+    add("M2.5", "1:1 error value-out-of-range M2.5");
+    add("G41 G0 X1 D1", "1:1 error unsupported-g-code G41 | 1:11 note ignored-code D");
+    add("G93", "1:1 error unsupported-g-code G93");
+    add("G95", "1:1 error unsupported-g-code G95");
+    add("G90.1", "1:1 error unsupported-g-code G90.1");
+    add("G91.1", "1:1 note ignored-code G91.1");
+    add("G92 X0", "1:1 error unsupported-g-code G92");
+    add("TRANS X10", "1:1 error unsupported-g-code TRANS");
+    add("CYCLE800(1,2)", "1:1 error unsupported-g-code CYCLE800");
+    add("BSPLINE", "1:1 error unsupported-g-code BSPLINE");
+    add("G0 X1 RND=2", "1:7 error unsupported-g-code RND");
+    add("R1=5", "1:1 error unsupported-expression R1=5");
+    add("#1=5", "1:1 error unsupported-expression #1=5");
+    add("G0 X=R1", "1:4 error unsupported-expression X=R1");
+    add("DEF REAL A", "1:1 error unsupported-expression DEF REAL A");
+    add("IF A>1 GOTOF B", "1:1 error unsupported-expression IF A>1 GOTOF B");
+    add("POCKET(1,2)", "1:1 error unsupported-expression POCKET(1,2)");
+    add("G54\nG0 X1\nG54\nX2", "1:1 note ignored-code G54");
+    add("G54\nG0 X1\nG55\nX2", "1:1 note ignored-code G54 | 3:1 error unsupported-g-code G55");
+    add("G505", "1:1 note ignored-code G505");
+    add("G64 P0.01\nG0 X1", "1:1 note ignored-code G64");
+    add("G43 H1 G0 Z5", "1:1 note ignored-code G43 | 1:5 note ignored-code H");
+    add("S500 M3\nS600 M03\nM5",
+        "1:1 note ignored-code S | 1:6 note ignored-code M3 | "
+        "3:1 note ignored-code M5");
+    add("T1 M6\nG0 X1\nT2 M6",
+        "1:1 note ignored-code T | 1:4 note ignored-code M6 | "
+        "3:4 warning ignored-code M6");
+    add("M0", "1:1 warning ignored-code M0");
+    add("M1=3", "1:1 note ignored-code M1=3");
+    add("MSG(\"a\")", "1:1 note ignored-code MSG");
+    add("SOFT FFWON", "1:1 note ignored-code SOFT | 1:6 note ignored-code FFWON");
+    add("G641 ADIS=0.1", "1:1 note ignored-code G641 | 1:6 note ignored-code ADIS");
+    add("/G0 X1", "1:1 note ignored-code /");
+    add("G4 F2", "1:1 note ignored-code G4");
+    add("G4 Y2", "1:1 note ignored-code G4 | 1:4 error unknown-word Y2");
+    add("G0 G1 X1 F60", "1:4 error conflicting-g-codes G0 G1");
+    add("G90 G91", "1:5 error conflicting-g-codes G90 G91");
+    add("G17 G19", "1:5 error conflicting-g-codes G17 G19");
+    add("G20 G21", "1:5 error conflicting-g-codes G20 G21");
+    add("G1 G01 X1 F60", "");
+    add("G0 X1 X2", "1:7 error repeated-word X");
+    add("F60 F70", "1:5 error repeated-word F");
+    add("S1 S2", "1:1 note ignored-code S | 1:4 warning repeated-word S");
+    add("G0 X0 Y0\nG2 X1 F60", "2:4 error arc-without-centre");
+    add("G0 X0 Y0\nG2 X0 CR=5 F60", "2:4 error arc-without-centre");
+    add("G0 X0 Y0\nG2 X1 I0 J0 F60", "2:4 error arc-radius-mismatch 1");
+    add("G0 X0 Y0\nG2 I0 F60", "2:4 error arc-without-centre");
+    add("G0 X0 Y0\nG2 X10 I5.0105 F60", "2:4 error arc-radius-mismatch 0.021");
+    add("G0 X0 Y0\nG2 X10 I5.0095 F60", "");
+    add("G0 X0 Y0\nG2 X10 CR=4 F60", "2:4 error arc-radius-too-small 4 < 5");
+    add("G0 X0 Y0\nG2 X10 CR=4.985 F60", "");
+    add("G0 X0 Y0\nG2 X10 CR=0 F60", "2:4 error arc-radius-too-small 0 < 5");
+    add("G0 X0 Y0\nG2 X10 I5 CR=5 F60", "2:4 error conflicting-g-codes I J K and CR=");
+    add("G0 X0 Y0\nG2 X10 I5 K1 F60", "2:11 error centre-outside-plane K1");
+    add("G0 X0 Y0\nG2 X10 I5 K0 F60", "");
+    add("G0 X0\nG2 X10 I5 F60", "2:4 error arc-from-unknown-position Y");
+    add("G0 X0 Y0\nG2 X10 Z5 I5 F60", "2:4 error arc-from-unknown-position Z");
+    add("G91 G0 X1", "1:8 error relative-from-unknown-position X");
+    add("G0 X1 I5", "1:7 error unknown-word I5");
+    add("G0 X1 R5", "1:7 error unknown-word R5");
+    add("G1 X1\nX2\nX3", "1:4 warning feed-missing");
+    add("G1 X1 F0", "1:4 warning feed-missing | 1:7 error feed-not-positive 0");
+    add("F-5", "1:1 error feed-not-positive -5");
+    add("G0 X1e6\nX1000001", "1:6 error unknown-word e6 | 2:1 error value-out-of-range X1000001");
+    add("X1 F60", "1:1 warning motion-mode-assumed");
+    add("G0 X1\nM30\n\n(c)\nX2\nX3", "5:1 warning text-after-program-end");
+    add("G0 X1\nM2\n%\n", "");
+    add("G0 X1\n%\nX2", "3:1 warning text-after-program-end");
+    add("M17\nG0 X1", "2:1 warning text-after-program-end");
+    add("G0 X1\nO5", "2:1 error unknown-word O5");
+    add("G81 X1 Y2 Z-3 R1 F60\nX5\nG80\nG0 X6",
+        "1:1 error unsupported-g-code G81 | "
+        "3:1 note ignored-code G80");
+  }
+
+  void findings() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const QByteArray, expected);
+    COMPARE_TEXT(::findings(text.toStdString()), expected);
+  }
+
+  void unsupportedMotionAddsNoPoint() {
+    COMPARE_TEXT(points("G0 X1\nG81 X2 Z-3 R1 F60\nX3\nG80\nX4\nTRANS X9\nG28 X0\nG53 X8\nX5"),
+                 "1 R X1 Y? Z? | 5 R X4 Y? Z? | 9 R X5 Y? Z?");
+  }
+
+  void oneFindingPerIgnoredWord() {
+    std::string text = "G0 X0\n";
+    for (int i = 0; i < 5000; ++i) {
+      text += "G1 X1 M3 S100 F60 G64 SOFT\n";
+    }
+    COMPARE_TEXT(::findings(text),
+                 "2:7 note ignored-code M3 | 2:10 note ignored-code S | 2:19 note ignored-code G64 "
+                 "| 2:23 note ignored-code SOFT");
+  }
+
+  void manyFindingsAreCutAndSaySo() {
+    std::string text = "G0 X0\n";
+    for (int i = 0; i < 1500; ++i) {
+      text += "S1 S2\n";
+    }
+    text += "A5\n";
+    const gcode::Interpretation result = interpret(text);
+    QCOMPARE(result.diagnostics.size(), gcode::kDiagnosticsMax + 1);
+    const gcode::Diagnostic& last = result.diagnostics.back();
+    QCOMPARE(last.code, gcode::DiagnosticCode::MoreFindings);
+    // One note and 1500 warnings and one error; the error is among those left out.
+    QCOMPARE(last.argument, std::string("502"));
+    QCOMPARE(last.severity, gcode::Severity::Error);
+  }
+
+  void statistics() {
+    const gcode::Interpretation result = interpret(
+        "%\n(name)\nG0 X0 Y0 Z5\nG0 Z0\nG1 X10 F600\nG2 X20 Y0 I5\nX20\nG3 X20 Y10 CR=5 F300\n"
+        "G1 X0 F600\nM30\n%\n");
+    const gcode::Statistics& statistics = result.statistics;
+    QCOMPARE(statistics.lines, std::size_t{11});
+    QCOMPARE(statistics.motions, (std::array<std::size_t, 4>{2, 2, 2, 1}));
+    QCOMPARE(statistics.points, result.trajectory.points.size());
+    QCOMPARE(statistics.minMm, (base::Vec3{0, 0, 0}));
+    QCOMPARE(statistics.maxMm, (base::Vec3{20, 10, 5}));
+    // The first move comes from nowhere. The block "X20" is an arc without centre: no length.
+    QCOMPARE(statistics.rapidLengthMm, 5.0);
+    QVERIFY(std::abs(statistics.cutLengthMm - (10.0 + 5.0 * std::numbers::pi * 2.0 + 20.0)) < 1e-9);
+    QCOMPARE(statistics.feedsMmPerMin, (std::vector<double>{300, 600}));
+    QCOMPARE(result.blocks, std::size_t{8});
+  }
+
+  void unnamedAxesHaveNoBounds() {
+    const gcode::Statistics statistics = interpret("G0 X1\nX-2").statistics;
+    QCOMPARE(statistics.minMm.x, -2.0);
+    QCOMPARE(statistics.maxMm.x, 1.0);
+    QVERIFY(std::isnan(statistics.minMm.y));
+    QVERIFY(std::isnan(statistics.maxMm.z));
+  }
+
+  void arcEndsExactlyWhereProgrammed() {
+    const auto result = interpret("G0 X0 Y0 Z0\nG2 X9.999 Y0 I5 F60\nG3 X0.1 Y0.2 CR=100");
+    COMPARE_TEXT(test::printProblems(result.diagnostics), "");
+    const auto& all = result.trajectory.points;
+    QCOMPARE(all.back().positionMm, (base::Vec3{0.1, 0.2, 0.0}));
+    QVERIFY(all.size() > 35);
+  }
+
+  void everyFindingHasANameAndASentence() {
+    std::set<std::string_view> names;
+    for (int code = 0; code <= static_cast<int>(gcode::DiagnosticCode::MoreFindings); ++code) {
+      gcode::Diagnostic diagnostic;
+      diagnostic.code = static_cast<gcode::DiagnosticCode>(code);
+      diagnostic.argument = "{}17";
+      QVERIFY(names.insert(gcode::diagnosticName(diagnostic.code)).second);
+      const std::string sentence = gcode::describe(diagnostic);
+      QVERIFY2(sentence.size() > 20 && sentence.back() == '.', sentence.c_str());
+      QVERIFY(sentence.size() < 200);
+    }
+    COMPARE_TEXT(gcode::describe(
+                     {gcode::Severity::Error, {3}, 5, gcode::DiagnosticCode::NumberMissing, "X"}),
+                 "The word X has no number behind it.");
+    QVERIFY(
+        gcode::describe({gcode::Severity::Note, {1}, 1, gcode::DiagnosticCode::IgnoredCode, "M3"})
+            .find("spindle") != std::string::npos);
+    QVERIFY(gcode::describe(
+                {gcode::Severity::Warning, {1}, 1, gcode::DiagnosticCode::IgnoredCode, "M6"})
+                .find("does not wait") != std::string::npos);
+  }
+
+  void longTextIsCutBetweenCharacters() {
+    const std::string text = "DEF " + std::string(55, 'A') + "\xC3\xA4\xC3\xA4\xC3\xA4";
+    const gcode::Interpretation result = interpret(text);
+    QCOMPARE(result.diagnostics.front().argument, "DEF " + std::string(55, 'A') + "...");
+  }
+
+  void loneCarriageReturnsAreRead() {
+    COMPARE_TEXT(points("G0 X1\rX2\rX3"), "1 R X1 Y? Z? | 2 R X2 Y? Z? | 3 R X3 Y? Z?");
+    COMPARE_TEXT(problems("G0 X1\rX2\rX3"), "");
+  }
+};
+
+QTEST_APPLESS_MAIN(TestInterpreter)
+#include "tst_interpreter.moc"

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+#include <clocale>
+#include <string>
+
+#include "base/text.h"
+#include "gcode/lexer.h"
+
+using namespace rivulet;
+using gcode::TokenKind;
+
+namespace {
+
+/// "1: X10 X@1=10 | 2: …": per line its tokens as kind, text and, for words, the value read.
+std::string tokens(std::string_view text) {
+  gcode::Lexer lexer(text);
+  gcode::Block block;
+  std::string out;
+  while (lexer.next(block)) {
+    out += out.empty() ? "" : " | ";
+    out += std::to_string(block.line.value) + ":";
+    for (const gcode::Token& token : block.tokens) {
+      out += ' ';
+      const std::string at = "@" + std::to_string(token.column);
+      const std::string value = base::formatNumber(token.value);
+      switch (token.kind) {
+        case TokenKind::Word:
+          out += token.address + value + at;
+          break;
+        case TokenKind::NamedValue:
+          out += std::string(gcode::tokenName(token)) + "=" + value + at;
+          break;
+        case TokenKind::IndexedWord:
+          out += "indexed<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::TextWord:
+          out += "text<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::Name:
+          out += "name<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::Call:
+          out += "call<" + std::string(gcode::tokenName(token)) + ">" + at;
+          break;
+        case TokenKind::Label:
+          out += "label<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::Expression:
+          out += "expression<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::BlockSkip:
+          out += "skip" + at;
+          break;
+        case TokenKind::Tape:
+          out += "tape" + at;
+          break;
+        case TokenKind::UnexpectedCharacter:
+          out += "unexpected<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::NumberMissing:
+          out += "missing<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::NumberMalformed:
+          out += "malformed<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::CommentNotClosed:
+          out += "unclosed" + at;
+          break;
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+class TestLexer : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void reads_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("expected");
+    const auto add = [](const char* name, const char* text, const char* expected) {
+      QTest::newRow(name) << QByteArray(text) << QByteArray(expected);
+    };
+    add("words", "N10 G1 X10.5 Y-2.25 F600", "1: N10@1 G1@5 X10.5@8 Y-2.25@14 F600@21");
+    add("packed", "g01x.5y-.5z+3.", "1: G1@1 X0.5@4 Y-0.5@7 Z3@11");
+    add("blanks inside", "X 10\tY - 2", "1: X10@1 Y-2@6");
+    add("assigned", "X=10 Y = -2.5", "1: X10@1 Y-2.5@6");
+    add("line ends", "X1\nY2\r\nZ3\rX4\n\nX5",
+        "1: X1@1 | 2: Y2@1 | 3: Z3@1 | 4: X4@1 | 5: | 6: X5@1");
+    add("mixed ends", "X1\rX2\r\nX3\n", "1: X1@1 | 2: X2@1 | 3: X3@1");
+    add("comments", "(a) G1 (b X9) X1 ; Y2", "1: G1@5 X1@15");
+    add("nested comment", "(a (b) X9) X1", "1: X1@12");
+    add("open comment", "X1 (open\nX2", "1: X1@1 unclosed@4 | 2: X2@1");
+    add("tape", "%\n%_N_A_MPF\nX1", "1: tape@1 | 2: tape@1 | 3: X1@1");
+    add("skip", "/X1\n/3 X2\nN5 /X3", "1: skip@1 X1@2 | 2: skip@1 X2@4 | 3: N5@1 skip@4 X3@5");
+    add("main block", ":10 X1", "1: N10@1 X1@5");
+    add("radius", "CR=-12.5 cr = 3", "1: CR=-12.5@1 cr=3@10");
+    add("names", "SOFT G642 ADIS=0.1", "1: name<SOFT>@1 G642@6 ADIS=0.1@11");
+    add("call", "MSG(\"a;b (c\") X1", "1: call<MSG>@1 X1@15");
+    add("call behind blank", "MSG (\"a\")", "1: call<MSG>@1");
+    add("name and comment", "RET (done)", "1: name<RET>@1");
+    add("label", "START: X1", "1: label<START:>@1 X1@8");
+    add("tool name", "T=\"MILL 10\" D1", "1: text<T=\"MILL 10\">@1 D1@13");
+    add("indexed", "M1=3 S2=500 M30", "1: indexed<M1=3>@1 indexed<S2=500>@6 M30@13");
+    add("R assignment", "R1=5 R2=R1+2", "1: expression<R1=5 R2=R1+2>@1");
+    add("axis expression", "G1 X=R1+2 Y=AC(10) Z3",
+        "1: G1@1 expression<X=R1+2>@4 expression<Y=AC(10)>@11 Z3@20");
+    add("spaced expression", "X=R1 + 2 Y3", "1: expression<X=R1 + 2>@1 Y3@10");
+    add("sum", "X=10+5", "1: expression<X=10+5>@1");
+    add("hash", "#1=2 ; c", "1: expression<#1=2>@1");
+    add("hash value", "X#1 Y-[2] Z1", "1: expression<X#1>@1 expression<Y-[2]>@5 Z1@11");
+    add("system variable", "$AA_OFF[X]=1", "1: expression<$AA_OFF[X]=1>@1");
+    add("statement", "N5 IF R1==2 GOTOF END ; c", "1: N5@1 expression<IF R1==2 GOTOF END>@4");
+    add("o word", "o<sub> call", "1: expression<o<sub> call>@1");
+    add("array", "DEF REAL A[2]", "1: expression<DEF REAL A[2]>@1");
+    add("missing", "G1 X Y2\nZ-", "1: G1@1 missing<X>@4 Y2@6 | 2: missing<Z>@1");
+    add("decimal comma", "X1,5 Y2", "1: malformed<1,5>@2 Y2@6");
+    add("two points", "X1.2.3 Y2", "1: malformed<1.2.3>@2 Y2@8");
+    add("point only", "X. Y2", "1: malformed<.>@2 Y2@4");
+    add("no exponent", "X1E5", "1: X1@1 E5@3");
+    add("not a number", "XNAN", "1: name<XNAN>@1");
+    add("other bytes", "X1 \xC3\xA4 & Y2", "1: X1@1 unexpected<\xC3\xA4>@4 unexpected<&>@7 Y2@9");
+    add("stray bracket", "X1)", "1: X1@1 unexpected<)>@3");
+    add("byte order mark", "\xEF\xBB\xBFG1", "1: G1@1");
+    add("end mark", "G1\n\x1A", "1: G1@1");
+    add("many digits", "X0.1234567890123456789", "1: X0.12345678901234568@1");
+    add("nothing", "", "");
+  }
+
+  void reads() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const QByteArray, expected);
+    QCOMPARE(QByteArray::fromStdString(tokens(text.toStdString())), expected);
+  }
+
+  /// Cutting a program anywhere must neither read past its end nor lose the lines before.
+  void survivesEveryCut() {
+    const std::string text =
+        "%\nO12 (a)\n/N5 G1 X=R1+[2*3] Y-.5 CR=-2 T=\"A\" MSG(\"b\") M1=3 ;c\r\nIF X GOTO\rX1,2\n";
+    for (std::size_t size = 0; size <= text.size(); ++size) {
+      const std::string cut = text.substr(0, size);  // its own buffer: a sanitizer sees overruns
+      gcode::Lexer lexer(cut);
+      gcode::Block block;
+      while (lexer.next(block)) {
+        for (const gcode::Token& token : block.tokens) {
+          QVERIFY(token.text.data() >= cut.data());
+          QVERIFY(token.text.data() + token.text.size() <= cut.data() + cut.size());
+          QVERIFY(token.column >= 1);
+        }
+      }
+      QVERIFY(lexer.lines() <= 5);
+    }
+  }
+
+  void numbersDoNotDependOnTheLocale() {
+    std::setlocale(LC_ALL, "de_DE.UTF-8");
+    QCOMPARE(tokens("X1.5"), std::string("1: X1.5@1"));
+    std::setlocale(LC_ALL, "C");
+  }
+
+  void reusesTheBuffer() {
+    gcode::Lexer lexer("X1 Y2 Z3\nX4\n");
+    gcode::Block block;
+    QVERIFY(lexer.next(block));
+    const auto capacity = block.tokens.capacity();
+    QVERIFY(lexer.next(block));
+    QCOMPARE(block.tokens.capacity(), capacity);
+    QCOMPARE(block.tokens.size(), std::size_t{1});
+    QVERIFY(!lexer.next(block));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestLexer)
+#include "tst_lexer.moc"

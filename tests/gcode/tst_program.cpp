@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "gcode/program.h"
+#include "gcode_text.h"
+
+using namespace rivulet;
+using gcode::GcodeError;
+
+namespace {
+
+std::filesystem::path write(const QTemporaryDir& folder, const std::string& text) {
+  const std::filesystem::path path =
+      std::filesystem::path(folder.path().toStdString()) / "program.nc";
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+}  // namespace
+
+class TestProgram : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void loadsTheSampleProgram() {
+    const auto program = gcode::loadProgram(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
+    QVERIFY(program.has_value());
+    QCOMPARE(program->name, std::string("scorpion.tap"));
+    QCOMPARE(program->text.size(), std::size_t{4685});
+    QVERIFY(program->isStreamable());
+    QCOMPARE(QByteArray::fromStdString(test::printFindings(program->diagnostics)),
+             QByteArray("2:1 note ignored-code T | 2:3 note ignored-code M6 | "
+                        "4:15 note ignored-code S | 4:21 note ignored-code M3"));
+    const gcode::Statistics& statistics = program->statistics;
+    QCOMPARE(statistics.lines, std::size_t{276});
+    QCOMPARE(statistics.motions, (std::array<std::size_t, 4>{7, 266, 0, 0}));
+    QCOMPARE(statistics.points, std::size_t{273});
+    QCOMPARE(statistics.minMm, (base::Vec3{0.0, 0.0, -3.0}));
+    QCOMPARE(statistics.maxMm, (base::Vec3{206.12, 235.389, 10.0}));
+    QVERIFY(std::abs(statistics.cutLengthMm - 2450.806) < 1e-3);
+    QCOMPARE(statistics.feedsMmPerMin, (std::vector<double>{600.0, 1800.0}));
+    const gcode::TrajectoryPoint& first = program->trajectory.points.front();
+    QVERIFY(std::isnan(first.positionMm.x));
+    QCOMPARE(first.positionMm.z, 10.0);
+    QCOMPARE(first.kind, gcode::MoveKind::Rapid);
+    QCOMPARE(first.line.value, 3U);
+    const gcode::PointList list = gcode::streamPoints(program->trajectory, {0, 0, 50});
+    QCOMPARE(list.points.size() + list.merged, std::size_t{273});
+    QCOMPARE(list.points.front().positionMm, (base::Vec3{0, 0, 10}));
+  }
+
+  void hashTellsVersionsApart() {
+    const auto one = gcode::interpretProgram("a", "G0 X1");
+    const auto two = gcode::interpretProgram("a", "G0 X2");
+    const auto same = gcode::interpretProgram("b", "G0 X1");
+    QVERIFY(one && two && same);
+    QCOMPARE(one->hash.size(), std::size_t{16});
+    QVERIFY(one->hash != two->hash);
+    QCOMPARE(one->hash, same->hash);
+    std::uint64_t expected = 14695981039346656037ULL;
+    for (const char c : std::string("G0 X1")) {
+      expected ^= static_cast<unsigned char>(c);
+      expected *= 1099511628211ULL;
+    }
+    QCOMPARE(std::stoull(one->hash, nullptr, 16), expected);
+  }
+
+  void emptyAndMotionless_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("code");
+    const auto add = [](const char* text, GcodeError code) {
+      QTest::newRow(QByteArray(text).simplified().constData())
+          << QByteArray(text) << static_cast<int>(code);
+    };
+    add("", GcodeError::EmptyProgram);
+    add("\n\r\n  \n", GcodeError::EmptyProgram);
+    add("%\n(only a comment)\n; another\nO12\nN5\n%", GcodeError::EmptyProgram);
+    add("G90 G21\nM30", GcodeError::NoMotion);
+    add("G4 X5", GcodeError::NoMotion);
+    add("M30\nG0 X1", GcodeError::NoMotion);
+    add("WHILE R1<5", GcodeError::NoMotion);
+  }
+
+  void emptyAndMotionless() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const int, code);
+    const auto program = gcode::interpretProgram("a.nc", text.toStdString());
+    QVERIFY(!program);
+    QVERIFY(program.error().code == static_cast<GcodeError>(code));
+    QCOMPARE(program.error().context, std::string("a.nc"));
+    QVERIFY(program.error().message.find(": choose a") != std::string::npos);
+  }
+
+  void noMotionNamesTheFindingInTheWay() {
+    const auto program = gcode::interpretProgram("a.nc", "G90\nWHILE R1<5");
+    QVERIFY(!program);
+    QVERIFY(program.error().message.find("Line 2: \"WHILE R1<5\"") != std::string::npos);
+  }
+
+  void notStreamableWithAnError() {
+    const auto program = gcode::interpretProgram("a.nc", "G0 X1\nG92 X0\nG0 X2");
+    QVERIFY(program.has_value());
+    QVERIFY(!program->isStreamable());
+    const auto warned = gcode::interpretProgram("a.nc", "G1 X1");
+    QVERIFY(warned.has_value());
+    QVERIFY(warned->isStreamable());
+    QCOMPARE(warned->diagnostics.size(), std::size_t{1});
+  }
+
+  void unreadableFiles() {
+    const QTemporaryDir folder;
+    const std::string path = folder.path().toStdString();
+    const auto missing = gcode::loadProgram(path + "/missing.nc");
+    QVERIFY(!missing);
+    QVERIFY(missing.error().code == GcodeError::FileUnreadable);
+    QCOMPARE(missing.error().text(),
+             path + "/missing.nc: The file does not exist: check its name and folder.");
+    const auto isFolder = gcode::loadProgram(path);
+    QVERIFY(!isFolder);
+    QVERIFY(isFolder.error().code == GcodeError::FileUnreadable);
+    QVERIFY(isFolder.error().message.find("folder") != std::string::npos);
+    const auto device = gcode::loadProgram("/dev/null");
+    QVERIFY(!device);
+    QVERIFY(device.error().code == GcodeError::FileUnreadable);
+  }
+
+  void tooLargeFileIsNotRead() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = write(folder, "G0 X1\n");
+    std::error_code status;
+    std::filesystem::resize_file(path, gcode::kProgramBytesMax + 1, status);  // sparse
+    if (status) {
+      QSKIP("the file system has no room for a sparse file");
+    }
+    const auto program = gcode::loadProgram(path);
+    QVERIFY(!program);
+    QVERIFY(program.error().code == GcodeError::FileTooLarge);
+    QVERIFY(program.error().message.find("512 MiB") != std::string::npos);
+  }
+
+  void fileErrorsCarryThePath() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = write(folder, "G90\n");
+    const auto program = gcode::loadProgram(path);
+    QVERIFY(!program);
+    QVERIFY(program.error().code == GcodeError::NoMotion);
+    QCOMPARE(program.error().context, path.string());
+  }
+
+  void chordToleranceDecidesTheNumberOfPoints() {
+    const std::string text = "G0 X0 Y0\nG2 X20 Y0 I10 F60";
+    gcode::LoadOptions coarse;
+    coarse.chordToleranceMm = 0.1;
+    const auto a = gcode::interpretProgram("a", text, coarse);
+    const auto b = gcode::interpretProgram("a", text);
+    QVERIFY(a && b);
+    QVERIFY(b->statistics.points > 3 * a->statistics.points);
+    QCOMPARE(a->statistics.cutLengthMm, b->statistics.cutLengthMm);
+  }
+
+  void streamPointsFillAndMerge() {
+    const auto program = gcode::interpretProgram("a", "G0 X1\nX1\nG1 Z2 F60\nZ2\nY5\nX1 Y5 Z2");
+    QVERIFY(program.has_value());
+    const gcode::PointList list = gcode::streamPoints(program->trajectory, {9, 8, 7});
+    QCOMPARE(list.merged, std::size_t{3});
+    QCOMPARE(list.points.size(), std::size_t{3});
+    QCOMPARE(list.points[0].positionMm, (base::Vec3{1, 8, 7}));
+    QCOMPARE(list.points[1].positionMm, (base::Vec3{1, 8, 2}));
+    QCOMPARE(list.points[2].positionMm, (base::Vec3{1, 5, 2}));
+    QCOMPARE(list.points[1].line.value, 3U);
+    QVERIFY(gcode::streamPoints({}, {0, 0, 0}).points.empty());
+  }
+
+  void errorCodesHaveACategory() {
+    const std::error_code code = GcodeError::NoMotion;
+    QCOMPARE(std::string(code.category().name()), std::string("gcode"));
+    QVERIFY(code != std::error_code(GcodeError::EmptyProgram));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestProgram)
+#include "tst_program.moc"
