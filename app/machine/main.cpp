@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// `rivulet-machine`: the virtual machine as a program of its own, reached over OPC UA.
+/// Everything it does is in `machine` and `machine/front`; here are its options and its end.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "machine/config.h"
+#include "machine/front/server.h"
+#include "machine/machine.h"
+
+namespace {
+
+constexpr int kExitOk = 0;
+constexpr int kExitUsage = 2;
+constexpr int kExitNoPort = 3;
+
+/// Set by a signal, looked at between two iterations of the server.
+std::atomic<bool> g_stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch it only so");
+
+extern "C" void onSignal(int /*signal*/) {
+  g_stop.store(true);
+}
+
+void installSignalHandlers() {
+  struct sigaction action {};
+  action.sa_handler = &onSignal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  // A reader of our output that went away is not a reason to die without cleaning up.
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, nullptr);
+}
+
+int complain(const rivulet::base::Error& error, int exitCode) {
+  fmt::print(stderr, "rivulet-machine: {}\n", error.text());
+  return exitCode;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  installSignalHandlers();
+
+  rivulet::machine::ServerOptions options;
+  options.port = 4840;
+  std::string preset = "dmu75";
+  std::uint64_t seed = 1;
+  CLI::App app{
+      "A virtual CNC machine behind an OPC UA server that looks like a SINUMERIK. Prints its "
+      "endpoint when it is ready and runs until it is interrupted."};
+  app.add_option("--host", options.host, "Address to listen on; 0.0.0.0 lets other computers in")
+      ->capture_default_str();
+  app.add_option("--port", options.port, "TCP port; 0 takes a free one")->capture_default_str();
+  app.add_option("--preset", preset, "Machine: a built-in preset or a TOML file")
+      ->capture_default_str();
+  app.add_option("--seed", seed, "Seed of the machine's random numbers")->capture_default_str();
+  app.set_version_flag("--version", "rivulet-machine " RIVULET_VERSION);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+
+  const auto config = rivulet::machine::loadPreset(preset);
+  if (!config) {
+    return complain(config.error(), kExitUsage);
+  }
+  rivulet::machine::Machine machine(*config, seed);
+  const auto server = rivulet::machine::Server::start(machine, options);
+  if (!server) {
+    const bool isAddress = server.error().code == rivulet::machine::FrontError::AddressUnusable;
+    return complain(server.error(), isAddress ? kExitUsage : kExitNoPort);
+  }
+  fmt::print("{}\n", (*server)->endpoint());
+  std::fflush(stdout);
+  (*server)->run(g_stop);
+  return kExitOk;
+}

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "machine/front/address_space.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "base/units.h"
+#include "machine/front/server.h"
+#include "opcua/node_map.h"
+#include "opcua/open62541/handle.h"
+
+namespace rivulet::machine {
+
+/// Number or text of the machine's state that a variable shows.
+struct VariableRow {
+  std::string_view folder;  ///< below "/Channel/"
+  std::string_view name;
+  bool perAxis = false;
+  std::size_t type = UA_TYPES_DOUBLE;  ///< of the node, as on the control
+  double (*number)(const MachineState&, std::size_t axis) = nullptr;
+  std::string_view (*text)(const MachineState&) = nullptr;
+};
+
+namespace {
+
+double actual(const MachineState& state, std::size_t axis) {
+  return state.actualMm[axis];
+}
+double command(const MachineState& state, std::size_t axis) {
+  return state.commandMm[axis];
+}
+double toGo(const MachineState& state, std::size_t axis) {
+  return state.distanceToGoMm[axis];
+}
+double feed(const MachineState& state, std::size_t /*axis*/) {
+  return base::mmPerMinFromMmPerS(state.feedMmPerS);
+}
+double feedCommand(const MachineState& state, std::size_t /*axis*/) {
+  return base::mmPerMinFromMmPerS(state.feedCommandMmPerS);
+}
+double programStatus(const MachineState& state, std::size_t /*axis*/) {
+  return static_cast<double>(state.program);
+}
+double channelStatus(const MachineState& state, std::size_t /*axis*/) {
+  return static_cast<double>(state.channel);
+}
+double alarm(const MachineState& state, std::size_t /*axis*/) {
+  return state.alarm;
+}
+double line(const MachineState& state, std::size_t /*axis*/) {
+  return state.line;
+}
+double bufferLevel(const MachineState& state, std::size_t /*axis*/) {
+  return state.bufferedBlocks;
+}
+std::string_view programName(const MachineState& state) {
+  return state.programName;
+}
+std::string_view message(const MachineState& state) {
+  return state.message;
+}
+
+/// A number of the channel.
+constexpr VariableRow scalar(std::string_view folder, std::string_view name, std::size_t type,
+                             double (*number)(const MachineState&, std::size_t)) {
+  return {folder, name, false, type, number, nullptr};
+}
+/// A length per axis.
+constexpr VariableRow axes(std::string_view folder, std::string_view name,
+                           double (*number)(const MachineState&, std::size_t)) {
+  return {folder, name, true, UA_TYPES_DOUBLE, number, nullptr};
+}
+constexpr VariableRow text(std::string_view folder, std::string_view name,
+                           std::string_view (*value)(const MachineState&)) {
+  return {folder, name, false, UA_TYPES_STRING, nullptr, value};
+}
+
+constexpr std::array kRows{
+    axes("GeometricAxis", "aaAcsRel", actual),
+    axes("GeometricAxis", "aaDtew", toGo),
+    axes("GeometricAxis", "actToolBasePos", actual),
+    axes("GeometricAxis", "cmdToolBasePos", command),
+    axes("GeometricAxis", "toolBaseDistToGo", toGo),
+    axes("MachineAxis", "measPos1", actual),
+    axes("MachineAxis", "actToolBasePos", actual),
+    axes("MachineAxis", "cmdContrPos", command),
+    scalar("State", "actFeedRateIpo", UA_TYPES_DOUBLE, feed),
+    scalar("State", "cmdFeedRateIpo", UA_TYPES_DOUBLE, feedCommand),
+    scalar("State", "progStatus", UA_TYPES_UINT16, programStatus),
+    scalar("State", "chanStatus", UA_TYPES_UINT16, channelStatus),
+    scalar("State", "chanAlarm", UA_TYPES_UINT32, alarm),
+    text("ProgramInfo", "progName", programName),
+    text("ProgramInfo", "selectedWorkPProg", programName),
+    scalar("ProgramInfo", "actLineNumber", UA_TYPES_UINT32, line),
+    text("ProgramInfo", "msg", message),
+    scalar("ChannelDiagnose", "ipoBufLevel", UA_TYPES_UINT16, bufferLevel),
+};
+
+constexpr std::array kFolders{"Parameter", "GeometricAxis", "MachineAxis",
+                              "State",     "ProgramInfo",   "ChannelDiagnose"};
+
+UA_StatusCode setNumber(UA_Variant& variant, double value, std::size_t type) {
+  switch (type) {
+    case UA_TYPES_UINT16: {
+      const auto number = static_cast<UA_UInt16>(value);
+      return UA_Variant_setScalarCopy(&variant, &number, &UA_TYPES[type]);
+    }
+    case UA_TYPES_UINT32: {
+      const auto number = static_cast<UA_UInt32>(value);
+      return UA_Variant_setScalarCopy(&variant, &number, &UA_TYPES[type]);
+    }
+    default:
+      return UA_Variant_setScalarCopy(&variant, &value, &UA_TYPES[UA_TYPES_DOUBLE]);
+  }
+}
+
+UA_StatusCode onRead(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
+                     void* /*sessionContext*/, const UA_NodeId* /*nodeId*/, void* nodeContext,
+                     UA_Boolean withSourceTime, const UA_NumericRange* range,
+                     UA_DataValue* value) noexcept {
+  const auto& node = *static_cast<const VariableNode*>(nodeContext);
+  if (range != nullptr) {  // all variables are scalars
+    value->hasStatus = true;
+    value->status = UA_STATUSCODE_BADINDEXRANGEINVALID;
+    return UA_STATUSCODE_GOOD;
+  }
+  node.service->serve(AccessKind::Read);
+  const Machine& machine = node.service->machine();
+  UA_StatusCode status = UA_STATUSCODE_GOOD;
+  if (node.row == nullptr) {
+    status = setNumber(value->value, machine.rParameter(node.index), UA_TYPES_DOUBLE);
+  } else {
+    const MachineState state = machine.state();
+    if (node.row->text != nullptr) {
+      const UA_String string = opcua::borrow(node.row->text(state));
+      status = UA_Variant_setScalarCopy(&value->value, &string, &UA_TYPES[UA_TYPES_STRING]);
+    } else {
+      const double number = node.row->number(state, static_cast<std::size_t>(node.index));
+      status = setNumber(value->value, number, node.row->type);
+    }
+  }
+  value->hasValue = status == UA_STATUSCODE_GOOD;
+  if (withSourceTime) {
+    value->hasSourceTimestamp = true;
+    value->sourceTimestamp = UA_DateTime_now();
+  }
+  return status;
+}
+
+/// Only R-parameters have it. The library has checked the type already.
+UA_StatusCode onWrite(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
+                      void* /*sessionContext*/, const UA_NodeId* /*nodeId*/, void* nodeContext,
+                      const UA_NumericRange* range, const UA_DataValue* value) noexcept {
+  const auto& node = *static_cast<const VariableNode*>(nodeContext);
+  if (range != nullptr) {
+    return UA_STATUSCODE_BADINDEXRANGEINVALID;
+  }
+  const auto* number =
+      value->hasValue ? opcua::scalarOf<UA_Double>(value->value, UA_TYPES_DOUBLE) : nullptr;
+  if (number == nullptr) {
+    return UA_STATUSCODE_BADTYPEMISMATCH;
+  }
+  if (!std::isfinite(*number)) {
+    return UA_STATUSCODE_BADOUTOFRANGE;
+  }
+  node.service->serve(AccessKind::Write);
+  node.service->machine().writeRParameter(node.index, *number);
+  return UA_STATUSCODE_GOOD;
+}
+
+constexpr std::string_view kRoot = "Sinumerik";
+constexpr std::string_view kChannel = "/Channel";
+
+}  // namespace
+
+base::Result<void> AddressSpace::build() {
+  const std::string uri(opcua::kNamespaceUri);
+  m_namespace = UA_Server_addNamespace(m_server, uri.c_str());
+  UA_StatusCode status = addFolder({}, kRoot, kRoot);
+  if (status == UA_STATUSCODE_GOOD) {
+    status = addFolder(kRoot, kChannel, "Channel");
+  }
+  for (const char* folder : kFolders) {
+    if (status == UA_STATUSCODE_GOOD) {
+      status = addFolder(kChannel, fmt::format("{}/{}", kChannel, folder), folder);
+    }
+  }
+  if (status == UA_STATUSCODE_GOOD) {
+    status = addParameters();
+  }
+  for (const VariableRow& row : kRows) {
+    if (status == UA_STATUSCODE_GOOD) {
+      status = addVariable(row);
+    }
+  }
+  if (status != UA_STATUSCODE_GOOD) {
+    return base::fail(
+        FrontError::SetUpFailed,
+        fmt::format("The server's variables cannot be set up ({}).", UA_StatusCode_name(status)));
+  }
+  return {};
+}
+
+UA_StatusCode AddressSpace::addFolder(std::string_view parent, std::string_view identifier,
+                                      std::string_view name) {
+  UA_ObjectAttributes attributes = UA_ObjectAttributes_default;
+  attributes.displayName.text = opcua::borrow(name);
+  UA_QualifiedName browseName{m_namespace, opcua::borrow(name)};
+  const UA_NodeId parentId = parent.empty() ? opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER)
+                                            : opcua::borrowNodeId(m_namespace, parent);
+  return UA_Server_addObjectNode(m_server, opcua::borrowNodeId(m_namespace, identifier), parentId,
+                                 opcua::standardNodeId(UA_NS0ID_ORGANIZES), browseName,
+                                 opcua::standardNodeId(UA_NS0ID_FOLDERTYPE), attributes, nullptr,
+                                 nullptr);
+}
+
+UA_StatusCode AddressSpace::addParameters() {
+  constexpr std::string_view kFolder = "/Channel/Parameter";
+  const Machine& machine = m_service.machine();
+  UA_StatusCode status = UA_STATUSCODE_GOOD;
+  for (int number = 0; machine.hasRParameter(number) && status == UA_STATUSCODE_GOOD; ++number) {
+    status = addNode({}, opcua::nodeIdentifier(opcua::rParameter(number)), "R", nullptr, number);
+    if (status == UA_STATUSCODE_GOOD) {
+      status = addNode({}, fmt::format("{}/R[{}]", kFolder, number), "R", nullptr, number);
+    }
+  }
+  if (status == UA_STATUSCODE_GOOD && machine.hasRParameter(1)) {
+    status = addNode(kFolder, fmt::format("{}/R", kFolder), "R", nullptr, 1);
+  }
+  return status;
+}
+
+UA_StatusCode AddressSpace::addVariable(const VariableRow& row) {
+  const std::string folder = fmt::format("{}/{}", kChannel, row.folder);
+  const std::string identifier = fmt::format("{}/{}", folder, row.name);
+  UA_StatusCode status = addNode(folder, identifier, row.name, &row, 0);
+  for (int axis = 0; row.perAxis && axis < static_cast<int>(base::kAxisCount); ++axis) {
+    for (const std::string& alias : {fmt::format("{}[u1,{}]", identifier, axis + 1),
+                                     fmt::format("{}[{}]", identifier, axis + 1)}) {
+      if (status == UA_STATUSCODE_GOOD) {
+        status = addNode({}, alias, row.name, &row, axis);
+      }
+    }
+  }
+  return status;
+}
+
+UA_StatusCode AddressSpace::addNode(std::string_view folder, std::string_view identifier,
+                                    std::string_view name, const VariableRow* row, int index) {
+  m_nodes.push_back({&m_service, row, index});
+  UA_VariableAttributes attributes = UA_VariableAttributes_default;
+  attributes.displayName.text = opcua::borrow(name);
+  attributes.dataType = UA_TYPES[row == nullptr ? UA_TYPES_DOUBLE : row->type].typeId;
+  attributes.valueRank = UA_VALUERANK_SCALAR;
+  attributes.accessLevel = UA_ACCESSLEVELMASK_READ;
+  UA_DataSource source{};
+  source.read = &onRead;
+  if (row == nullptr) {
+    attributes.accessLevel |= UA_ACCESSLEVELMASK_WRITE;
+    source.write = &onWrite;
+  }
+  // A node without parent exists and is never met when browsing.
+  const bool listed = !folder.empty();
+  UA_QualifiedName browseName{m_namespace, opcua::borrow(name)};
+  return UA_Server_addDataSourceVariableNode(
+      m_server, opcua::borrowNodeId(m_namespace, identifier),
+      listed ? opcua::borrowNodeId(m_namespace, folder) : UA_NodeId{},
+      listed ? opcua::standardNodeId(UA_NS0ID_HASCOMPONENT) : UA_NodeId{}, browseName,
+      opcua::standardNodeId(UA_NS0ID_BASEDATAVARIABLETYPE), attributes, source, &m_nodes.back(),
+      nullptr);
+}
+
+}  // namespace rivulet::machine

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The variables of the virtual machine as nodes of an OPC UA server, named as on the control.
+/// Browsing shows the first element of each variable; all others exist without being listed.
+/// @threadsafety as the server.
+#pragma once
+
+#include <open62541/server.h>
+
+#include <deque>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "machine/front/variable_service.h"
+
+namespace rivulet::machine {
+
+struct VariableRow;  ///< one line of the table of variables
+
+/// What a node's callbacks need; one per node, at a stable address.
+struct VariableNode {
+  VariableService* service = nullptr;
+  const VariableRow* row = nullptr;  ///< null: an R-parameter
+  int index = 0;                     ///< R number, or axis from 0
+};
+
+class AddressSpace {
+ public:
+  /// @param server,service outlive the address space and are outlived by nothing that calls back
+  AddressSpace(UA_Server* server, VariableService& service)
+      : m_server(server), m_service(service) {}
+
+  /// Creates everything but the methods. @return SetUpFailed
+  [[nodiscard]] base::Result<void> build();
+
+  /// Index of the namespace of the variables, after `build`.
+  [[nodiscard]] UA_UInt16 namespaceIndex() const { return m_namespace; }
+
+ private:
+  [[nodiscard]] UA_StatusCode addFolder(std::string_view parent, std::string_view identifier,
+                                        std::string_view name);
+  [[nodiscard]] UA_StatusCode addParameters();
+  [[nodiscard]] UA_StatusCode addVariable(const VariableRow& row);
+  /// @param folder empty: not listed
+  [[nodiscard]] UA_StatusCode addNode(std::string_view folder, std::string_view identifier,
+                                      std::string_view name, const VariableRow* row, int index);
+
+  UA_Server* m_server;
+  VariableService& m_service;
+  UA_UInt16 m_namespace = 0;
+  std::deque<VariableNode> m_nodes;
+};
+
+}  // namespace rivulet::machine

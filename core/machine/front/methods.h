@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The methods of the server: those of the control (file transfer, selection), and in an object
+/// and namespace of their own those only a virtual machine has. They cost no variable service.
+/// @threadsafety as the server.
+#pragma once
+
+#include <open62541/server.h>
+
+#include <string>
+
+#include "base/result.h"
+#include "machine/front/variable_service.h"
+
+namespace rivulet::machine {
+
+/// Largest part program the file methods take, as on the control.
+inline constexpr std::size_t kFileBytesMax = std::size_t{16} << 20U;
+/// Most bytes of the trace one call of FetchTrace returns.
+inline constexpr std::size_t kTraceChunkBytesMax = std::size_t{1} << 20U;
+
+class Methods {
+ public:
+  /// @param server,service outlive the methods
+  Methods(UA_Server* server, VariableService& service) : m_server(server), m_service(service) {}
+
+  /// Creates the objects and their methods.
+  /// @param namespaceIndex of the control's variables @return SetUpFailed
+  [[nodiscard]] base::Result<void> build(UA_UInt16 namespaceIndex);
+
+  [[nodiscard]] Machine& machine() const { return m_service.machine(); }
+  /// Moves the machine to the present; every method begins with it.
+  void advance() { m_service.advance(); }
+  /// The trace as text; rendered anew when a fetch begins at offset 0.
+  [[nodiscard]] const std::string& traceText(bool anew);
+
+ private:
+  UA_Server* m_server;
+  VariableService& m_service;
+  std::string m_traceText;
+};
+
+}  // namespace rivulet::machine

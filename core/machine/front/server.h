@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The virtual machine as an OPC UA server that looks like a SINUMERIK: same namespace, same
+/// identifiers, same file methods, same cost of access. Beside it, in a namespace of its own,
+/// what only a virtual machine has: cycle start, reset, and the control's own trace.
+///
+/// Machine time is the wall time since the server was started. While a variable is served the
+/// whole server waits: one service for all clients, one node after another, as on the control.
+/// @threadsafety one object, one thread at a time, but for the counters. Starts no thread.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/instant.h"
+#include "base/result.h"
+#include "machine/machine.h"
+
+namespace rivulet::machine {
+
+enum class FrontError {
+  PortTaken = 1,    ///< another program listens there
+  AddressUnusable,  ///< no address of this computer, or the port is not allowed
+  SetUpFailed,      ///< the OPC UA library refused; the message carries its words
+};
+
+[[nodiscard]] std::error_code make_error_code(FrontError code);
+
+struct ServerOptions {
+  std::string host = "127.0.0.1";  ///< where to listen; only this computer unless told otherwise
+  std::uint16_t port = 0;          ///< 0: a free one
+};
+
+class Server {
+ public:
+  /// Listens from here on; nobody is answered before `iterate` or `run`.
+  /// @param machine outlives the server; nothing else may touch it while the server runs
+  [[nodiscard]] static base::Result<std::unique_ptr<Server>> start(Machine& machine,
+                                                                   const ServerOptions& options);
+  /// Closes all connections.
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// Address for clients, e.g. "opc.tcp://127.0.0.1:4840", with the real port.
+  [[nodiscard]] const std::string& endpoint() const;
+
+  /// Advances the machine to the present and serves what has arrived, waiting no longer than
+  /// `timeout` for it. A request takes as long as its variables cost, whatever the timeout.
+  void iterate(base::Duration timeout);
+
+  /// Iterates until `stop` becomes true.
+  void run(const std::atomic<bool>& stop);
+
+  /// What the variable service has done so far. @threadsafety any thread.
+  [[nodiscard]] std::uint64_t requestsServed() const;
+  [[nodiscard]] std::uint64_t nodesServed() const;
+
+ private:
+  class Impl;
+  explicit Server(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace rivulet::machine
+
+template <>
+struct std::is_error_code_enum<rivulet::machine::FrontError> : std::true_type {};

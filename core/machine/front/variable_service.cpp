@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "machine/front/variable_service.h"
+
+namespace rivulet::machine {
+
+VariableService::VariableService(Machine& machine)
+    : m_machine(machine), m_offset(machine.now().time_since_epoch()) {
+}
+
+void VariableService::advance() {
+  m_machine.advance(now());
+}
+
+void VariableService::serve(AccessKind kind) {
+  if (!m_live) {
+    return;
+  }
+  if (m_request != kind) {
+    m_request = kind;
+    ++m_requests;
+    // The turn it returns is not waited for: the first node's completion lies behind it.
+    m_machine.beginRequest(kind, now());
+  }
+  const base::Instant served = m_machine.serveNode();
+  m_clock.sleepUntil(served - m_offset);
+  m_machine.advance(served);
+  ++m_nodes;
+}
+
+}  // namespace rivulet::machine
