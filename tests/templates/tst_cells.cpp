@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+#include <set>
+
+#include "templates/cells.h"
+
+using namespace rivulet;
+using base::MethodKind;
+using templates::Layout;
+using templates::SignalStop;
+using templates::TemplateError;
+using templates::TemplateParameters;
+
+namespace {
+
+/// All combinations of method, layout, signal stop and axes; N is left to the caller.
+std::vector<TemplateParameters> variants() {
+  std::vector<TemplateParameters> all;
+  for (const MethodKind method : base::kMethodKinds) {
+    for (const Layout layout : {Layout::Paper, Layout::Contiguous}) {
+      for (const SignalStop stop : {SignalStop::EachSignal, SignalStop::OncePerLoop}) {
+        if (method == MethodKind::Position && stop == SignalStop::OncePerLoop) {
+          continue;  // the setting has no meaning there
+        }
+        for (unsigned axes = 1; axes < 8; ++axes) {
+          TemplateParameters parameters;
+          parameters.method = method;
+          parameters.layout = layout;
+          parameters.signalStop = stop;
+          parameters.axes = {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0};
+          all.push_back(parameters);
+        }
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+class TestCells : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void paperLayoutIsThatOfThePaper() {
+    const auto cells = templates::planCells({});
+    QVERIFY(cells.has_value());
+    QCOMPARE(cells->slotCells(0), (std::vector<int>{11, 12, 13}));
+    QCOMPARE(cells->slotCells(1), (std::vector<int>{21, 22, 23}));
+    QCOMPARE(cells->slotCells(6), (std::vector<int>{71, 72, 73}));
+    QCOMPARE(cells->last(), 73);
+  }
+
+  void paperLayoutKeepsThePlaceOfAnAxis() {
+    TemplateParameters parameters;
+    parameters.axes = {true, false, true};
+    const auto cells = templates::planCells(parameters);
+    QVERIFY(cells.has_value());
+    QCOMPARE(cells->slotCells(1), (std::vector<int>{21, 23}));
+  }
+
+  void contiguousLayoutHasNoGaps() {
+    for (TemplateParameters parameters : variants()) {
+      parameters.layout = Layout::Contiguous;
+      const auto cells = templates::planCells(parameters);
+      QVERIFY(cells.has_value());
+      int next = 10;
+      for (int slot = 0; slot < parameters.pointsPerLoop; ++slot) {
+        for (const int cell : cells->slotCells(slot)) {
+          QCOMPARE(cell, next++);
+        }
+      }
+      QCOMPARE(cells->last(), next - 1);
+    }
+  }
+
+  void noCellIsUsedTwice() {
+    for (TemplateParameters parameters : variants()) {
+      const auto cells = templates::planCells(parameters);
+      QVERIFY(cells.has_value());
+      std::set<int> used{cells->signal, cells->run, cells->stop, cells->feed, cells->layout};
+      QCOMPARE(used.size(), std::size_t{5});
+      for (int slot = 0; slot < parameters.pointsPerLoop; ++slot) {
+        for (const int cell : cells->slotCells(slot)) {
+          QVERIFY(used.insert(cell).second);
+          QVERIFY(cell < parameters.rParameterCount);
+        }
+      }
+      QCOMPARE(*used.rbegin(), cells->last());
+    }
+  }
+
+  void whatFitsFitsAndOneMoreDoesNot() {
+    for (TemplateParameters parameters : variants()) {
+      for (const int count : {5, 12, 13, 14, 15, 25, 99, 100, 999, 1000, 5000}) {
+        parameters.rParameterCount = count;
+        const int max = templates::pointsPerLoopMax(parameters);
+        const int min = parameters.method == MethodKind::Signal ? 2 : 1;
+        for (int n = min; n <= max; n += std::max(1, max / 7)) {
+          parameters.pointsPerLoop = n;
+          QVERIFY(templates::planCells(parameters).has_value());
+        }
+        if (max > 0) {
+          parameters.pointsPerLoop = max;
+          QVERIFY(templates::planCells(parameters).has_value());
+        }
+        parameters.pointsPerLoop = std::max(min, max + 1);
+        const auto refused = templates::planCells(parameters);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().code == TemplateError::DoesNotFit);
+        // The value of MD28050 that the message names is enough, and one less is not.
+        const std::string& message = refused.error().message;
+        const std::size_t at = message.find("MD28050 to ");
+        QVERIFY(at != std::string::npos);
+        parameters.rParameterCount = std::stoi(message.substr(at + 11));
+        QVERIFY(templates::planCells(parameters).has_value());
+        --parameters.rParameterCount;
+        QVERIFY(!templates::planCells(parameters));
+      }
+    }
+  }
+
+  void refusalSaysWhatToDo() {
+    TemplateParameters parameters;
+    parameters.pointsPerLoop = 12;
+    const auto refused = templates::planCells(parameters);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().message,
+             std::string("N = 12 needs R-parameters up to R123, and the control has 100: N = 9 is "
+                         "the largest that fits, or set MD28050 to 124."));
+    parameters.pointsPerLoop = 2'000'000'000;
+    QVERIFY(!templates::planCells(parameters));
+  }
+
+  void refusesTooFewPointsAndNoAxis() {
+    TemplateParameters parameters;
+    for (const int n : {1, 0, -3}) {
+      parameters.pointsPerLoop = n;
+      const auto refused = templates::planCells(parameters);
+      QVERIFY(!refused);
+      QVERIFY(refused.error().code == TemplateError::TooFewPointsPerLoop);
+    }
+    parameters.pointsPerLoop = 1;
+    parameters.method = MethodKind::Position;
+    QVERIFY(templates::planCells(parameters).has_value());
+    parameters.axes = {false, false, false};
+    const auto refused = templates::planCells(parameters);
+    QVERIFY(!refused);
+    QVERIFY(refused.error().code == TemplateError::NoAxis);
+    QCOMPARE(templates::pointsPerLoopMax(parameters), 0);
+  }
+
+  void layoutNumbersAreDistinct() {
+    std::set<int> seen;
+    std::size_t count = 0;
+    for (TemplateParameters parameters : variants()) {
+      for (int n = 1; n <= 1000; ++n) {
+        parameters.pointsPerLoop = n;
+        const int number = templates::layoutNumber(parameters);
+        QVERIFY(number > 0 && number < 1'000'000);
+        QCOMPARE(number, static_cast<int>(static_cast<float>(number)));  // survives 32-bit cells
+        seen.insert(number);
+        ++count;
+      }
+    }
+    QCOMPARE(seen.size(), count);
+  }
+
+  void layoutNumberIsStable() {
+    // A number may change only together with the version of the generator: programs with it are
+    // stored on machines.
+    QCOMPARE(templates::layoutNumber({}), kDefaultLayoutNumber);
+    TemplateParameters other;
+    other.rParameterCount = 500;
+    QCOMPARE(templates::layoutNumber(other), kDefaultLayoutNumber);
+    other.method = MethodKind::Position;
+    const int position = templates::layoutNumber(other);
+    other.signalStop = SignalStop::OncePerLoop;  // without meaning for method position
+    QCOMPARE(templates::layoutNumber(other), position);
+  }
+
+  void layoutNames() {
+    for (const Layout layout : {Layout::Paper, Layout::Contiguous}) {
+      QCOMPARE(templates::layoutFromName(templates::layoutName(layout)), std::optional(layout));
+    }
+    QVERIFY(!templates::layoutFromName("other"));
+  }
+
+ private:
+  static constexpr int kDefaultLayoutNumber = 149451;
+};
+
+QTEST_APPLESS_MAIN(TestCells)
+#include "tst_cells.moc"

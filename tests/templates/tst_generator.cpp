@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// RIVULET_UPDATE_GOLDEN=1 rewrites the expected programs in tests/data/templates.
+
+#include <QFile>
+#include <QtTest>
+#include <set>
+
+#include "templates/generator.h"
+
+using namespace rivulet;
+using base::MethodKind;
+using templates::Layout;
+using templates::SignalStop;
+using templates::TemplateParameters;
+
+namespace {
+
+QStringList linesOf(const std::string& text) {
+  return QString::fromStdString(text).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+}
+
+/// The blocks without comments.
+QStringList blocksOf(const TemplateParameters& parameters) {
+  const auto text = templates::generateTemplate(parameters);
+  return text ? linesOf(*text).filter(QRegularExpression(QStringLiteral("^[^;]"))) : QStringList();
+}
+
+TemplateParameters make(MethodKind method, int pointsPerLoop, Layout layout = Layout::Paper,
+                        SignalStop stop = SignalStop::EachSignal,
+                        std::array<bool, base::kAxisCount> axes = {true, true, true}) {
+  TemplateParameters parameters;
+  parameters.method = method;
+  parameters.pointsPerLoop = pointsPerLoop;
+  parameters.layout = layout;
+  parameters.signalStop = stop;
+  parameters.axes = axes;
+  return parameters;
+}
+
+}  // namespace
+
+class TestGenerator : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void golden_data() {
+    QTest::addColumn<TemplateParameters>("parameters");
+    QTest::newRow("signal_7_paper") << make(MethodKind::Signal, 7);
+    QTest::newRow("signal_7_contiguous_once")
+        << make(MethodKind::Signal, 7, Layout::Contiguous, SignalStop::OncePerLoop);
+    QTest::newRow("signal_2_paper_xz")
+        << make(MethodKind::Signal, 2, Layout::Paper, SignalStop::EachSignal, {true, false, true});
+    QTest::newRow("position_5_paper") << make(MethodKind::Position, 5);
+    QTest::newRow("position_1_contiguous_y") << make(MethodKind::Position, 1, Layout::Contiguous,
+                                                     SignalStop::EachSignal, {false, true, false});
+  }
+
+  void golden() {
+    QFETCH(const TemplateParameters, parameters);
+    const auto text = templates::generateTemplate(parameters);
+    QVERIFY(text.has_value());
+    const QByteArray actual = QByteArray::fromStdString(*text);
+    QFile file(QStringLiteral(RIVULET_SOURCE_DIR "/tests/data/templates/%1.mpf")
+                   .arg(QLatin1String(QTest::currentDataTag())));
+    if (qEnvironmentVariableIsSet("RIVULET_UPDATE_GOLDEN")) {
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(actual);
+      return;
+    }
+    QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+    QCOMPARE(linesOf(*text), linesOf(file.readAll().toStdString()));
+    file.seek(0);
+    QCOMPARE(actual, file.readAll());
+  }
+
+  void everyTemplateIsPlainText() {
+    for (const MethodKind method : base::kMethodKinds) {
+      for (const Layout layout : {Layout::Paper, Layout::Contiguous}) {
+        for (int n = 2; n <= 300; n += 13) {
+          TemplateParameters parameters = make(method, n, layout);
+          parameters.rParameterCount = 4000;
+          const auto text = templates::generateTemplate(parameters);
+          QVERIFY(text.has_value());
+          QCOMPARE(text->back(), '\n');
+          for (const char c : *text) {
+            QVERIFY(c == '\n' || (c >= ' ' && c <= '~'));
+          }
+          for (const QString& line : linesOf(*text)) {
+            QVERIFY2(line.size() <= 120, qPrintable(line));
+          }
+        }
+      }
+    }
+  }
+
+  void everySlotMovesOnceInOrder() {
+    for (const MethodKind method : base::kMethodKinds) {
+      for (const SignalStop stop : {SignalStop::EachSignal, SignalStop::OncePerLoop}) {
+        const TemplateParameters parameters = make(method, 8, Layout::Paper, stop);
+        const auto cells = templates::planCells(parameters);
+        QVERIFY(cells.has_value());
+        const QStringList moves =
+            blocksOf(parameters).filter(QRegularExpression(QStringLiteral("^G1 ")));
+        QCOMPARE(moves.size(), 8);
+        for (int slot = 0; slot < 8; ++slot) {
+          const std::vector<int> numbers = cells->slotCells(slot);
+          QCOMPARE(moves[slot], QStringLiteral("G1 X=R%1 Y=R%2 Z=R%3 F=R3")
+                                    .arg(numbers[0])
+                                    .arg(numbers[1])
+                                    .arg(numbers[2]));
+        }
+      }
+    }
+  }
+
+  void stopreStandsBeforeEverySignalThatNeedsIt() {
+    const QStringList each = blocksOf(make(MethodKind::Signal, 7));
+    for (const char* signal : {"R0=0", "R0=1"}) {
+      const qsizetype at = each.indexOf(QLatin1String(signal));
+      QVERIFY(at > 0);
+      QCOMPARE(each[at - 1], QStringLiteral("STOPRE"));
+    }
+    const QStringList once =
+        blocksOf(make(MethodKind::Signal, 7, Layout::Paper, SignalStop::OncePerLoop));
+    const qsizetype first = once.indexOf(QStringLiteral("R0=0"));
+    QVERIFY(once[first - 1].startsWith(QStringLiteral("G1 X=R31")));
+    QVERIFY(once[first + 1].startsWith(QStringLiteral("G1 X=R41")));
+    QCOMPARE(once[once.indexOf(QStringLiteral("R0=1")) - 1], QStringLiteral("STOPRE"));
+  }
+
+  void programEndsAndResetsAsAgreed() {
+    for (const MethodKind method : base::kMethodKinds) {
+      const TemplateParameters parameters = make(method, 4);
+      const QStringList blocks = blocksOf(parameters);
+      QCOMPARE(blocks.last(), QStringLiteral("M30"));
+      QCOMPARE(blocks[blocks.size() - 3], QStringLiteral("IF R2<1 GOTOB RIV_LOOP"));
+      // The layout number appears once everything the client may write has been reset.
+      const auto number = QStringLiteral("R4=%1").arg(templates::layoutNumber(parameters));
+      const qsizetype at = blocks.indexOf(number);
+      QVERIFY(at > 0);
+      for (const char* reset : {"R1=0", "R2=0", "R0=2"}) {
+        QCOMPARE(blocks.count(QLatin1String(reset)), 1);
+        QVERIFY(blocks.indexOf(QLatin1String(reset)) < at);
+      }
+      // Every label jumped to exists once.
+      for (const char* label : {"RIV_WAIT:", "RIV_LOOP:", "RIV_END:"}) {
+        QCOMPARE(blocks.count(QLatin1String(label)), 1);
+      }
+    }
+  }
+
+  void errorsAreThoseOfThePlan() {
+    const auto refused = templates::generateTemplate(make(MethodKind::Signal, 1));
+    QVERIFY(!refused);
+    QVERIFY(refused.error().code == templates::TemplateError::TooFewPointsPerLoop);
+  }
+
+  void fileNames() {
+    QCOMPARE(templates::templateFileName({}), std::string("RIVULET_SIGNAL_7.MPF"));
+    QCOMPARE(templates::templateFileName(make(MethodKind::Position, 12)),
+             std::string("RIVULET_POSITION_12.MPF"));
+    std::set<std::string> names;
+    std::size_t count = 0;
+    for (const MethodKind method : base::kMethodKinds) {
+      for (const Layout layout : {Layout::Paper, Layout::Contiguous}) {
+        for (unsigned axes = 1; axes < 8; ++axes) {
+          for (const int n : {1, 7, 40, 999, 1000, 9999, 16262}) {
+            const std::string name = templates::templateFileName(
+                make(method, n, layout, SignalStop::EachSignal,
+                     {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0}));
+            QVERIFY2(name.size() <= 24 + 4, name.c_str());
+            QVERIFY(QString::fromStdString(name).contains(
+                QRegularExpression(QStringLiteral("^[A-Z]{2}[A-Z0-9_]*\\.MPF$"))));
+            names.insert(name);
+            ++count;
+          }
+        }
+      }
+    }
+    QCOMPARE(names.size(), count);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestGenerator)
+#include "tst_generator.moc"
