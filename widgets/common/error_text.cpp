@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/error_text.h"
+
+#include <QCoreApplication>
+
+#include "feasibility/verdict.h"
+#include "gcode/error.h"
+#include "opcua/error.h"
+#include "streaming/run.h"
+#include "templates/cells.h"
+#include "trace/control_trace.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+/// True if a code belongs to the folder whose enum is `Code`.
+template <class Code>
+bool belongsTo(const std::error_code& code) {
+  return code.category() == make_error_code(static_cast<Code>(1)).category();
+}
+
+struct ErrorTexts {
+  Q_DECLARE_TR_FUNCTIONS(ErrorTexts)
+
+ public:
+  static QString text(gcode::GcodeError code) {
+    using gcode::GcodeError;
+    switch (code) {
+      case GcodeError::FileUnreadable:
+        return tr("The file cannot be read. Check that it exists and that you may read it.");
+      case GcodeError::FileTooLarge:
+        return tr("The file is too large. Split the program into parts.");
+      case GcodeError::EmptyProgram:
+        return tr("The program is empty. Choose a file with NC blocks.");
+      case GcodeError::NoMotion:
+        return tr("The program moves no axis. Choose a program with G0, G1, G2 or G3.");
+      case GcodeError::NotUnderstood:
+        return tr("Parts of the program are not understood. See the list of findings.");
+    }
+    return {};
+  }
+
+  static QString text(feasibility::FeasibilityError code) {
+    using feasibility::FeasibilityError;
+    switch (code) {
+      case FeasibilityError::FeedNotPositive:
+        return tr("The feed F must be greater than zero.");
+      case FeasibilityError::DeltaNotPositive:
+        return tr("The distance δ must be greater than zero.");
+      case FeasibilityError::TooFewPointsPerLoop:
+        return tr("N is too small. Choose at least 2 points per loop.");
+    }
+    return {};
+  }
+
+  static QString text(templates::TemplateError code) {
+    using templates::TemplateError;
+    switch (code) {
+      case TemplateError::TooFewPointsPerLoop:
+        return tr("N is too small for this method. Choose more points per loop.");
+      case TemplateError::DoesNotFit:
+        return tr(
+            "N points do not fit the R-parameters of the control. Choose a smaller N, the "
+            "contiguous layout, or enlarge MD28050.");
+      case TemplateError::NoAxis:
+        return tr("No axis is chosen. Choose at least one axis.");
+      case TemplateError::FileNotWritable:
+        return tr("The file cannot be written. Choose another folder.");
+    }
+    return {};
+  }
+
+  static QString text(trace::TraceError code) {
+    using trace::TraceError;
+    switch (code) {
+      case TraceError::NotATrace:
+        return tr("This file is not a recording of Rivulet.");
+      case TraceError::NewerVersion:
+        return tr("The recording was written by a newer Rivulet. Update this program to read it.");
+      case TraceError::Damaged:
+        return tr("The recording is damaged. Everything before the damage was kept.");
+      case TraceError::FileUnreadable:
+        return tr("The recording cannot be read. Check that it exists and that you may read it.");
+      case TraceError::FileNotWritable:
+        return tr("The recording cannot be written. Check the folder and the free space.");
+    }
+    return {};
+  }
+
+  static QString text(opcua::LinkError code) {
+    using opcua::LinkError;
+    switch (code) {
+      case LinkError::NotReachable:
+        return tr("No OPC UA server answers at this endpoint. Check address, port and network.");
+      case LinkError::ConnectionLost:
+        return tr("The connection to the control is lost. Check the machine, then connect again.");
+      case LinkError::DeadlineExceeded:
+        return tr("The control did not answer in time. Check the network and its load.");
+      case LinkError::VariableMissing:
+        return tr("The control does not have a variable Rivulet needs. Check the server's setup.");
+      case LinkError::NotWritable:
+        return tr("A variable may not be written. Give this user write access on the control.");
+      case LinkError::BadValue:
+        return tr("A value cannot be used; nothing was sent.");
+      case LinkError::Rejected:
+        return tr("The control rejected the request.");
+      case LinkError::NamespaceMissing:
+        return tr("The server is no SINUMERIK (no SinumerikVarProvider). Check the endpoint.");
+      case LinkError::MethodMissing:
+        return tr("The server does not offer this function.");
+      case LinkError::ProgramMissing:
+        return tr("There is no such program on the control. Send the template first.");
+      case LinkError::ChannelNotInReset:
+        return tr("The channel is not in reset. Press reset at the control, then try again.");
+      case LinkError::FileExists:
+        return tr("A program of this name is already on the control.");
+      case LinkError::TooManyItems:
+        return tr("The request is larger than the server takes. Choose a smaller N.");
+    }
+    return {};
+  }
+
+  static QString text(streaming::StreamError code) {
+    using streaming::StreamError;
+    switch (code) {
+      case StreamError::ProgramNotStreamable:
+        return tr("This program cannot be streamed. See the list of findings.");
+      case StreamError::WrongProgram:
+        return tr(
+            "The control does not run the expected template. Select and start the template "
+            "of these settings.");
+      case StreamError::ChannelBusy:
+        return tr("Another program runs on the control. Wait for its end or reset the channel.");
+      case StreamError::NotStarted:
+        return tr("Cycle start was not pressed in time. Arm the run again.");
+      case StreamError::StreamStalled:
+        return tr(
+            "The control runs, but the stream shows no progress. Check feed override and "
+            "feed hold at the control.");
+      case StreamError::StopNotConfirmed:
+        return tr("The control did not confirm the stop in time. Check the machine.");
+      case StreamError::ControlAlarm:
+        return tr("The control ended the program with an alarm. Clear its cause at the control.");
+      case StreamError::EndedEarly:
+        return tr("The program on the control ended before all points were sent.");
+    }
+    return {};
+  }
+};
+
+}  // namespace
+
+QString errorCodeText(const std::error_code& code) {
+  if (!code) {
+    return {};
+  }
+  if (belongsTo<gcode::GcodeError>(code)) {
+    return ErrorTexts::text(static_cast<gcode::GcodeError>(code.value()));
+  }
+  if (belongsTo<feasibility::FeasibilityError>(code)) {
+    return ErrorTexts::text(static_cast<feasibility::FeasibilityError>(code.value()));
+  }
+  if (belongsTo<templates::TemplateError>(code)) {
+    return ErrorTexts::text(static_cast<templates::TemplateError>(code.value()));
+  }
+  if (belongsTo<trace::TraceError>(code)) {
+    return ErrorTexts::text(static_cast<trace::TraceError>(code.value()));
+  }
+  if (belongsTo<opcua::LinkError>(code)) {
+    return ErrorTexts::text(static_cast<opcua::LinkError>(code.value()));
+  }
+  if (belongsTo<streaming::StreamError>(code)) {
+    return ErrorTexts::text(static_cast<streaming::StreamError>(code.value()));
+  }
+  return {};
+}
+
+QString errorText(const base::Error& error) {
+  const QString known = errorCodeText(error.code);
+  const QString sentence = known.isEmpty() ? QString::fromStdString(error.message) : known;
+  if (error.context.empty()) {
+    return sentence;
+  }
+  return QStringLiteral("%1: %2").arg(QString::fromStdString(error.context), sentence);
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Failures in the language of the operator: what happened and what to do. Codes without a
+/// sentence of their own show the English message that came with them.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QString>
+
+#include "base/error.h"
+
+namespace rivulet::widgets {
+
+/// The sentence for a code alone; empty if there is none.
+[[nodiscard]] QString errorCodeText(const std::error_code& code);
+
+/// Context and sentence, as the message area shows them.
+[[nodiscard]] QString errorText(const base::Error& error);
+
+}  // namespace rivulet::widgets

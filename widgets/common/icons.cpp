@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/icons.h"
+
+#include <QFile>
+#include <QPainter>
+#include <QSvgRenderer>
+
+#include "base/contract.h"
+
+namespace rivulet::widgets {
+
+QPixmap iconPixmap(const QString& name, const QColor& color, int sizePx, qreal devicePixelRatio) {
+  QFile file(QStringLiteral(":/rivulet/icons/%1.svg").arg(name));
+  const bool found = file.open(QIODevice::ReadOnly);
+  RIVULET_ASSERT(found);
+  QByteArray svg = file.readAll();
+  svg.replace("currentColor", color.name().toLatin1());
+  QPixmap pixmap(QSize(sizePx, sizePx) * devicePixelRatio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QSvgRenderer renderer(svg);
+  renderer.render(&painter);
+  painter.end();
+  pixmap.setDevicePixelRatio(devicePixelRatio);
+  return pixmap;
+}
+
+QIcon themedIcon(const QString& name, const QColor& color) {
+  QIcon icon;
+  for (const int size : {16, 20, 24, 32, 48, 64}) {
+    icon.addPixmap(iconPixmap(name, color, size));
+  }
+  return icon;
+}
+
+}  // namespace rivulet::widgets

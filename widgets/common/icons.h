@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The icons of resources/icons in the colour they are needed in. The files draw in
+/// `currentColor`, so one file serves both themes.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+#include <QPixmap>
+#include <QString>
+
+namespace rivulet::widgets {
+
+/// @param name file name without folder and suffix, e.g. "play"
+[[nodiscard]] QPixmap iconPixmap(const QString& name, const QColor& color, int sizePx,
+                                 qreal devicePixelRatio = 1.0);
+
+/// As `iconPixmap`, in 16 to 64 px; greyed out for disabled buttons by the style.
+[[nodiscard]] QIcon themedIcon(const QString& name, const QColor& color);
+
+}  // namespace rivulet::widgets

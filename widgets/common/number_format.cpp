@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/number_format.h"
+
+#include <QLocale>
+#include <cmath>
+
+#include "base/units.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+// A no-break space keeps number and unit on one line.
+QString withUnit(const QString& number, const QString& unit) {
+  return number + QChar(0x00A0) + unit;
+}
+
+int decimalsForSize(double value) {
+  const double size = std::abs(value);
+  return size >= 100.0 ? 0 : (size >= 10.0 ? 1 : 2);
+}
+
+}  // namespace
+
+QString noValue() {
+  return QStringLiteral("\u2013");
+}
+
+QString numberText(double value, int decimals) {
+  if (!std::isfinite(value)) {
+    return noValue();
+  }
+  // "-0.000" would make an operator wonder.
+  const double unit = std::pow(10.0, decimals);
+  const double shown = std::abs(value) * unit < 0.5 ? 0.0 : value;
+  return QLocale().toString(shown, 'f', decimals);
+}
+
+QString countText(std::size_t value) {
+  return QLocale().toString(static_cast<qulonglong>(value));
+}
+
+QString lengthText(double lengthMm, int decimals) {
+  return withUnit(numberText(lengthMm, decimals), QStringLiteral("mm"));
+}
+
+QString feedText(double feedMmPerS) {
+  const double feedMmPerMin = base::mmPerMinFromMmPerS(feedMmPerS);
+  return withUnit(numberText(feedMmPerMin, decimalsForSize(feedMmPerMin)),
+                  QStringLiteral("mm/min"));
+}
+
+QString secondsText(double seconds, int decimals) {
+  return withUnit(numberText(seconds, decimals), QStringLiteral("s"));
+}
+
+QString millisecondsText(double milliseconds, int decimals) {
+  return withUnit(numberText(milliseconds, decimals), QStringLiteral("ms"));
+}
+
+QString millisecondsText(base::Duration duration, int decimals) {
+  return millisecondsText(base::toMilliseconds(duration), decimals);
+}
+
+QString factorText(double factor) {
+  if (std::isnan(factor)) {
+    return noValue();
+  }
+  if (factor > 1000.0) {
+    return QStringLiteral("> ") + countText(1000);
+  }
+  return numberText(factor, decimalsForSize(factor));
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/page.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+Page::Page(QWidget* parent) : QWidget(parent) {
+}
+
+void Page::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    setLocale(QLocale());  // spin boxes show and read numbers in the new language
+    retranslate();
+  } else if (event->type() == QEvent::PaletteChange) {
+    restyle();
+  }
+  QWidget::changeEvent(event);
+}
+
+QPushButton* makeTouchButton(QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setMinimumHeight(kTouchHeightPx);
+  button->setIconSize(QSize(20, 20));
+  return button;
+}
+
+QLabel* makeValueLabel(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+
+QLabel* makeHeading(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  QFont font = label->font();
+  font.setBold(true);
+  label->setFont(font);
+  return label;
+}
+
+void setMuted(QWidget* widget) {
+  QPalette palette = widget->palette();
+  const QColor color = themeColors(palette).mutedText;
+  if (palette.color(QPalette::WindowText) != color) {
+    palette.setColor(QPalette::WindowText, color);
+    widget->setPalette(palette);
+  }
+}
+
+}  // namespace rivulet::widgets

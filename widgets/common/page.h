@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Base of every page: texts are set in one place and set again when the language changes,
+/// colours when the theme changes. A derived constructor ends with `retranslate(); restyle();`.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QWidget>
+
+class QPushButton;
+class QLabel;
+
+namespace rivulet::widgets {
+
+class Page : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Page(QWidget* parent = nullptr);
+
+ protected:
+  /// Sets every text and shows every number again, in the present language.
+  virtual void retranslate() = 0;
+  /// Takes colours and icons from the present palette.
+  virtual void restyle() {}
+
+  void changeEvent(QEvent* event) override;
+};
+
+/// A button a finger can hit.
+[[nodiscard]] QPushButton* makeTouchButton(QWidget* parent);
+
+/// A label whose text can be selected and copied.
+[[nodiscard]] QLabel* makeValueLabel(QWidget* parent);
+
+/// A label in bold that heads a group.
+[[nodiscard]] QLabel* makeHeading(QWidget* parent);
+
+/// Gives a widget the colour of secondary text.
+void setMuted(QWidget* widget);
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/theme.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QStyle>
+#include <QStyleFactory>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+namespace rivulet::widgets {
+
+namespace {
+
+ThemeColors lightColors() {
+  ThemeColors colors;
+  colors.isDark = false;
+  colors.window = QColor(0xe8, 0xea, 0xec);
+  colors.surface = QColor(0xfb, 0xfb, 0xfc);
+  colors.button = QColor(0xf0, 0xf1, 0xf3);
+  colors.text = QColor(0x1b, 0x1f, 0x23);
+  colors.mutedText = QColor(0x4d, 0x55, 0x5d);
+  colors.line = QColor(0x9a, 0xa2, 0xaa);
+  colors.grid = QColor(0xdd, 0xe0, 0xe3);
+  colors.accent = QColor(0x1a, 0x5c, 0x97);
+  colors.attention = QColor(0x86, 0x49, 0x00);
+  colors.fault = QColor(0xad, 0x1f, 0x18);
+  colors.path = QColor(0x7d, 0x86, 0x8f);
+  colors.rapid = QColor(0x9a, 0x7b, 0x3c);
+  colors.trace = QColor(0x2f, 0x4b, 0x66);
+  colors.equations = {QColor(0x1a, 0x5c, 0x97), QColor(0x7a, 0x3f, 0x98), QColor(0x1f, 0x6b, 0x5c),
+                      QColor(0x8a, 0x4b, 0x1f)};
+  colors.feasibleFill = QColor(0x5b, 0x7d, 0x9b, 46);
+  colors.safetyFill = QColor(0xd0, 0x94, 0x2b, 60);
+  colors.pauseFill = QColor(0x6b, 0x74, 0x7d, 70);
+  return colors;
+}
+
+ThemeColors darkColors() {
+  ThemeColors colors;
+  colors.isDark = true;
+  colors.window = QColor(0x26, 0x2a, 0x2e);
+  colors.surface = QColor(0x1b, 0x1e, 0x21);
+  colors.button = QColor(0x33, 0x38, 0x3d);
+  colors.text = QColor(0xe6, 0xe9, 0xec);
+  colors.mutedText = QColor(0xae, 0xb6, 0xbe);
+  colors.line = QColor(0x6a, 0x73, 0x7c);
+  colors.grid = QColor(0x34, 0x39, 0x3e);
+  colors.accent = QColor(0x74, 0xb5, 0xee);
+  colors.attention = QColor(0xff, 0xb8, 0x4d);
+  colors.fault = QColor(0xff, 0x8d, 0x83);
+  colors.path = QColor(0x86, 0x90, 0x9a);
+  colors.rapid = QColor(0xa8, 0x8c, 0x55);
+  colors.trace = QColor(0xa9, 0xc4, 0xdd);
+  colors.equations = {QColor(0x74, 0xb5, 0xee), QColor(0xcf, 0x9b, 0xea), QColor(0x77, 0xcb, 0xb6),
+                      QColor(0xe3, 0xa7, 0x7a)};
+  colors.feasibleFill = QColor(0x74, 0xa5, 0xd0, 48);
+  colors.safetyFill = QColor(0xe0, 0xa4, 0x3b, 56);
+  colors.pauseFill = QColor(0xa0, 0xa9, 0xb2, 64);
+  return colors;
+}
+
+bool isDark(const QPalette& palette) {
+  return palette.color(QPalette::WindowText).lightness() >
+         palette.color(QPalette::Window).lightness();
+}
+
+double luminance(const QColor& color) {
+  const auto linear = [](double channel) {
+    return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+         0.0722 * linear(color.blueF());
+}
+
+}  // namespace
+
+const ThemeColors& themeColors(const QPalette& palette) {
+  static const ThemeColors light = lightColors();
+  static const ThemeColors dark = darkColors();
+  return isDark(palette) ? dark : light;
+}
+
+QPalette themePalette(Theme theme) {
+  const ThemeColors colors = theme == Theme::Dark ? darkColors() : lightColors();
+  QPalette palette;
+  palette.setColor(QPalette::Window, colors.window);
+  palette.setColor(QPalette::WindowText, colors.text);
+  palette.setColor(QPalette::Base, colors.surface);
+  palette.setColor(QPalette::AlternateBase,
+                   colors.isDark ? QColor(0x22, 0x26, 0x2a) : QColor(0xf1, 0xf2, 0xf4));
+  palette.setColor(QPalette::Text, colors.text);
+  palette.setColor(QPalette::PlaceholderText, colors.mutedText);
+  palette.setColor(QPalette::Button, colors.button);
+  palette.setColor(QPalette::ButtonText, colors.text);
+  palette.setColor(QPalette::BrightText, colors.fault);
+  palette.setColor(QPalette::ToolTipBase, colors.surface);
+  palette.setColor(QPalette::ToolTipText, colors.text);
+  palette.setColor(QPalette::Highlight, QColor(0x1a, 0x5c, 0x97));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Link, colors.accent);
+  palette.setColor(QPalette::LinkVisited, colors.accent);
+  palette.setColor(QPalette::Light, colors.button.lighter(colors.isDark ? 130 : 104));
+  palette.setColor(QPalette::Midlight, colors.button.lighter(colors.isDark ? 115 : 102));
+  palette.setColor(QPalette::Mid, colors.line);
+  palette.setColor(QPalette::Dark,
+                   colors.isDark ? QColor(0x14, 0x16, 0x18) : QColor(0x8a, 0x92, 0x9a));
+  palette.setColor(QPalette::Shadow, colors.isDark ? Qt::black : QColor(0x5a, 0x60, 0x66));
+  const QColor disabled = colors.isDark ? QColor(0x8a, 0x92, 0x9a) : QColor(0x6a, 0x72, 0x7a);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, disabled);
+  }
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, colors.line);
+  return palette;
+}
+
+void applyTheme(Theme theme) {
+  if (QApplication::style()->name().compare(QStringLiteral("fusion"), Qt::CaseInsensitive) != 0) {
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  }
+  if (theme == Theme::System) {
+    QApplication::setPalette(QPalette());  // back to what the desktop says
+    theme = isDark(QGuiApplication::palette()) ? Theme::Dark : Theme::Light;
+  }
+  const QPalette palette = themePalette(theme);
+  QApplication::setPalette(palette);
+  QToolTip::setPalette(palette);
+  QFont font = QApplication::font();
+  if (font.pointSizeF() < 10.0) {
+    font.setPointSizeF(10.0);  // readable at arm's length
+    QApplication::setFont(font);
+  }
+}
+
+double contrastRatio(const QColor& first, const QColor& second) {
+  const double a = luminance(first);
+  const double b = luminance(second);
+  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The colours of the HMI. The screen is calm grey; colour means "look here". Every colour is a
+/// function of the palette, so a page needs no setting: it asks `themeColors(palette())` and is
+/// told of a change by `QEvent::PaletteChange`. Start is never red, Stop never green: both stay
+/// neutral and speak by shape and text.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <array>
+
+namespace rivulet::widgets {
+
+enum class Theme {
+  Light,
+  Dark,
+  System,  ///< light or dark, as the desktop's own palette is
+};
+
+/// Everything that is painted by hand or by a chart. Text colours have a contrast of at least
+/// 4.5:1 on `window` and on `surface`.
+struct ThemeColors {
+  bool isDark = false;
+  QColor window;
+  QColor surface;  ///< behind lists, charts and the path
+  QColor button;
+  QColor text;
+  QColor mutedText;
+  QColor line;  ///< frames and axes
+  QColor grid;
+  QColor accent;     ///< the current thing: state, executed path, tool
+  QColor attention;  ///< text and icons of warnings
+  QColor fault;      ///< text and icons of faults
+  QColor path;       ///< path still to be cut
+  QColor rapid;
+  QColor trace;                     ///< measured curves
+  std::array<QColor, 4> equations;  ///< by `feasibility::Equation`
+  QColor feasibleFill;
+  QColor safetyFill;
+  QColor pauseFill;
+};
+
+/// The colours that belong to a palette made by `applyTheme` (or to any other: light or dark).
+[[nodiscard]] const ThemeColors& themeColors(const QPalette& palette);
+
+/// The palette of a theme. @param theme Light or Dark
+[[nodiscard]] QPalette themePalette(Theme theme);
+
+/// Fusion style, palette and touch-friendly font for the whole application. Reaches every open
+/// window at once.
+void applyTheme(Theme theme);
+
+/// Contrast of two opaque colours as WCAG defines it, 1 to 21.
+[[nodiscard]] double contrastRatio(const QColor& first, const QColor& second);
+
+inline constexpr int kTouchHeightPx = 44;  ///< least height of a button an operator needs
+
+}  // namespace rivulet::widgets

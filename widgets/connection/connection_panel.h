@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Where the operator connects to a machine and sees its state: what it does, where it stands,
+/// how fast it moves, and whether what is shown is fresh.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <array>
+
+#include "widgets/common/page.h"
+#include "widgets/connection/machine_view.h"
+
+class QFormLayout;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace rivulet::widgets {
+
+class StatusLabel;
+
+class ConnectionPanel final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ConnectionPanel(QWidget* parent = nullptr);
+
+  void setEndpoint(const QString& endpoint);
+  [[nodiscard]] QString endpoint() const;
+  /// @param detail  one sentence on why, for Lost; may be empty
+  void setConnectionState(ConnectionState state, const QString& detail = {});
+  void setMachineState(const MachineView& machine);
+  /// While a run lasts, disconnecting is not offered.
+  void setDisconnectEnabled(bool enabled);
+
+ Q_SIGNALS:
+  void connectRequested(const QString& endpoint);
+  void disconnectRequested();
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  void showConnection();
+  void showMachine();
+
+  ConnectionState m_state = ConnectionState::Disconnected;
+  QString m_detail;
+  MachineView m_machine;
+  bool m_disconnectEnabled = true;
+
+  QGroupBox* m_connectionGroup;
+  QLabel* m_endpointLabel;
+  QLineEdit* m_endpoint;
+  QPushButton* m_connect;
+  StatusLabel* m_connectionStatus;
+  StatusLabel* m_virtualBadge;
+
+  QGroupBox* m_positionGroup;
+  std::array<QLabel*, base::kAxisCount> m_axisNames{};
+  std::array<QLabel*, base::kAxisCount> m_axisValues{};
+  std::array<QLabel*, base::kAxisCount> m_axisUnits{};
+  QLabel* m_feedName;
+  QLabel* m_feedValue;
+  QLabel* m_feedUnit;
+  StatusLabel* m_freshness;
+
+  QGroupBox* m_machineGroup;
+  QLabel* m_channelLabel;
+  StatusLabel* m_channel;
+  QLabel* m_programStatusLabel;
+  StatusLabel* m_programStatus;
+  QLabel* m_programNameLabel;
+  QLabel* m_programName;
+  QLabel* m_alarmLabel;
+  StatusLabel* m_alarm;
+  QLabel* m_messageLabel;
+  QLabel* m_message;
+};
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,485 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/feasibility/region_chart.h"
+
+#include <QAreaSeries>
+#include <QChart>
+#include <QGraphicsItem>
+#include <QLineSeries>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QScatterSeries>
+#include <QValueAxis>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/chart_style.h"
+
+namespace rivulet::widgets {
+
+using feasibility::Border;
+using feasibility::Equation;
+using feasibility::SweepAxis;
+
+namespace {
+
+constexpr int kSteps = 96;
+constexpr double kGrabPx = 28.0;  // a fingertip
+constexpr double kLeftPx = 84.0;
+constexpr double kRightPx = 24.0;
+constexpr double kTopPx = 14.0;
+constexpr double kBottomPx = 52.0;
+
+QString shortLabel(Equation equation) {
+  switch (equation) {
+    case Equation::PointDistance:
+      return QStringLiteral("(1)");
+    case Equation::Delta:
+      return QStringLiteral("(2)");
+    case Equation::Window:
+      return QStringLiteral("(3)");
+    case Equation::RealWindow:
+      return QStringLiteral("(3ᴺ)");
+  }
+  return {};
+}
+
+}  // namespace
+
+/// Paints what belongs to no series: operating point, the line of d_min, names of the borders.
+class RegionOverlay final : public QGraphicsItem {
+ public:
+  explicit RegionOverlay(RegionChart* view) : QGraphicsItem(view->chart()), m_view(view) {
+    setZValue(20.0);
+  }
+
+  /// The borders' names and the marker move with the chart.
+  void refresh() {
+    prepareGeometryChange();
+    update();
+  }
+
+  [[nodiscard]] QRectF boundingRect() const override { return m_view->chart()->rect(); }
+
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* /*option*/,
+             QWidget* /*widget*/) override {
+    if (!m_view->m_model) {
+      return;
+    }
+    painter->setRenderHint(QPainter::Antialiasing);
+    paintPointDistance(painter);
+    paintNames(painter);
+    paintOperatingPoint(painter);
+  }
+
+ private:
+  [[nodiscard]] QRectF area() const { return m_view->chart()->plotArea(); }
+
+  void paintLabel(QPainter* painter, QRectF box, const QString& text, const QColor& color) const {
+    const ThemeColors& colors = themeColors(m_view->palette());
+    QColor background = colors.surface;
+    background.setAlpha(225);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(background);
+    painter->drawRoundedRect(box, 3.0, 3.0);
+    painter->setPen(color);
+    painter->drawText(box, Qt::AlignCenter, text);
+  }
+
+  void paintPointDistance(QPainter* painter) const {
+    const FeasibilityModel& model = *m_view->m_model;
+    if (m_view->m_axis != SweepAxis::PointDistance || model.distances.pointDistanceMmMin <= 0.0) {
+      return;
+    }
+    const double x = m_view->pixel(model.distances.pointDistanceMmMin, 0.0).x();
+    const ThemeColors& colors = themeColors(m_view->palette());
+    painter->setPen(QPen(colors.mutedText, 1.4, Qt::DotLine));
+    painter->drawLine(QPointF(x, area().top()), QPointF(x, area().bottom()));
+    const QString text =
+        QStringLiteral("d_min = %1").arg(lengthText(model.distances.pointDistanceMmMin));
+    QRectF box = QRectF(painter->fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
+    box.moveTopLeft(QPointF(x + 4.0, area().top() + 2.0));
+    if (box.right() > area().right()) {
+      box.moveRight(x - 4.0);
+    }
+    paintLabel(painter, box, text, colors.text);
+  }
+
+  void paintNames(QPainter* painter) const {
+    // Each border is named where it leaves the picture: at the right, or at the top.
+    const ThemeColors& colors = themeColors(m_view->palette());
+    std::vector<QRectF> taken;
+    for (const Border& border : m_view->m_borders) {
+      if (!border.withSafety || border.points.empty()) {
+        continue;
+      }
+      QPointF place;
+      bool found = false;
+      for (auto point = border.points.rbegin(); point != border.points.rend(); ++point) {
+        const double feed = base::mmPerMinFromMmPerS(point->feedMmPerS);
+        if (std::isfinite(feed) && feed <= m_view->m_feedMmPerMinMax * 0.98) {
+          place = m_view->pixel(point->abscissa, feed);
+          found = true;
+          break;
+        }
+      }
+      if (!found) {
+        continue;
+      }
+      const QString text = shortLabel(border.equation);
+      QRectF box = QRectF(painter->fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
+      box.moveCenter(place - QPointF(box.width() / 2.0 + 6.0, 0.0));
+      for (int attempt = 0; attempt < 6; ++attempt) {
+        const auto hit = std::find_if(taken.begin(), taken.end(), [&box](const QRectF& other) {
+          return other.intersects(box);
+        });
+        if (hit == taken.end()) {
+          break;
+        }
+        box.moveLeft(hit->left() - box.width() - 4.0);
+      }
+      taken.push_back(box);
+      QFont font = painter->font();
+      font.setBold(true);
+      painter->setFont(font);
+      paintLabel(painter, box, text, colors.equations[static_cast<std::size_t>(border.equation)]);
+    }
+  }
+
+  void paintOperatingPoint(QPainter* painter) const {
+    const ThemeColors& colors = themeColors(m_view->palette());
+    const QPointF centre = m_view->operatingPixel();
+    for (const auto& [color, width] :
+         {std::pair(colors.surface, 6.0), std::pair(colors.text, 2.4)}) {
+      painter->setPen(QPen(color, width));
+      painter->setBrush(Qt::NoBrush);
+      painter->drawEllipse(centre, 10.0, 10.0);
+    }
+    painter->setBrush(colors.text);
+    painter->setPen(Qt::NoPen);
+    painter->drawEllipse(centre, 2.5, 2.5);
+
+    const feasibility::OperatingPoint& point = m_view->m_model->operatingPoint;
+    QString text = QStringLiteral("F = %1").arg(feedText(point.feedMmPerS));
+    if (m_view->m_axis == SweepAxis::PointsPerLoop) {
+      text = QStringLiteral("N = %1, ").arg(point.pointsPerLoop) + text;
+    } else if (m_view->m_axis == SweepAxis::Delta) {
+      text = QStringLiteral("δ = %1, ").arg(lengthText(point.deltaMm)) + text;
+    }
+    QFont font = painter->font();
+    font.setBold(true);
+    painter->setFont(font);
+    QRectF box = QRectF(painter->fontMetrics().boundingRect(text)).adjusted(-6, -3, 6, 3);
+    box.moveBottomLeft(centre + QPointF(14.0, -8.0));
+    if (box.right() > area().right()) {
+      box.moveBottomRight(centre + QPointF(-14.0, -8.0));
+    }
+    if (box.top() < area().top() + 24.0) {
+      box.moveTop(centre.y() + 12.0);
+    }
+    paintLabel(painter, box, text, colors.text);
+  }
+
+  RegionChart* m_view;
+};
+
+RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
+    : QChartView(new QChart, parent),
+      m_axis(axis),
+      m_xAxis(new QValueAxis(this)),
+      m_yAxis(new QValueAxis(this)),
+      m_anchor(new QLineSeries(this)),
+      m_safeUpper(new QLineSeries(this)),
+      m_safeLower(new QLineSeries(this)),
+      m_bandUpper(new QLineSeries(this)),
+      m_bandLower(new QLineSeries(this)),
+      m_safeArea(new QAreaSeries(m_safeUpper, m_safeLower)),
+      m_bandArea(new QAreaSeries(m_bandUpper, m_bandLower)),
+      m_points(new QScatterSeries(this)),
+      m_overlay(new RegionOverlay(this)) {
+  setFrameShape(QFrame::NoFrame);
+  setRenderHint(QPainter::Antialiasing);
+  setMinimumSize(320, 240);
+  setMouseTracking(true);
+  chart()->addAxis(m_xAxis, Qt::AlignBottom);
+  chart()->addAxis(m_yAxis, Qt::AlignLeft);
+  for (QAbstractSeries* series :
+       {static_cast<QAbstractSeries*>(m_safeArea), static_cast<QAbstractSeries*>(m_bandArea),
+        static_cast<QAbstractSeries*>(m_anchor), static_cast<QAbstractSeries*>(m_points)}) {
+    chart()->addSeries(series);
+    series->attachAxis(m_xAxis);
+    series->attachAxis(m_yAxis);
+  }
+  m_points->setMarkerShape(QScatterSeries::MarkerShapeCircle);
+  m_points->setMarkerSize(7.0);
+  connect(chart(), &QChart::plotAreaChanged, this, [this] { m_overlay->refresh(); });
+  retranslate();
+  restyle();
+}
+
+void RegionChart::setModel(const FeasibilityModel& model) {
+  m_model = model;
+  rebuild();
+}
+
+void RegionChart::retranslate() {
+  chart()->setLocale(QLocale());
+  m_yAxis->setTitleText(tr("F, mm/min"));
+  switch (m_axis) {
+    case SweepAxis::PointDistance:
+      m_xAxis->setTitleText(tr("d_min, mm"));
+      break;
+    case SweepAxis::PointsPerLoop:
+      m_xAxis->setTitleText(tr("N, points per loop"));
+      break;
+    case SweepAxis::Delta:
+      m_xAxis->setTitleText(tr("δ, mm"));
+      break;
+  }
+  m_overlay->refresh();
+}
+
+void RegionChart::restyle() {
+  const ThemeColors& colors = themeColors(palette());
+  styleChart(chart(), palette());
+  setBackgroundBrush(colors.surface);
+  m_safeArea->setPen(Qt::NoPen);
+  m_safeArea->setBrush(colors.feasibleFill);
+  m_bandArea->setPen(Qt::NoPen);
+  m_bandArea->setBrush(QBrush(colors.safetyFill));
+  m_points->setColor(colors.mutedText);
+  m_points->setBorderColor(colors.surface);
+  rebuild();
+}
+
+QPointF RegionChart::operatingPixel() const {
+  return m_model ? pixel(abscissa(), base::mmPerMinFromMmPerS(m_model->operatingPoint.feedMmPerS))
+                 : QPointF();
+}
+
+bool RegionChart::decides(const Border& border) const {
+  // Where the real path of the program is known, the published bound (3) only informs.
+  if (border.equation != Equation::Window) {
+    return true;
+  }
+  return std::none_of(m_borders.begin(), m_borders.end(),
+                      [](const Border& other) { return other.equation == Equation::RealWindow; });
+}
+
+void RegionChart::mousePressEvent(QMouseEvent* event) {
+  if (m_editable && m_model && event->button() == Qt::LeftButton &&
+      QLineF(event->position(), operatingPixel()).length() <= kGrabPx) {
+    m_dragging = true;
+    setCursor(Qt::ClosedHandCursor);
+  }
+}
+
+void RegionChart::mouseMoveEvent(QMouseEvent* event) {
+  if (m_dragging) {
+    dragTo(event->position());
+  } else {
+    const bool near =
+        m_editable && m_model && QLineF(event->position(), operatingPixel()).length() <= kGrabPx;
+    setCursor(near ? Qt::OpenHandCursor : Qt::ArrowCursor);
+  }
+}
+
+void RegionChart::mouseReleaseEvent(QMouseEvent* /*event*/) {
+  if (m_dragging) {
+    m_dragging = false;
+    setCursor(Qt::ArrowCursor);
+    rebuild();  // the ranges stood still while the marker moved
+  }
+}
+
+void RegionChart::resizeEvent(QResizeEvent* event) {
+  QChartView::resizeEvent(event);
+  chart()->setPlotArea(QRectF(kLeftPx, kTopPx, std::max(width() - kLeftPx - kRightPx, 10.0),
+                              std::max(height() - kTopPx - kBottomPx, 10.0)));
+  m_overlay->refresh();
+}
+
+void RegionChart::rebuild() {
+  const ThemeColors& colors = themeColors(palette());
+  if (!m_model) {
+    divideAxis(m_xAxis, 0.0, m_xMax, 6);
+    divideAxis(m_yAxis, 0.0, m_feedMmPerMinMax, 6);
+    return;
+  }
+  if (!m_dragging) {
+    chooseRanges();
+  }
+  feasibility::SweepRange range;
+  if (m_axis == SweepAxis::PointsPerLoop) {
+    range.min = 2.0;
+    range.max = m_xMax;
+    range.steps = static_cast<int>(m_xMax) - 1;
+  } else {
+    range.min = m_xMax / kSteps;
+    range.max = m_xMax;
+    range.steps = kSteps;
+  }
+  m_borders = feasibility::sweepBorders(m_model->operatingPoint, m_model->distances, m_axis, range,
+                                        m_model->access, m_model->safety);
+
+  // The area below all borders that decide, with safety and as published.
+  QList<QPointF> safe;
+  QList<QPointF> published;
+  for (const Border& border : m_borders) {
+    if (!decides(border)) {
+      continue;
+    }
+    QList<QPointF>& lowest = border.withSafety ? safe : published;
+    for (std::size_t index = 0; index < border.points.size(); ++index) {
+      const double feed = base::mmPerMinFromMmPerS(border.points[index].feedMmPerS);
+      const double shown = std::isfinite(feed) ? feed : 10.0 * m_feedMmPerMinMax;
+      if (static_cast<std::size_t>(lowest.size()) <= index) {
+        lowest.append(QPointF(border.points[index].abscissa, shown));
+      } else {
+        QPointF& point = lowest[static_cast<qsizetype>(index)];
+        point.setY(std::min(point.y(), shown));
+      }
+    }
+  }
+  // Far above the picture the area would only cost time.
+  const double ceiling = 2.0 * m_feedMmPerMinMax;
+  QList<QPointF> floor;
+  for (QPointF& point : safe) {
+    point.setY(std::min(point.y(), ceiling));
+    floor.append(QPointF(point.x(), 0.0));
+  }
+  QList<QPointF> bandLower = safe;
+  for (qsizetype index = 0; index < published.size(); ++index) {
+    published[index].setY(std::min(published[index].y(), ceiling));
+    if (index < bandLower.size()) {
+      published[index].setY(std::max(published[index].y(), bandLower[index].y()));
+    }
+  }
+  m_safeUpper->replace(safe);
+  m_safeLower->replace(floor);
+  m_bandUpper->replace(published);
+  m_bandLower->replace(bandLower);
+
+  while (m_lines.size() < m_borders.size()) {
+    auto* line = new QLineSeries(this);
+    chart()->addSeries(line);
+    line->attachAxis(m_xAxis);
+    line->attachAxis(m_yAxis);
+    m_lines.push_back(line);
+  }
+  for (std::size_t index = 0; index < m_lines.size(); ++index) {
+    QList<QPointF> points;
+    if (index < m_borders.size()) {
+      const Border& border = m_borders[index];
+      for (const feasibility::BorderPoint& point : border.points) {
+        const double feed = base::mmPerMinFromMmPerS(point.feedMmPerS);
+        if (std::isfinite(feed)) {
+          points.append(QPointF(point.abscissa, std::min(feed, 50.0 * m_feedMmPerMinMax)));
+        }
+      }
+      QPen pen(colors.equations[static_cast<std::size_t>(border.equation)],
+               decides(border) ? 2.4 : 1.2);
+      if (!border.withSafety) {
+        pen.setWidthF(1.4);
+        pen.setDashPattern({5.0, 4.0});
+      }
+      m_lines[index]->setPen(pen);
+    }
+    m_lines[index]->replace(points);
+  }
+
+  QList<QPointF> marks;
+  if (m_axis == SweepAxis::PointDistance) {
+    const double feed = base::mmPerMinFromMmPerS(m_model->operatingPoint.feedMmPerS);
+    for (const double distanceMm : m_model->smallestDistancesMm) {
+      if (distanceMm <= m_xMax) {
+        marks.append(QPointF(distanceMm, feed));
+      }
+    }
+  }
+  m_points->replace(marks);
+  divideAxis(m_xAxis, m_axis == SweepAxis::PointsPerLoop ? 2.0 : 0.0, m_xMax,
+             std::clamp(width() / 110, 3, 12));
+  divideAxis(m_yAxis, 0.0, m_feedMmPerMinMax, std::clamp(height() / 60, 3, 10));
+  m_overlay->refresh();
+}
+
+void RegionChart::chooseRanges() {
+  const FeasibilityModel& model = *m_model;
+  switch (m_axis) {
+    case SweepAxis::PointDistance: {
+      double reach = std::max(2.0 * model.distances.pointDistanceMmMin, 1e-3);
+      if (!model.smallestDistancesMm.empty()) {
+        // Enough of the program's own points to see how they spread, the smallest still in sight.
+        const double typical =
+            model.smallestDistancesMm[model.smallestDistancesMm.size() * 3 / 4] * 1.2;
+        reach = std::clamp(typical, reach, 4.0 * reach);
+      }
+      m_xMax = niceCeil(reach);
+      break;
+    }
+    case SweepAxis::PointsPerLoop:
+      m_xMax = std::max(20.0, niceCeil(2.0 * model.operatingPoint.pointsPerLoop));
+      break;
+    case SweepAxis::Delta:
+      m_xMax = niceCeil(std::max(2.0 * model.operatingPoint.deltaMm, 0.1));
+      break;
+  }
+  // High enough for the operating point and for the feed that would be possible here.
+  feasibility::SweepRange here;
+  here.min = std::max(abscissa(), m_axis == SweepAxis::PointsPerLoop ? 2.0 : 1e-6);
+  here.max = m_axis == SweepAxis::PointsPerLoop ? here.min + 1.0 : here.min * 1.001;
+  here.steps = 2;
+  double limitMmPerS = std::numeric_limits<double>::infinity();
+  for (const Border& border : feasibility::sweepBorders(model.operatingPoint, model.distances,
+                                                        m_axis, here, model.access, model.safety)) {
+    if (!border.withSafety && !border.points.empty()) {
+      limitMmPerS = std::min(limitMmPerS, border.points.front().feedMmPerS);
+    }
+  }
+  double reach = 1.4 * model.operatingPoint.feedMmPerS;
+  if (std::isfinite(limitMmPerS)) {
+    reach = std::max(reach, std::min(1.5 * limitMmPerS, 20.0 * model.operatingPoint.feedMmPerS));
+  }
+  m_feedMmPerMinMax = niceCeil(std::max(base::mmPerMinFromMmPerS(reach), 1.0));
+}
+
+double RegionChart::abscissa() const {
+  switch (m_axis) {
+    case SweepAxis::PointDistance:
+      return m_model->distances.pointDistanceMmMin;
+    case SweepAxis::PointsPerLoop:
+      return static_cast<double>(m_model->operatingPoint.pointsPerLoop);
+    case SweepAxis::Delta:
+      return m_model->operatingPoint.deltaMm;
+  }
+  return 0.0;
+}
+
+QPointF RegionChart::pixel(double x, double feedMmPerMin) const {
+  return chart()->mapToPosition(QPointF(x, feedMmPerMin), m_anchor);
+}
+
+void RegionChart::dragTo(QPointF pixel) {
+  const QPointF value = chart()->mapToValue(pixel, m_anchor);
+  feasibility::OperatingPoint& point = m_model->operatingPoint;
+  // Whole mm/min and hundredths of a mm: what an operator would type.
+  const double feedStep = m_feedMmPerMinMax >= 200.0 ? 1.0 : 0.1;
+  const double feed =
+      std::clamp(std::round(value.y() / feedStep) * feedStep, feedStep, m_feedMmPerMinMax);
+  point.feedMmPerS = base::mmPerSFromMmPerMin(feed);
+  if (m_axis == SweepAxis::PointsPerLoop) {
+    point.pointsPerLoop = static_cast<int>(std::clamp(std::round(value.x()), 2.0, m_xMax));
+  } else if (m_axis == SweepAxis::Delta) {
+    point.deltaMm = std::clamp(std::round(value.x() * 100.0) / 100.0, 0.01, m_xMax);
+  }
+  rebuild();
+  Q_EMIT operatingPointRequested(point);
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The feasibility region over one quantity: the borders of the equations, with safety factor
+/// (solid) and as published (dashed), the area below them, the program's own points and the
+/// operating point, which can be dragged.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QChartView>
+#include <optional>
+#include <vector>
+
+#include "feasibility/sweep.h"
+
+class QAreaSeries;
+class QLineSeries;
+class QScatterSeries;
+class QValueAxis;
+
+namespace rivulet::widgets {
+
+class RegionOverlay;
+
+/// All the region is made of.
+struct FeasibilityModel {
+  feasibility::OperatingPoint operatingPoint;
+  feasibility::ProgramDistances distances;
+  std::vector<double> smallestDistancesMm;  ///< of neighbouring points, ascending, at most 200
+  feasibility::AccessModel access;
+  feasibility::SafetyFactors safety;
+};
+
+class RegionChart final : public QChartView {
+  Q_OBJECT
+
+ public:
+  explicit RegionChart(feasibility::SweepAxis axis, QWidget* parent = nullptr);
+
+  void setModel(const FeasibilityModel& model);
+  /// While a run lasts the operating point stays where it is.
+  void setEditable(bool editable) { m_editable = editable; }
+  /// Sets titles and numbers in the present language.
+  void retranslate();
+  void restyle();
+
+  /// Where the operating point is, in pixels of the chart.
+  [[nodiscard]] QPointF operatingPixel() const;
+  /// Equations with a border in this chart.
+  [[nodiscard]] const std::vector<feasibility::Border>& borders() const { return m_borders; }
+  /// A border that enters the verdict, not one shown for information.
+  [[nodiscard]] bool decides(const feasibility::Border& border) const;
+
+ Q_SIGNALS:
+  /// The marker was dragged here. Quantities this chart does not sweep keep their values.
+  void operatingPointRequested(const rivulet::feasibility::OperatingPoint& operatingPoint);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  friend class RegionOverlay;
+
+  void rebuild();
+  void chooseRanges();
+  [[nodiscard]] double abscissa() const;
+  [[nodiscard]] QPointF pixel(double x, double feedMmPerMin) const;
+  void dragTo(QPointF pixel);
+
+  feasibility::SweepAxis m_axis;
+  std::optional<FeasibilityModel> m_model;
+  std::vector<feasibility::Border> m_borders;
+  bool m_editable = true;
+  bool m_dragging = false;
+  double m_xMax = 1.0;
+  double m_feedMmPerMinMax = 1000.0;
+
+  QValueAxis* m_xAxis;
+  QValueAxis* m_yAxis;
+  QLineSeries* m_anchor;  ///< empty; gives the chart its coordinates
+  QLineSeries* m_safeUpper;
+  QLineSeries* m_safeLower;
+  QLineSeries* m_bandUpper;
+  QLineSeries* m_bandLower;
+  QAreaSeries* m_safeArea;
+  QAreaSeries* m_bandArea;
+  std::vector<QLineSeries*> m_lines;  ///< one per border shown
+  QScatterSeries* m_points;
+  RegionOverlay* m_overlay;
+};
+
+}  // namespace rivulet::widgets

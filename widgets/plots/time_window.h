@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The stretch of time several plots show together. Live, it follows the newest sample; a pan or
+/// a zoom leaves live until the operator asks for it again.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QObject>
+
+namespace rivulet::widgets {
+
+class TimeWindow final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TimeWindow(QObject* parent = nullptr);
+
+  [[nodiscard]] double fromS() const { return m_fromS; }
+  [[nodiscard]] double toS() const { return m_toS; }
+  [[nodiscard]] bool isLive() const { return m_isLive; }
+
+  /// The data now reaches to here.
+  void setEnd(double endS);
+  void clear();
+  void goLive();
+  /// Everything there is.
+  void showAll();
+  void pan(double byS);
+  /// @param factor < 1 magnifies  @param aroundS stays where it is on the screen
+  void zoom(double factor, double aroundS);
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void show(double fromS, double toS);
+
+  double m_fromS = 0.0;
+  double m_toS;
+  double m_endS = 0.0;
+  double m_liveSpanS;
+  bool m_isLive = true;
+};
+
+}  // namespace rivulet::widgets

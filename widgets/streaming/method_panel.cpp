@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/streaming/method_panel.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/status_label.h"
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kFieldHeightPx = 36;
+constexpr double kFeedMmPerMinMin = 0.1;
+
+/// Smallest δ an offer names: just above the limit, rounded up to 0.001 mm.
+double offeredDeltaMm(double deltaMmMin) {
+  return std::ceil(deltaMmMin * 1.001 * 1000.0) / 1000.0;
+}
+
+}  // namespace
+
+std::optional<double> offeredFeedMmPerS(double feedMmPerSMax) {
+  if (!std::isfinite(feedMmPerSMax)) {
+    return std::nullopt;
+  }
+  const double limit = base::mmPerMinFromMmPerS(feedMmPerSMax) * 0.999;
+  const double step = limit >= 1000.0 ? 10.0 : (limit >= 10.0 ? 1.0 : kFeedMmPerMinMin);
+  const double offered = std::floor(limit / step) * step;
+  if (offered < kFeedMmPerMinMin) {
+    return std::nullopt;
+  }
+  return base::mmPerSFromMmPerMin(offered);
+}
+
+MethodPanel::MethodPanel(QWidget* parent)
+    : Page(parent),
+      m_settingsGroup(new QGroupBox(this)),
+      m_methodLabel(new QLabel(this)),
+      m_method(new QComboBox(this)),
+      m_pointsLabel(new QLabel(this)),
+      m_points(new QSpinBox(this)),
+      m_deltaLabel(new QLabel(this)),
+      m_delta(new QDoubleSpinBox(this)),
+      m_feedLabel(new QLabel(this)),
+      m_feed(new QDoubleSpinBox(this)),
+      m_layoutLabel(new QLabel(this)),
+      m_layout(new QComboBox(this)),
+      m_verdictGroup(new QGroupBox(this)),
+      m_headline(new StatusLabel(this)),
+      m_reason(new QLabel(this)),
+      m_marginLabel(new QLabel(this)),
+      m_margin(makeValueLabel(this)),
+      m_limitLabel(new QLabel(this)),
+      m_limit(makeValueLabel(this)),
+      m_placeLabel(new QLabel(this)),
+      m_place(makeValueLabel(this)),
+      m_useFeed(makeTouchButton(this)),
+      m_useDelta(makeTouchButton(this)) {
+  setMinimumWidth(330);
+  for (const base::MethodKind method : base::kMethodKinds) {
+    m_method->addItem(QString(), static_cast<int>(method));
+  }
+  for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
+    m_layout->addItem(QString(), static_cast<int>(layout));
+  }
+  m_points->setRange(1, 9999);
+  m_delta->setDecimals(3);
+  m_delta->setRange(0.001, 100.0);
+  m_delta->setSingleStep(0.05);
+  m_delta->setSuffix(QStringLiteral("\u00A0mm"));
+  m_feed->setDecimals(1);
+  m_feed->setRange(kFeedMmPerMinMin, 100'000.0);
+  m_feed->setSingleStep(50.0);
+  m_feed->setSuffix(QStringLiteral("\u00A0mm/min"));
+  m_feed->setGroupSeparatorShown(true);
+  auto* form = new QFormLayout(m_settingsGroup);
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  form->setHorizontalSpacing(16);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  const auto addRow = [form](QLabel* label, QWidget* field) {
+    field->setMinimumHeight(kFieldHeightPx);
+    label->setMinimumHeight(kFieldHeightPx);
+    label->setBuddy(field);
+    form->addRow(label, field);
+  };
+  addRow(m_methodLabel, m_method);
+  addRow(m_pointsLabel, m_points);
+  addRow(m_deltaLabel, m_delta);
+  addRow(m_feedLabel, m_feed);
+  addRow(m_layoutLabel, m_layout);
+
+  m_headline->setEmphasis(16.0, true);
+  m_reason->setWordWrap(true);
+  m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_place->setWordWrap(true);
+  auto* figures = new QFormLayout;
+  figures->setLabelAlignment(Qt::AlignLeft);
+  figures->setHorizontalSpacing(16);
+  figures->addRow(m_marginLabel, m_margin);
+  figures->addRow(m_limitLabel, m_limit);
+  figures->addRow(m_placeLabel, m_place);
+  auto* verdict = new QVBoxLayout(m_verdictGroup);
+  verdict->addWidget(m_headline);
+  verdict->addWidget(m_reason);
+  verdict->addLayout(figures);
+  verdict->addWidget(m_useFeed);
+  verdict->addWidget(m_useDelta);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(m_settingsGroup);
+  layout->addWidget(m_verdictGroup);
+  layout->addStretch();
+
+  connect(m_method, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
+  connect(m_layout, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
+  connect(m_points, &QSpinBox::valueChanged, this, &MethodPanel::takeSettings);
+  connect(m_delta, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
+  connect(m_feed, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
+  connect(m_useFeed, &QPushButton::clicked, this, [this] {
+    if (const auto offer = m_verdict ? offeredFeedMmPerS(m_verdict->feedMmPerSMax) : std::nullopt) {
+      m_settings.feedMmPerS = *offer;
+      showSettings();
+      Q_EMIT settingsChanged(m_settings);
+    }
+  });
+  connect(m_useDelta, &QPushButton::clicked, this, [this] {
+    if (m_verdict) {
+      m_settings.deltaMm = offeredDeltaMm(m_verdict->deltaMmMin);
+      showSettings();
+      Q_EMIT settingsChanged(m_settings);
+    }
+  });
+  retranslate();
+  restyle();
+}
+
+void MethodPanel::setSettings(const StreamSettings& settings) {
+  m_settings = settings;
+  showSettings();
+}
+
+void MethodPanel::setVerdict(const std::optional<feasibility::Verdict>& verdict,
+                             const std::optional<QString>& problem) {
+  m_verdict = verdict;
+  m_problem = problem;
+  showVerdict();
+}
+
+void MethodPanel::setEditable(bool editable) {
+  m_editable = editable;
+  showSettings();
+  showVerdict();
+}
+
+void MethodPanel::retranslate() {
+  const bool wasShowing = std::exchange(m_isShowing, true);
+  m_settingsGroup->setTitle(tr("Method"));
+  m_methodLabel->setText(tr("Method"));
+  m_method->setItemText(0, tr("Position (watches the tool)"));
+  m_method->setItemText(1, tr("Signal (watches a cell)"));
+  m_pointsLabel->setText(tr("N (points per loop)"));
+  m_deltaLabel->setText(tr("δ (point reached)"));
+  m_feedLabel->setText(tr("F (path feed)"));
+  m_layoutLabel->setText(tr("Cells"));
+  m_layout->setItemText(0, tr("Paper (R11 R12 R13, R21 …)"));
+  m_layout->setItemText(1, tr("Contiguous (from R10 on)"));
+  m_isShowing = wasShowing;
+  m_verdictGroup->setTitle(tr("Verdict"));
+  m_marginLabel->setText(tr("Margin"));
+  m_limitLabel->setText(tr("Largest feed"));
+  m_placeLabel->setText(tr("Limiting place"));
+  showSettings();
+  showVerdict();
+}
+
+void MethodPanel::restyle() {
+  const QColor color = themeColors(palette()).text;
+  m_useFeed->setIcon(themedIcon(QStringLiteral("apply"), color));
+  m_useDelta->setIcon(themedIcon(QStringLiteral("apply"), color));
+  for (QLabel* label : {m_marginLabel, m_limitLabel, m_placeLabel}) {
+    setMuted(label);
+  }
+}
+
+bool MethodPanel::usesDelta() const {
+  return m_settings.parameters.method == base::MethodKind::Position;
+}
+
+void MethodPanel::showSettings() {
+  const bool wasShowing = std::exchange(m_isShowing, true);
+  m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_settings.parameters.method)));
+  m_layout->setCurrentIndex(m_layout->findData(static_cast<int>(m_settings.parameters.layout)));
+  m_points->setValue(m_settings.parameters.pointsPerLoop);
+  m_delta->setValue(m_settings.deltaMm);
+  m_feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
+  for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_layout),
+                         static_cast<QWidget*>(m_points), static_cast<QWidget*>(m_feed)}) {
+    field->setEnabled(m_editable);
+  }
+  m_delta->setEnabled(m_editable && usesDelta());
+  m_delta->setToolTip(usesDelta()
+                          ? tr("Distance from the tool at which a point counts as reached")
+                          : tr("Method signal does not use δ: it watches a cell, not the tool"));
+  m_deltaLabel->setToolTip(m_delta->toolTip());
+  m_isShowing = wasShowing;
+}
+
+void MethodPanel::takeSettings() {
+  if (m_isShowing) {
+    return;
+  }
+  m_settings.parameters.method = static_cast<base::MethodKind>(m_method->currentData().toInt());
+  m_settings.parameters.layout = static_cast<templates::Layout>(m_layout->currentData().toInt());
+  m_settings.parameters.pointsPerLoop = m_points->value();
+  // The fields round; a value the operator did not touch keeps its digits.
+  if (std::abs(m_delta->value() - m_settings.deltaMm) > 5e-4) {
+    m_settings.deltaMm = m_delta->value();
+  }
+  const double feedMmPerS = base::mmPerSFromMmPerMin(m_feed->value());
+  if (std::abs(feedMmPerS - m_settings.feedMmPerS) > base::mmPerSFromMmPerMin(0.05)) {
+    m_settings.feedMmPerS = feedMmPerS;
+  }
+  showSettings();
+  Q_EMIT settingsChanged(m_settings);
+}
+
+QString MethodPanel::equationText(feasibility::Equation equation) const {
+  switch (equation) {
+    case feasibility::Equation::PointDistance:
+      return tr("Equation (1): the tool must not pass a point between two polls.");
+    case feasibility::Equation::Delta:
+      return tr("Equation (2): the tool must be seen within δ of each point.");
+    case feasibility::Equation::Window:
+      return tr("Equation (3): half a loop must be written before the tool has used it up.");
+    case feasibility::Equation::RealWindow:
+      return tr(
+          "Equation (3) with the real path: half a loop must be written before the tool has "
+          "used it up.");
+  }
+  return {};
+}
+
+void MethodPanel::showVerdict() {
+  const bool judged = m_verdict.has_value();
+  for (QWidget* widget : {m_marginLabel, m_margin, m_limitLabel, m_limit, m_placeLabel, m_place}) {
+    widget->setVisible(judged);
+  }
+  m_useFeed->hide();
+  m_useDelta->hide();
+  if (!judged) {
+    const bool isProblem = m_problem && !m_problem->isEmpty();
+    m_headline->setStatus(isProblem ? Status::Attention : Status::Unknown, tr("Not judged"));
+    m_reason->setText(isProblem ? *m_problem : tr("Load a program to have it judged."));
+    return;
+  }
+
+  m_headline->setStatus(m_verdict->feasible ? Status::Good : Status::Fault,
+                        m_verdict->feasible ? tr("Feasible") : tr("Not feasible"));
+  const feasibility::Condition& limiting = m_verdict->limiting;
+  QString reason = (m_verdict->feasible ? tr("Closest limit: %1") : tr("Violated: %1"))
+                       .arg(equationText(limiting.equation));
+  if (m_problem && !m_problem->isEmpty()) {
+    reason += QLatin1Char('\n') + *m_problem;
+  }
+  m_reason->setText(reason);
+  m_margin->setText(tr("%1 × (must exceed 1)").arg(factorText(limiting.margin)));
+  m_limit->setText(feedText(m_verdict->feedMmPerSMax));
+  if (limiting.place && limiting.place->lastLine.value > 0) {
+    const feasibility::Place& place = *limiting.place;
+    m_place->setText(
+        place.firstLine == place.lastLine
+            ? tr("line %1").arg(countText(place.lastLine.value))
+            : tr("lines %1–%2")
+                  .arg(countText(place.firstLine.value), countText(place.lastLine.value)));
+  } else {
+    m_place->setText(noValue());
+  }
+
+  if (m_verdict->feasible) {
+    return;
+  }
+  // A larger δ costs no time, so it is offered first where it alone would do.
+  const bool onlyDelta = std::none_of(m_verdict->conditions.begin(), m_verdict->conditions.end(),
+                                      [](const feasibility::Condition& condition) {
+                                        return condition.decides && condition.margin <= 1.0 &&
+                                               condition.equation != feasibility::Equation::Delta;
+                                      });
+  if (usesDelta() && onlyDelta && m_verdict->deltaMmMin > 0.0) {
+    m_useDelta->setText(tr("Use δ = %1").arg(lengthText(offeredDeltaMm(m_verdict->deltaMmMin))));
+    m_useDelta->setVisible(true);
+    m_useDelta->setEnabled(m_editable);
+  }
+  if (const auto offer = offeredFeedMmPerS(m_verdict->feedMmPerSMax)) {
+    m_useFeed->setText(tr("Use F = %1").arg(feedText(*offer)));
+    m_useFeed->setVisible(true);
+    m_useFeed->setEnabled(m_editable);
+  } else {
+    m_reason->setText(reason + QLatin1Char('\n') +
+                      tr("No feed is slow enough: two points of the program nearly coincide."));
+  }
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Method, N, δ and feed, with the verdict on them: feasible or not, which equation limits, where
+/// in the program, and the change that costs least.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <optional>
+
+#include "feasibility/verdict.h"
+#include "widgets/common/page.h"
+#include "widgets/streaming/stream_settings.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace rivulet::widgets {
+
+class StatusLabel;
+
+/// Largest feed an offer names: just below the limit, rounded down to what an operator would type.
+/// @return mm/s; nothing if no such feed is left
+[[nodiscard]] std::optional<double> offeredFeedMmPerS(double feedMmPerSMax);
+
+class MethodPanel final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit MethodPanel(QWidget* parent = nullptr);
+
+  /// Shows the settings; does not signal.
+  void setSettings(const StreamSettings& settings);
+  [[nodiscard]] StreamSettings settings() const { return m_settings; }
+  /// @param verdict  nothing: not judged  @param problem  why it could not be judged
+  void setVerdict(const std::optional<feasibility::Verdict>& verdict,
+                  const std::optional<QString>& problem);
+  /// While a run lasts nothing can be changed.
+  void setEditable(bool editable);
+
+ Q_SIGNALS:
+  void settingsChanged(const rivulet::widgets::StreamSettings& settings);
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  void showSettings();
+  void showVerdict();
+  void takeSettings();
+  [[nodiscard]] QString equationText(feasibility::Equation equation) const;
+  [[nodiscard]] bool usesDelta() const;
+
+  StreamSettings m_settings;
+  std::optional<feasibility::Verdict> m_verdict;
+  std::optional<QString> m_problem;
+  bool m_editable = true;
+  bool m_isShowing = false;  ///< fields are being filled, not edited
+
+  QGroupBox* m_settingsGroup;
+  QLabel* m_methodLabel;
+  QComboBox* m_method;
+  QLabel* m_pointsLabel;
+  QSpinBox* m_points;
+  QLabel* m_deltaLabel;
+  QDoubleSpinBox* m_delta;
+  QLabel* m_feedLabel;
+  QDoubleSpinBox* m_feed;
+  QLabel* m_layoutLabel;
+  QComboBox* m_layout;
+
+  QGroupBox* m_verdictGroup;
+  StatusLabel* m_headline;
+  QLabel* m_reason;
+  QLabel* m_marginLabel;
+  QLabel* m_margin;
+  QLabel* m_limitLabel;
+  QLabel* m_limit;
+  QLabel* m_placeLabel;
+  QLabel* m_place;
+  QPushButton* m_useFeed;
+  QPushButton* m_useDelta;
+};
+
+}  // namespace rivulet::widgets

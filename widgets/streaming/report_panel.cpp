@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/streaming/report_panel.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+
+#include "widgets/common/error_text.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/status_label.h"
+
+namespace rivulet::widgets {
+
+ReportPanel::ReportPanel(QWidget* parent)
+    : Page(parent),
+      m_outcome(new StatusLabel(this)),
+      m_detail(makeValueLabel(this)),
+      m_runGroup(new QGroupBox(this)),
+      m_integrityGroup(new QGroupBox(this)),
+      m_pausesGroup(new QGroupBox(this)),
+      m_accessGroup(new QGroupBox(this)) {
+  m_outcome->setEmphasis(16.0, true);
+  m_detail->setWordWrap(true);
+  for (int row = 0; row < RowCount; ++row) {
+    m_names.push_back(new QLabel(this));
+    m_values.push_back(new StatusLabel(this));
+    m_values.back()->setWordWrap(true);
+  }
+  const auto fill = [this](QGroupBox* group, int first, int last) {
+    auto* form = new QFormLayout(group);
+    form->setLabelAlignment(Qt::AlignLeft);
+    form->setHorizontalSpacing(16);
+    for (int row = first; row <= last; ++row) {
+      form->addRow(m_names[static_cast<std::size_t>(row)], m_values[static_cast<std::size_t>(row)]);
+    }
+  };
+  fill(m_runGroup, Program, Duration);
+  fill(m_integrityGroup, Executed, Foreign);
+  fill(m_pausesGroup, PauseCount, PauseTotal);
+  fill(m_accessGroup, Requests, AccessMax);
+  static_cast<QFormLayout*>(m_runGroup->layout())
+      ->addRow(m_names[StopConfirmed], m_values[StopConfirmed]);
+
+  auto* groups = new QGridLayout;
+  groups->addWidget(m_runGroup, 0, 0);
+  groups->addWidget(m_integrityGroup, 0, 1);
+  groups->addWidget(m_pausesGroup, 1, 0);
+  groups->addWidget(m_accessGroup, 1, 1);
+  groups->setColumnStretch(0, 1);
+  groups->setColumnStretch(1, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(m_outcome);
+  layout->addWidget(m_detail);
+  layout->addLayout(groups);
+  layout->addStretch();
+  retranslate();
+  restyle();
+}
+
+void ReportPanel::setReport(const std::optional<streaming::RunReport>& report) {
+  m_report = report;
+  showReport();
+}
+
+void ReportPanel::retranslate() {
+  m_runGroup->setTitle(tr("Run"));
+  m_integrityGroup->setTitle(tr("Points"));
+  m_pausesGroup->setTitle(tr("Pauses"));
+  m_accessGroup->setTitle(tr("Access time per variable"));
+  const auto name = [this](Row row, const QString& text) {
+    m_names[static_cast<std::size_t>(row)]->setText(text);
+  };
+  name(Program, tr("Program"));
+  name(Settings, tr("Settings"));
+  name(Duration, tr("Duration"));
+  name(Executed, tr("Executed"));
+  name(Repeated, tr("Repeated"));
+  name(Skipped, tr("Skipped"));
+  name(Foreign, tr("Foreign motion"));
+  name(PauseCount, tr("Number"));
+  name(PauseMean, tr("Mean"));
+  name(PauseTotal, tr("Total"));
+  name(Requests, tr("Requests"));
+  name(AccessMean, tr("Mean"));
+  name(AccessP50, tr("Median"));
+  name(AccessP95, tr("95th percentile"));
+  name(AccessP99, tr("99th percentile"));
+  name(AccessMax, tr("Largest"));
+  name(StopConfirmed, tr("Stop confirmed"));
+  showReport();
+}
+
+void ReportPanel::restyle() {
+  for (QLabel* label : m_names) {
+    setMuted(label);
+  }
+}
+
+void ReportPanel::showReport() {
+  for (QGroupBox* group : {m_runGroup, m_integrityGroup, m_pausesGroup, m_accessGroup}) {
+    group->setVisible(m_report.has_value());
+  }
+  m_detail->setVisible(false);
+  if (!m_report) {
+    m_outcome->setStatus(Status::Unknown, tr("No run yet"));
+    return;
+  }
+  const streaming::RunReport& report = *m_report;
+  const trace::Integrity& integrity = report.integrity;
+  const bool wrongMotion =
+      integrity.judged && integrity.repeated + integrity.skipped + integrity.foreign > 0;
+  switch (report.outcome) {
+    case streaming::Outcome::Completed:
+      m_outcome->setStatus(wrongMotion ? Status::Fault : Status::Good,
+                           wrongMotion ? tr("Completed with wrong motion") : tr("Completed"));
+      break;
+    case streaming::Outcome::Stopped:
+      m_outcome->setStatus(wrongMotion ? Status::Fault : Status::Good,
+                           wrongMotion ? tr("Stopped, with wrong motion") : tr("Stopped"));
+      break;
+    case streaming::Outcome::Failed:
+      m_outcome->setStatus(Status::Fault, tr("Failed"));
+      m_detail->setText(errorText(report.error));
+      m_detail->setVisible(!m_detail->text().isEmpty());
+      break;
+  }
+
+  // Figures carry no icon of their own unless they are abnormal.
+  const auto show = [this](Row row, const QString& text, Status status = Status::Plain) {
+    m_values[static_cast<std::size_t>(row)]->setStatus(status, text);
+  };
+  show(Program,
+       report.programName.empty() ? noValue() : QString::fromStdString(report.programName));
+  const bool position = report.settings.parameters.method == base::MethodKind::Position;
+  QString settings = QStringLiteral("%1, N = %2, F = %3")
+                         .arg(position ? tr("Position") : tr("Signal"),
+                              QString::number(report.settings.parameters.pointsPerLoop),
+                              feedText(report.settings.feedMmPerS));
+  if (position) {
+    settings += QStringLiteral(", δ = %1").arg(lengthText(report.settings.deltaMm));
+  }
+  show(Settings, settings);
+  show(Duration, secondsText(base::toSeconds(report.duration), 2));
+  if (integrity.judged) {
+    const auto fault = [](std::size_t count) { return count > 0 ? Status::Fault : Status::Good; };
+    show(Executed,
+         tr("%1 of %2").arg(countText(integrity.executed), countText(report.counters.total)));
+    show(Repeated, countText(integrity.repeated), fault(integrity.repeated));
+    show(Skipped, countText(integrity.skipped), fault(integrity.skipped));
+    show(Foreign, countText(integrity.foreign), fault(integrity.foreign));
+  } else {
+    show(Executed,
+         tr("%1 of %2 (not judged: no trace of the control)")
+             .arg(countText(report.counters.executed), countText(report.counters.total)),
+         Status::Unknown);
+    for (const Row row : {Repeated, Skipped, Foreign}) {
+      show(row, tr("not judged"), Status::Unknown);
+    }
+  }
+
+  base::Duration total{};
+  for (const trace::Pause& pause : report.pauses) {
+    total += pause.duration;
+  }
+  show(PauseCount, countText(report.pauses.size()));
+  show(PauseMean, report.pauses.empty()
+                      ? noValue()
+                      : millisecondsText(base::toMilliseconds(total) /
+                                         static_cast<double>(report.pauses.size())));
+  show(PauseTotal, secondsText(base::toSeconds(total), 2));
+
+  const streaming::AccessStatistics& access = report.access;
+  show(Requests, countText(access.requests));
+  const trace::DurationStatistics& perNode = access.perNode;
+  const auto time = [&perNode](base::Duration duration) {
+    return perNode.count == 0 ? noValue() : millisecondsText(duration, 2);
+  };
+  show(AccessMean, time(perNode.mean));
+  show(AccessP50, time(perNode.p50));
+  show(AccessP95, time(perNode.p95));
+  show(AccessP99, time(perNode.p99));
+  show(AccessMax, time(perNode.max));
+  if (report.stopConfirmedAfter) {
+    show(StopConfirmed,
+         tr("after %1").arg(secondsText(base::toSeconds(*report.stopConfirmedAfter), 2)));
+  } else if (report.outcome == streaming::Outcome::Stopped) {
+    show(StopConfirmed, tr("NOT confirmed: check the machine"), Status::Fault);
+  } else {
+    show(StopConfirmed, noValue(), Status::Unknown);
+  }
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What came out of a run: did it do what was ordered, how long did it take, where did it stand.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "streaming/run.h"
+#include "widgets/common/page.h"
+
+class QGroupBox;
+class QLabel;
+
+namespace rivulet::widgets {
+
+class StatusLabel;
+
+class ReportPanel final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ReportPanel(QWidget* parent = nullptr);
+
+  /// @param report  nothing: no run yet
+  void setReport(const std::optional<streaming::RunReport>& report);
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  enum Row {
+    Program,
+    Settings,
+    Duration,
+    Executed,
+    Repeated,
+    Skipped,
+    Foreign,
+    PauseCount,
+    PauseMean,
+    PauseTotal,
+    Requests,
+    AccessMean,
+    AccessP50,
+    AccessP95,
+    AccessP99,
+    AccessMax,
+    StopConfirmed,
+    RowCount
+  };
+
+  void showReport();
+
+  std::optional<streaming::RunReport> m_report;
+  StatusLabel* m_outcome;
+  QLabel* m_detail;
+  QGroupBox* m_runGroup;
+  QGroupBox* m_integrityGroup;
+  QGroupBox* m_pausesGroup;
+  QGroupBox* m_accessGroup;
+  std::vector<QLabel*> m_names;
+  std::vector<StatusLabel*> m_values;
+};
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/streaming/run_panel.h"
+
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/status_label.h"
+#include "widgets/common/theme.h"
+#include "widgets/streaming/state_strip.h"
+
+namespace rivulet::widgets {
+
+using streaming::RunState;
+
+namespace {
+
+constexpr int kRunButtonHeightPx = 60;
+constexpr int kProgressSteps = 1000;
+
+}  // namespace
+
+RunPanel::RunPanel(QWidget* parent)
+    : Page(parent),
+      m_strip(new StateStrip(this)),
+      m_start(makeTouchButton(this)),
+      m_stop(makeTouchButton(this)),
+      m_startReason(new StatusLabel(this)),
+      m_stopStatus(new StatusLabel(this)),
+      m_progressGroup(new QGroupBox(this)),
+      m_progress(new QProgressBar(this)),
+      m_marginName(new QLabel(this)),
+      m_margin(new StatusLabel(this)),
+      m_waitingName(new QLabel(this)),
+      m_waiting(new QLabel(this)) {
+  setMinimumWidth(330);
+  QFont buttonFont = font();
+  buttonFont.setPointSizeF(14.0);
+  buttonFont.setBold(true);
+  for (QPushButton* button : {m_start, m_stop}) {
+    button->setMinimumHeight(kRunButtonHeightPx);
+    button->setIconSize(QSize(24, 24));
+    button->setFont(buttonFont);
+  }
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(24);  // wide enough apart that one is not hit for the other
+  buttons->addWidget(m_start, 1);
+  buttons->addWidget(m_stop, 1);
+  m_startReason->setWordWrap(true);
+  m_stopStatus->setWordWrap(true);
+
+  m_progress->setRange(0, kProgressSteps);
+  m_progress->setMinimumHeight(24);
+  m_progress->setAlignment(Qt::AlignCenter);
+  auto* progress = new QGridLayout(m_progressGroup);
+  progress->setHorizontalSpacing(16);
+  progress->setColumnStretch(1, 1);
+  progress->addWidget(m_progress, 0, 0, 1, 2);
+  QFont counterFont = font();
+  counterFont.setPointSizeF(12.0);
+  counterFont.setBold(true);
+  int row = 1;
+  for (std::size_t counter = 0; counter < m_counterNames.size(); ++counter, ++row) {
+    m_counterNames[counter] = new QLabel(this);
+    m_counterValues[counter] = makeValueLabel(this);
+    m_counterValues[counter]->setFont(counterFont);
+    progress->addWidget(m_counterNames[counter], row, 0);
+    progress->addWidget(m_counterValues[counter], row, 1);
+  }
+  m_waiting->setWordWrap(true);
+  progress->addWidget(m_marginName, row, 0);
+  progress->addWidget(m_margin, row, 1);
+  progress->addWidget(m_waitingName, row + 1, 0, Qt::AlignTop);
+  progress->addWidget(m_waiting, row + 1, 1);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(m_strip);
+  layout->addLayout(buttons);
+  layout->addWidget(m_startReason);
+  layout->addWidget(m_stopStatus);
+  layout->addWidget(m_progressGroup);
+  layout->addStretch();
+
+  connect(m_start, &QPushButton::clicked, this, &RunPanel::startRequested);
+  connect(m_stop, &QPushButton::clicked, this, [this] {
+    if (m_stopState == StopState::None) {
+      m_stopState = StopState::Requested;
+      showAll();
+    }
+    Q_EMIT stopRequested();  // again and again if the operator wants: it does no harm
+  });
+  retranslate();
+  restyle();
+}
+
+void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
+  const bool starts = update.state == RunState::Armed || update.state == RunState::Running;
+  const bool wasActive = isActive();
+  const std::size_t total = m_update.counters.total;
+  m_update = update;
+  if (m_update.counters.total == 0) {
+    m_update.counters.total = total;
+  }
+  if (starts && !wasActive) {
+    m_stopState = StopState::None;
+  }
+  if (update.state == RunState::Stopping && m_stopState == StopState::None) {
+    m_stopState = StopState::Requested;
+  }
+  if (update.stopConfirmedAfter) {
+    m_stopState = StopState::Confirmed;
+  }
+  showAll();
+}
+
+void RunPanel::setTotal(std::size_t points) {
+  m_update.counters.total = points;
+  showAll();
+}
+
+void RunPanel::setStartBlocked(const QString& reason) {
+  m_startBlocked = reason;
+  showAll();
+}
+
+void RunPanel::setStopUnconfirmed() {
+  m_stopState = StopState::Unconfirmed;
+  showAll();
+}
+
+void RunPanel::retranslate() {
+  m_start->setText(tr("Start"));
+  m_stop->setText(tr("Stop"));
+  m_stop->setToolTip(
+      tr("Ends the run at the end of the loop. It does not replace the machine's emergency stop."));
+  m_progressGroup->setTitle(tr("Progress"));
+  m_counterNames[0]->setText(tr("Sent"));
+  m_counterNames[1]->setText(tr("Accepted"));
+  m_counterNames[2]->setText(tr("Executed"));
+  m_marginName->setText(tr("Margin"));
+  m_marginName->setToolTip(
+      tr("Time until the control needs the next point, less the 99th percentile of access time"));
+  m_waitingName->setText(tr("Waiting for"));
+  showAll();
+}
+
+void RunPanel::restyle() {
+  // Both buttons stay neutral: shape and text tell them apart.
+  const QColor color = themeColors(palette()).text;
+  m_start->setIcon(themedIcon(QStringLiteral("play"), color));
+  m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
+  for (QLabel* label : m_counterNames) {
+    setMuted(label);
+  }
+  setMuted(m_marginName);
+  setMuted(m_waitingName);
+}
+
+bool RunPanel::isActive() const {
+  return m_update.state == RunState::Armed || m_update.state == RunState::Running ||
+         m_update.state == RunState::Stopping;
+}
+
+QString RunPanel::waitingText() const {
+  // The stream names its reasons by key; one without a sentence here is shown as it is.
+  const QString key = QString::fromStdString(m_update.waitingFor);
+  if (key.isEmpty()) {
+    return noValue();
+  }
+  if (key == QStringLiteral("transfer")) {
+    return tr("transfer of the template to the control");
+  }
+  if (key == QStringLiteral("cycle-start")) {
+    return tr("cycle start at the control");
+  }
+  if (key == QStringLiteral("trace")) {
+    return tr("the control's own trace");
+  }
+  return key;
+}
+
+void RunPanel::showAll() {
+  const bool active = isActive();
+  m_strip->setState(m_update.state);
+  const bool blocked = !m_startBlocked.isEmpty();
+  m_start->setEnabled(!active && !blocked);
+  m_stop->setEnabled(active);
+  m_startReason->setVisible(!active);
+  m_startReason->setStatus(
+      blocked ? Status::Attention : Status::Good,
+      blocked ? tr("Start is not possible: %1").arg(m_startBlocked) : tr("Ready to start"));
+
+  m_stopStatus->setVisible(m_stopState != StopState::None);
+  switch (m_stopState) {
+    case StopState::None:
+      break;
+    case StopState::Requested:
+      m_stopStatus->setStatus(Status::Busy, tr("Stop requested, not yet confirmed"));
+      break;
+    case StopState::Confirmed:
+      m_stopStatus->setStatus(
+          Status::Good,
+          m_update.stopConfirmedAfter
+              ? tr("Stop confirmed after %1")
+                    .arg(secondsText(base::toSeconds(*m_update.stopConfirmedAfter), 2))
+              : tr("Stop confirmed"));
+      break;
+    case StopState::Unconfirmed:
+      m_stopStatus->setStatus(Status::Fault, tr("Stop NOT confirmed: check the machine"));
+      break;
+  }
+
+  const streaming::Counters& counters = m_update.counters;
+  const QString total = countText(counters.total);
+  const std::array<std::size_t, 3> values{counters.sent, counters.accepted, counters.executed};
+  for (std::size_t counter = 0; counter < values.size(); ++counter) {
+    m_counterValues[counter]->setText(tr("%1 of %2").arg(countText(values[counter]), total));
+  }
+  const double done = counters.total == 0 ? 0.0
+                                          : static_cast<double>(counters.executed) /
+                                                static_cast<double>(counters.total);
+  m_progress->setValue(static_cast<int>(done * kProgressSteps));
+  m_progress->setFormat(QStringLiteral("%1 %").arg(numberText(done * 100.0, 1)));
+  if (m_update.margin && active) {
+    const bool late = m_update.margin->count() < 0;
+    m_margin->setStatus(late ? Status::Attention : Status::Good,
+                        millisecondsText(*m_update.margin) +
+                            (late ? QStringLiteral(" ") + tr("(too late)") : QString()));
+  } else {
+    m_margin->setStatus(Status::Unknown, noValue());
+  }
+  m_waiting->setText(active ? waitingText() : noValue());
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the operator sets for a run. @threadsafety plain values.
+#pragma once
+
+#include "templates/cells.h"
+
+namespace rivulet::widgets {
+
+struct StreamSettings {
+  templates::TemplateParameters parameters;  ///< method, N, layout, axes
+  double deltaMm = 0.3;                      ///< δ, > 0; used by method position
+  double feedMmPerS = 500.0 / 60.0;          ///< > 0
+};
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/templates/template_page.h"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFontDatabase>
+#include <QGroupBox>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableView>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/status_label.h"
+#include "widgets/common/table_style.h"
+#include "widgets/common/theme.h"
+#include "widgets/templates/cell_model.h"
+#include "widgets/templates/nc_highlighter.h"
+
+namespace rivulet::widgets {
+
+TemplatePage::TemplatePage(QWidget* parent)
+    : Page(parent),
+      m_state(new StatusLabel(this)),
+      m_copy(makeTouchButton(this)),
+      m_save(makeTouchButton(this)),
+      m_text(new QPlainTextEdit(this)),
+      m_highlighter(new NcHighlighter(m_text->document())),
+      m_cellsGroup(new QGroupBox(this)),
+      m_cells(new CellModel(this)),
+      m_table(new QTableView(this)) {
+  m_state->setWordWrap(true);
+  m_text->setReadOnly(true);
+  m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+  QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  fixed.setPointSizeF(10.0);
+  m_text->setFont(fixed);
+  m_table->setModel(m_cells);
+  styleTable(m_table);
+  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_table->horizontalHeader()->setStretchLastSection(true);
+
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_state, 1);
+  top->addWidget(m_copy);
+  top->addWidget(m_save);
+  auto* cells = new QVBoxLayout(m_cellsGroup);
+  cells->addWidget(m_table);
+  auto* body = new QHBoxLayout;
+  body->addWidget(m_text, 3);
+  body->addWidget(m_cellsGroup, 2);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(top);
+  layout->addLayout(body, 1);
+
+  connect(m_copy, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(text()); });
+  connect(m_save, &QPushButton::clicked, this, [this] {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the template"), m_fileName,
+                                                      tr("NC programs (*.MPF *.mpf)"));
+    if (!path.isEmpty()) {
+      Q_EMIT saveRequested(path);
+    }
+  });
+  retranslate();
+  restyle();
+}
+
+void TemplatePage::setTemplate(const QString& text, const QString& fileName,
+                               const templates::CellMap& cells, int layoutNumber) {
+  m_fileName = fileName;
+  m_layoutNumber = layoutNumber;
+  m_problem.clear();
+  if (m_text->toPlainText() != text) {
+    m_text->setPlainText(text);
+  }
+  m_cells->setCells(cells);
+  showState();
+}
+
+void TemplatePage::setProblem(const QString& problem) {
+  m_fileName.clear();
+  m_problem = problem;
+  m_text->clear();
+  m_cells->setCells(std::nullopt);
+  showState();
+}
+
+QString TemplatePage::text() const {
+  return m_text->toPlainText();
+}
+
+void TemplatePage::retranslate() {
+  m_copy->setText(tr("Copy"));
+  m_save->setText(tr("Save…"));
+  m_cellsGroup->setTitle(tr("Cells"));
+  m_cells->retranslate();
+  showState();
+}
+
+void TemplatePage::restyle() {
+  const QColor color = themeColors(palette()).text;
+  m_copy->setIcon(themedIcon(QStringLiteral("copy"), color));
+  m_save->setIcon(themedIcon(QStringLiteral("save"), color));
+  m_highlighter->setColors(palette());
+}
+
+void TemplatePage::showState() {
+  const bool there = !m_fileName.isEmpty();
+  m_copy->setEnabled(there);
+  m_save->setEnabled(there);
+  if (!m_problem.isEmpty()) {
+    m_state->setStatus(Status::Attention, tr("No template: %1").arg(m_problem));
+  } else if (!there) {
+    m_state->setStatus(Status::Unknown, tr("No template yet"));
+  } else {
+    m_state->setStatus(Status::Good,
+                       tr("%1, layout number %2").arg(m_fileName, QString::number(m_layoutNumber)));
+  }
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The flexible program the control has to run, as generated for the present settings, and the
+/// meaning of its R-parameters.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <optional>
+
+#include "templates/cells.h"
+#include "widgets/common/page.h"
+
+class QGroupBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+class QTableView;
+
+namespace rivulet::widgets {
+
+class CellModel;
+class NcHighlighter;
+class StatusLabel;
+
+class TemplatePage final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit TemplatePage(QWidget* parent = nullptr);
+
+  /// @param fileName  name on the control  @param layoutNumber  what the program writes into its
+  /// layout cell
+  void setTemplate(const QString& text, const QString& fileName, const templates::CellMap& cells,
+                   int layoutNumber);
+  /// There is no template for these settings; one sentence says why.
+  void setProblem(const QString& problem);
+  [[nodiscard]] QString text() const;
+
+ Q_SIGNALS:
+  void saveRequested(const QString& path);
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  void showState();
+
+  QString m_fileName;
+  QString m_problem;
+  int m_layoutNumber = 0;
+
+  StatusLabel* m_state;
+  QPushButton* m_copy;
+  QPushButton* m_save;
+  QPlainTextEdit* m_text;
+  NcHighlighter* m_highlighter;
+  QGroupBox* m_cellsGroup;
+  CellModel* m_cells;
+  QTableView* m_table;
+};
+
+}  // namespace rivulet::widgets
