@@ -13,14 +13,14 @@
 namespace rivulet::feasibility {
 
 struct BorderPoint {
-  double abscissa = 0.0;       ///< d_min in mm, N, or δ in mm
-  double feedMmPerS = 0.0;     ///< the border: feasible below
+  double abscissa = 0.0;    ///< d_min in mm, N, or δ in mm
+  double feedMmPerS = 0.0;  ///< the border: feasible below
 };
 
 /// One border of the region.
 struct Border {
   Equation equation = Equation::PointDistance;
-  bool withSafety = true;      ///< false: the inequality as published (and the shorter poll time)
+  bool withSafety = true;  ///< false: the inequality as published (and the shorter poll time)
   std::vector<BorderPoint> points;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// clang-format off
 /// @file
 /// Paper symbols, their names here and their units; and the keys of the papers.
 ///
@@ -16,11 +17,12 @@
 /// | N         | pointsPerLoop                   | -     | points per loop of the flexible program    |
 /// | Δt        | pollTime                        | time  | duration of one client loop                |
 /// | 4.3 ms    | accessTime                      | time  | one OPC UA read or write of one node       |
+// clang-format on
 #pragma once
 
 namespace rivulet::feasibility {
 
-inline constexpr double kReadNodesPerPoll = 3.0;   ///< X, Y, Z of the tool: [P1] V.B.a
-inline constexpr double kWriteNodesPerPoint = 3.0; ///< X, Y, Z of one slot: [P1] V.B.a
+inline constexpr double kReadNodesPerPoll = 3.0;    ///< X, Y, Z of the tool: [P1] V.B.a
+inline constexpr double kWriteNodesPerPoint = 3.0;  ///< X, Y, Z of one slot: [P1] V.B.a
 
 }  // namespace rivulet::feasibility

@@ -38,8 +38,8 @@ enum class Equation {
 
 struct OperatingPoint {
   base::MethodKind method = base::MethodKind::Signal;
-  int pointsPerLoop = 7;     ///< N, >= 2
-  double deltaMm = 0.3;      ///< δ; used by method position only
+  int pointsPerLoop = 7;  ///< N, >= 2
+  double deltaMm = 0.3;   ///< δ; used by method position only
   double feedMmPerS = 500.0 / 60.0;
 };
 
@@ -64,8 +64,8 @@ struct Place {
 struct ProgramDistances {
   double pointDistanceMmMin = 0.0;  ///< d_min
   Place pointDistancePlace;
-  int windowSteps = 0;              ///< ⌊N/2⌋
-  double windowLengthMmMin = 0.0;   ///< d_min^N
+  int windowSteps = 0;             ///< ⌊N/2⌋
+  double windowLengthMmMin = 0.0;  ///< d_min^N
   Place windowPlace;
 };
 
@@ -77,17 +77,17 @@ struct ProgramDistances {
 
 struct Condition {
   Equation equation = Equation::PointDistance;
-  double margin = 0.0;   ///< > 1: holds; see equations.h
-  bool decides = true;   ///< false: shown for information, does not enter the verdict
+  double margin = 0.0;  ///< > 1: holds; see equations.h
+  bool decides = true;  ///< false: shown for information, does not enter the verdict
   std::optional<Place> place;
 };
 
 struct Verdict {
   bool feasible = false;
-  Condition limiting;               ///< the deciding condition with the smallest margin
+  Condition limiting;  ///< the deciding condition with the smallest margin
   std::vector<Condition> conditions;
-  double feedMmPerSMax = 0.0;       ///< largest feed at which all deciding conditions hold
-  double deltaMmMin = 0.0;          ///< smallest δ at this feed (method position; else 0)
+  double feedMmPerSMax = 0.0;  ///< largest feed at which all deciding conditions hold
+  double deltaMmMin = 0.0;     ///< smallest δ at this feed (method position; else 0)
 };
 
 /// Position is decided by (1) and (2) with the longer poll time; signal by (3). If the

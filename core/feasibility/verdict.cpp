@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "feasibility/verdict.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/contract.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "feasibility/equations.h"
+#include "feasibility/margins.h"
+
+namespace rivulet::feasibility {
+
+namespace {
+
+/// The inequalities are strict. Exactly on the border, rounding may put the margin a hair above
+/// 1: that is still the border.
+constexpr double kRounding = 1e-12;
+
+bool holds(double margin) {
+  return margin > 1.0 + kRounding;
+}
+
+std::optional<Place> placeOf(Equation equation, const ProgramDistances& distances) {
+  if (distances.windowSteps == 0 || equation == Equation::Delta) {
+    return std::nullopt;
+  }
+  return equation == Equation::RealWindow ? distances.windowPlace : distances.pointDistancePlace;
+}
+
+}  // namespace
+
+std::error_code make_error_code(FeasibilityError code) {
+  static const base::NamedCategory category("feasibility");
+  return {static_cast<int>(code), category};
+}
+
+std::string_view equationLabel(Equation equation) {
+  switch (equation) {
+    case Equation::PointDistance:
+      return "(1)";
+    case Equation::Delta:
+      return "(2)";
+    case Equation::Window:
+      return "(3)";
+    case Equation::RealWindow:
+      break;
+  }
+  return "(3) with d_min^N";
+}
+
+std::vector<MethodEquation> equationsOf(base::MethodKind method,
+                                        const ProgramDistances& distances) {
+  if (method == base::MethodKind::Position) {
+    return {{Equation::PointDistance, true}, {Equation::Delta, true}};
+  }
+  if (distances.windowSteps > 0) {
+    return {{Equation::RealWindow, true}, {Equation::Window, false}};
+  }
+  return {{Equation::Window, true}};
+}
+
+double windowLengthMmBound(const ProgramDistances& distances, int steps) {
+  RIVULET_ASSERT(steps >= 1);
+  RIVULET_ASSERT(distances.windowSteps >= 1);
+  const int windows = steps / distances.windowSteps;
+  const int single = steps % distances.windowSteps;
+  return windows * distances.windowLengthMmMin + single * distances.pointDistanceMmMin;
+}
+
+double marginOf(Equation equation, const OperatingPoint& operatingPoint,
+                const ProgramDistances& distances, base::Duration pollTime,
+                const AccessModel& access, const SafetyFactors& safety) {
+  switch (equation) {
+    case Equation::PointDistance:
+      return pointDistanceMargin(operatingPoint.feedMmPerS, pollTime, distances.pointDistanceMmMin,
+                                 safety.pointDistance);
+    case Equation::Delta:
+      return deltaMargin(operatingPoint.feedMmPerS, pollTime, operatingPoint.deltaMm, safety.delta);
+    case Equation::Window:
+      return windowMargin(operatingPoint.feedMmPerS, access.accessTime,
+                          operatingPoint.pointsPerLoop, distances.pointDistanceMmMin,
+                          safety.window);
+    case Equation::RealWindow:
+      break;
+  }
+  return realWindowMargin(
+      operatingPoint.feedMmPerS, access.accessTime, operatingPoint.pointsPerLoop,
+      windowLengthMmBound(distances, operatingPoint.pointsPerLoop / 2), safety.window);
+}
+
+base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramDistances& distances,
+                            const AccessModel& access, const SafetyFactors& safety) {
+  const bool position = operatingPoint.method == base::MethodKind::Position;
+  // Written so that a value which is not a number is refused as well.
+  if (!(operatingPoint.feedMmPerS > 0.0) || !std::isfinite(operatingPoint.feedMmPerS)) {
+    return base::fail(
+        FeasibilityError::FeedNotPositive,
+        fmt::format("The feed is {} mm/min: choose one greater than 0.",
+                    base::formatFixed(base::mmPerMinFromMmPerS(operatingPoint.feedMmPerS), 3)));
+  }
+  if (position && (!(operatingPoint.deltaMm > 0.0) || !std::isfinite(operatingPoint.deltaMm))) {
+    return base::fail(FeasibilityError::DeltaNotPositive,
+                      fmt::format("The distance δ is {} mm: choose one greater than 0.",
+                                  base::formatFixed(operatingPoint.deltaMm, 3)));
+  }
+  if (operatingPoint.pointsPerLoop < 2) {
+    return base::fail(
+        FeasibilityError::TooFewPointsPerLoop,
+        fmt::format("N is {}: choose at least 2 points per loop.", operatingPoint.pointsPerLoop));
+  }
+
+  const base::Duration poll = pollTime(access.accessTime).max;
+  Verdict verdict;
+  bool first = true;
+  for (const MethodEquation& entry : equationsOf(operatingPoint.method, distances)) {
+    const Condition condition{
+        entry.equation, marginOf(entry.equation, operatingPoint, distances, poll, access, safety),
+        entry.decides, placeOf(entry.equation, distances)};
+    verdict.conditions.push_back(condition);
+    if (condition.decides && (first || condition.margin < verdict.limiting.margin)) {
+      verdict.limiting = condition;
+      first = false;
+    }
+  }
+  verdict.feasible = holds(verdict.limiting.margin);
+  // Every left side is proportional to the feed, so the margin is the factor left for it.
+  verdict.feedMmPerSMax = operatingPoint.feedMmPerS * verdict.limiting.margin;
+  if (position) {
+    // The margin of (2) is proportional to δ: the border lies where it is 1.
+    verdict.deltaMmMin = operatingPoint.deltaMm /
+                         marginOf(Equation::Delta, operatingPoint, distances, poll, access, safety);
+  }
+  return verdict;
+}
+
+}  // namespace rivulet::feasibility
