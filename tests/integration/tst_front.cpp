@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The server as any other client sees it: address space, status codes, ports. A client of the
+/// bare library asks, so that nothing of our link hides what goes over the wire.
+
+#include <open62541/client.h>
+#include <open62541/client_config_default.h>
+#include <open62541/client_highlevel.h>
+#include <open62541/client_subscriptions.h>
+
+#include <QtTest>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "opcua/open62541/handle.h"
+#include "opcua/open62541/quiet_logger.h"
+#include "support/loopback_machine.h"
+
+using namespace rivulet;
+using namespace std::chrono_literals;
+using tests::LoopbackMachine;
+
+namespace {
+
+class RawClient {
+ public:
+  explicit RawClient(const std::string& endpoint) {
+    UA_ClientConfig config{};
+    config.logging = m_logger.handle();
+    config.timeout = 60'000;
+    RIVULET_ASSERT(UA_ClientConfig_setDefault(&config) == UA_STATUSCODE_GOOD);
+    m_client = UA_Client_newWithConfig(&config);
+    RIVULET_ASSERT(UA_Client_connect(m_client, endpoint.c_str()) == UA_STATUSCODE_GOOD);
+  }
+  ~RawClient() { UA_Client_delete(m_client); }
+  RawClient(const RawClient&) = delete;
+  RawClient& operator=(const RawClient&) = delete;
+
+  [[nodiscard]] UA_Client* get() const { return m_client; }
+
+  [[nodiscard]] UA_StatusCode read(const std::string& identifier) const {
+    opcua::Handle<UA_Variant, UA_TYPES_VARIANT> value;
+    return UA_Client_readValueAttribute(m_client, opcua::borrowNodeId(2, identifier), value.get());
+  }
+  template <class T>
+  [[nodiscard]] UA_StatusCode write(const std::string& identifier, T value,
+                                    std::size_t type) const {
+    const UA_Variant variant = opcua::borrowScalar(value, type);
+    return UA_Client_writeValueAttribute(m_client, opcua::borrowNodeId(2, identifier), &variant);
+  }
+  /// Type of the value of a node; null if it cannot be read.
+  [[nodiscard]] const UA_DataType* typeOf(const std::string& identifier) const {
+    opcua::Handle<UA_Variant, UA_TYPES_VARIANT> value;
+    UA_Client_readValueAttribute(m_client, opcua::borrowNodeId(2, identifier), value.get());
+    return value->type;
+  }
+  /// Identifiers of the children of a node.
+  [[nodiscard]] std::vector<std::string> children(const UA_NodeId& node) const {
+    UA_BrowseDescription description;
+    UA_BrowseDescription_init(&description);
+    description.nodeId = node;
+    description.referenceTypeId = opcua::standardNodeId(UA_NS0ID_HIERARCHICALREFERENCES);
+    description.includeSubtypes = true;
+    UA_BrowseRequest request;
+    UA_BrowseRequest_init(&request);
+    request.nodesToBrowse = &description;
+    request.nodesToBrowseSize = 1;
+    opcua::Handle<UA_BrowseResponse, UA_TYPES_BROWSERESPONSE> response;
+    *response.get() = UA_Client_Service_browse(m_client, request);
+    std::vector<std::string> found;
+    for (std::size_t i = 0; i < response->results[0].referencesSize; ++i) {
+      const UA_NodeId& id = response->results[0].references[i].nodeId.nodeId;
+      if (id.identifierType == UA_NODEIDTYPE_STRING) {
+        found.emplace_back(opcua::view(id.identifier.string));
+      }
+    }
+    return found;
+  }
+
+ private:
+  opcua::QuietLogger m_logger;
+  UA_Client* m_client = nullptr;
+};
+
+}  // namespace
+
+class TestFront : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theNamespaceHasItsUsualIndex() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    const UA_String uri = opcua::borrow("SinumerikVarProvider");
+    UA_UInt16 index = 0;
+    QCOMPARE(UA_Client_NamespaceGetIndex(client.get(), const_cast<UA_String*>(&uri), &index),
+             UA_STATUSCODE_GOOD);
+    QCOMPARE(index, UA_UInt16{2});
+  }
+
+  void browsingShowsTheFirstElementOnly() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    const auto node = [](const char* identifier) { return opcua::borrowNodeId(2, identifier); };
+    const auto objects = client.children(opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER));
+    QVERIFY((objects == std::vector<std::string>{"Sinumerik", "VirtualMachine"}));
+    QVERIFY(
+        (client.children(node("Sinumerik")) == std::vector<std::string>{"/Channel", "/Methods"}));
+    QCOMPARE(client.children(node("/Channel")).size(), std::size_t{6});
+    QVERIFY((client.children(node("/Channel/Parameter")) ==
+             std::vector<std::string>{"/Channel/Parameter/R"}));
+    QCOMPARE(client.children(node("/Channel/GeometricAxis")).size(), std::size_t{5});
+    QCOMPARE(client.children(node("/Channel/MachineAxis")).size(), std::size_t{3});
+    QCOMPARE(client.children(node("/Channel/State")).size(), std::size_t{5});
+    QCOMPARE(client.children(node("/Channel/ProgramInfo")).size(), std::size_t{4});
+    QCOMPARE(client.children(node("/Channel/ChannelDiagnose")).size(), std::size_t{1});
+    QCOMPARE(client.children(node("/Methods")).size(), std::size_t{3});
+  }
+
+  void elementsThatAreNotListedExist() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    for (const char* identifier :
+         {"/Channel/Parameter/R[u1,0]", "/Channel/Parameter/R[u1,99]", "/Channel/Parameter/R[11]",
+          "/Channel/Parameter/R", "/Channel/GeometricAxis/aaAcsRel[u1,3]",
+          "/Channel/GeometricAxis/toolBaseDistToGo[2]", "/Channel/MachineAxis/measPos1[u1,1]",
+          "/Channel/State/actFeedRateIpo", "/Channel/ProgramInfo/progName"}) {
+      QVERIFY2(client.read(identifier) == UA_STATUSCODE_GOOD, identifier);
+    }
+    for (const char* identifier :
+         {"/Channel/Parameter/R[u1,100]", "/channel/parameter/r[u1,1]",
+          "/Channel/Parameter/R[u2,1]", "/Channel/GeometricAxis/aaAcsRel[u1,0]",
+          "/Channel/GeometricAxis/aaAcsRel[u1,4]"}) {
+      QVERIFY2(client.read(identifier) == UA_STATUSCODE_BADNODEIDUNKNOWN, identifier);
+    }
+  }
+
+  void aliasesAreTheSameVariable() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    QCOMPARE(client.write("/Channel/Parameter/R[1]", 4.5, UA_TYPES_DOUBLE), UA_STATUSCODE_GOOD);
+    for (const char* identifier : {"/Channel/Parameter/R[u1,1]", "/Channel/Parameter/R"}) {
+      double value = 0.0;
+      while (value == 0.0) {  // becomes visible at the next interpolation boundary
+        opcua::Handle<UA_Variant, UA_TYPES_VARIANT> variant;
+        QCOMPARE(UA_Client_readValueAttribute(client.get(), opcua::borrowNodeId(2, identifier),
+                                              variant.get()),
+                 UA_STATUSCODE_GOOD);
+        const auto* number = opcua::scalarOf<UA_Double>(*variant.get(), UA_TYPES_DOUBLE);
+        QVERIFY(number != nullptr);
+        value = *number;
+      }
+      QCOMPARE(value, 4.5);
+    }
+  }
+
+  void typesAreThoseOfTheControl() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    const std::map<std::string, std::size_t> types{
+        {"/Channel/Parameter/R[u1,1]", UA_TYPES_DOUBLE},
+        {"/Channel/GeometricAxis/aaDtew[u1,1]", UA_TYPES_DOUBLE},
+        {"/Channel/State/progStatus", UA_TYPES_UINT16},
+        {"/Channel/State/chanStatus", UA_TYPES_UINT16},
+        {"/Channel/State/chanAlarm", UA_TYPES_UINT32},
+        {"/Channel/ProgramInfo/actLineNumber", UA_TYPES_UINT32},
+        {"/Channel/ProgramInfo/msg", UA_TYPES_STRING},
+        {"/Channel/ChannelDiagnose/ipoBufLevel", UA_TYPES_UINT16}};
+    for (const auto& [identifier, type] : types) {
+      QVERIFY2(client.typeOf(identifier) == &UA_TYPES[type], identifier.c_str());
+    }
+  }
+
+  void refusedWritesSayWhyAndCostNothing() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    QCOMPARE(client.write("/Channel/Parameter/R[u1,1]", UA_Int32{1}, UA_TYPES_INT32),
+             UA_STATUSCODE_BADTYPEMISMATCH);
+    QCOMPARE(client.write("/Channel/Parameter/R[u1,1]", std::numeric_limits<double>::quiet_NaN(),
+                          UA_TYPES_DOUBLE),
+             UA_STATUSCODE_BADOUTOFRANGE);
+    QCOMPARE(client.write("/Channel/State/actFeedRateIpo", 1.0, UA_TYPES_DOUBLE),
+             UA_STATUSCODE_BADNOTWRITABLE);
+    QCOMPARE(client.write("/Channel/Parameter/R[u1,100]", 1.0, UA_TYPES_DOUBLE),
+             UA_STATUSCODE_BADNODEIDUNKNOWN);
+    QCOMPARE(cell.server().nodesServed(), 0U);
+  }
+
+  void nobodyRebuildsTheAddressSpace() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    const std::string identifier = "/Channel/Parameter/R[u1,1]";
+    QVERIFY(UA_Client_deleteNode(client.get(), opcua::borrowNodeId(2, identifier), true) !=
+            UA_STATUSCODE_GOOD);
+    QCOMPARE(client.read(identifier), UA_STATUSCODE_GOOD);
+  }
+
+  /// A subscription samples through the same service and so costs it nodes.
+  void subscriptionsCostTheServiceToo() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    const UA_CreateSubscriptionResponse subscription = UA_Client_Subscriptions_create(
+        client.get(), UA_CreateSubscriptionRequest_default(), nullptr, nullptr, nullptr);
+    QCOMPARE(subscription.responseHeader.serviceResult, UA_STATUSCODE_GOOD);
+    const std::string identifier = "/Channel/Parameter/R[u1,1]";
+    UA_MonitoredItemCreateRequest request =
+        UA_MonitoredItemCreateRequest_default(opcua::borrowNodeId(2, identifier));
+    request.requestedParameters.samplingInterval = 1.0;
+    const UA_MonitoredItemCreateResult item = UA_Client_MonitoredItems_createDataChange(
+        client.get(), subscription.subscriptionId, UA_TIMESTAMPSTORETURN_NEITHER, request, nullptr,
+        [](UA_Client*, UA_UInt32, void*, UA_UInt32, void*, UA_DataValue*) {}, nullptr);
+    QCOMPARE(item.statusCode, UA_STATUSCODE_GOOD);
+    QCOMPARE(item.revisedSamplingInterval, 100.0);  // the shortest, as on the control
+    QTRY_VERIFY_WITH_TIMEOUT(cell.server().nodesServed() >= 3, 60'000);
+  }
+
+  void aTakenPortIsOneClearSentence() {
+    const LoopbackMachine cell;
+    machine::ServerOptions options;
+    options.port = static_cast<std::uint16_t>(
+        std::stoi(cell.endpoint().substr(cell.endpoint().rfind(':') + 1)));
+    machine::Machine machine(*machine::loadPreset("ideal"), 1);
+    const auto second = machine::Server::start(machine, options);
+    QVERIFY(!second);
+    QVERIFY(second.error().code == machine::FrontError::PortTaken);
+    QVERIFY(second.error().message.find(std::to_string(options.port)) != std::string::npos);
+
+    options.host = "no host";
+    const auto nowhere = machine::Server::start(machine, options);
+    QVERIFY(!nowhere);
+    QVERIFY(nowhere.error().code == machine::FrontError::AddressUnusable);
+  }
+
+  /// The operating system keeps a port busy for a while after its connections were closed.
+  void aPortCanBeUsedAgainAtOnce() {
+    LoopbackMachine::Options options;
+    {
+      LoopbackMachine cell;
+      options.port = static_cast<std::uint16_t>(
+          std::stoi(cell.endpoint().substr(cell.endpoint().rfind(':') + 1)));
+      const auto link = cell.connect();
+      cell.stop();  // the server closes first
+    }
+    const LoopbackMachine again(options);
+    QVERIFY(again.connect()->isVirtualMachine());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestFront)
+#include "tst_front.moc"

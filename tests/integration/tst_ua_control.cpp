@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Programs, selection and the virtual machine's own keys, over OPC UA.
+
+#include <QtTest>
+#include <string>
+#include <vector>
+
+#include "support/loopback_machine.h"
+#include "trace/control_trace.h"
+
+using namespace rivulet;
+using namespace std::chrono_literals;
+using opcua::LinkError;
+using opcua::VariableKind;
+using tests::LoopbackMachine;
+
+namespace {
+
+constexpr base::Duration kPatience = 60s;
+
+const std::string kSquare =
+    "; a square\n"
+    "G0 X0 Y0 Z50\n"
+    "G1 X10 F6000\n"
+    "G1 Y10\n"
+    "G1 X0\n"
+    "G1 Y0\n"
+    "M30\n";
+
+/// Loops until R1 is set.
+const std::string kWaiting =
+    "WAIT1: STOPRE\n"
+    "G4 F0.02\n"
+    "IF R1==0 GOTOB WAIT1\n"
+    "M30\n";
+
+opcua::Reading readOne(opcua::Link& link, opcua::Variable variable) {
+  link.read(std::vector{variable}, kPatience, opcua::Grouping::List);
+  const auto event = link.wait(link.now() + kPatience);
+  RIVULET_ASSERT(event && event->kind == opcua::EventKind::ReadDone);
+  return event->readings[0];
+}
+
+/// Reads the channel's status until it is this one.
+void awaitChannel(opcua::Link& link, machine::ChannelStatus status) {
+  const base::Instant limit = link.now() + kPatience;
+  while (readOne(link, {VariableKind::ChannelStatus, 0}).number != static_cast<double>(status)) {
+    RIVULET_ASSERT(link.now() < limit);
+  }
+}
+
+std::error_code codeOf(const base::Result<void>& result) {
+  return result ? std::error_code() : result.error().code;
+}
+
+}  // namespace
+
+class TestUaControl : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void programsGoThereAndBack() {
+    const LoopbackMachine cell;
+    const auto link = cell.connect();
+    std::string bytes = "G1 X1 ; \xC3\xA4 \r\n\tM30\n";
+    QVERIFY(link->uploadProgram("BACK.MPF", bytes, false));
+    const auto back = link->downloadProgram("BACK.MPF");
+    QVERIFY(back.has_value());
+    QCOMPARE(*back, bytes);
+
+    QVERIFY(codeOf(link->uploadProgram("BACK.MPF", kSquare, false)) == LinkError::FileExists);
+    QCOMPARE(*link->downloadProgram("BACK.MPF"), bytes);
+    QVERIFY(link->uploadProgram("BACK.MPF", kSquare, true));
+    QCOMPARE(*link->downloadProgram("BACK.MPF"), kSquare);
+  }
+
+  /// Many network packets in both directions.
+  void aLargeProgramArrivesWhole() {
+    const LoopbackMachine cell;
+    const auto link = cell.connect();
+    std::string text;
+    for (int i = 0; text.size() < (std::size_t{2} << 20U); ++i) {
+      text += "N" + std::to_string(i) + " G1 X" + std::to_string(i % 100) + " F6000\n";
+    }
+    text += "M30\n";
+    QVERIFY(link->uploadProgram("LARGE.MPF", text, false));
+    const auto back = link->downloadProgram("LARGE.MPF");
+    QVERIFY(back.has_value());
+    QVERIFY(*back == text);
+  }
+
+  void whatIsMissingIsSaid() {
+    const LoopbackMachine cell;
+    const auto link = cell.connect();
+    const auto missing = link->downloadProgram("NIX.MPF");
+    QVERIFY(!missing);
+    QVERIFY(missing.error().code == LinkError::ProgramMissing);
+    QVERIFY(codeOf(link->selectProgram("NIX.MPF")) == LinkError::ProgramMissing);
+    QVERIFY(codeOf(link->cycleStart()) == LinkError::ProgramMissing);
+    QVERIFY(codeOf(link->uploadProgram("a/b.MPF", kSquare, false)) == LinkError::Rejected);
+  }
+
+  void aProgramRunsAndLeavesItsTrace() {
+    LoopbackMachine cell;
+    const auto link = cell.connect();
+    QVERIFY(link->isVirtualMachine());
+    QVERIFY(link->uploadProgram("SQUARE.MPF", kSquare, false));
+    QVERIFY(link->selectProgram("SQUARE.MPF"));
+    QCOMPARE(readOne(*link, {VariableKind::ProgramName, 0}).text, std::string("SQUARE.MPF"));
+    QVERIFY(link->cycleStart());
+    awaitChannel(*link, machine::ChannelStatus::Reset);
+    QCOMPARE(readOne(*link, {VariableKind::Alarm, 0}).number, 0.0);
+
+    const auto text = link->fetchTrace();
+    QVERIFY(text.has_value());
+    const auto trace = trace::parseControlTrace(*text);
+    QVERIFY(trace.has_value());
+    std::vector<base::Vec3> corners;
+    for (const trace::ExecutedBlock& block : trace->blocks) {
+      if (block.lengthMm > 0.0) {
+        corners.push_back(block.targetMm);
+      }
+    }
+    QVERIFY(
+        (corners == std::vector<base::Vec3>{{10, 0, 50}, {10, 10, 50}, {0, 10, 50}, {0, 0, 50}}));
+    cell.stop();
+    QVERIFY(*text == trace::printControlTrace(cell.machineAfterStop().trace()));
+  }
+
+  /// Longer than one answer of the server.
+  void aLongTraceIsFetchedInParts() {
+    LoopbackMachine cell;
+    const auto link = cell.connect();
+    QVERIFY(link->uploadProgram("LONG.MPF", "G1 X1 F6000\nG4 F1000\nM30\n", false));
+    QVERIFY(link->selectProgram("LONG.MPF"));
+    cell.stop();
+    machine::Machine& machine = cell.machineAfterStop();
+    QVERIFY(machine.cycleStart());
+    machine.advance(machine.now() + 210s);  // in no time; recorded from the first motion on
+
+    auto server = machine::Server::start(machine, {});
+    QVERIFY(server.has_value());
+    std::atomic<bool> stop{false};
+    std::thread thread([&] { (*server)->run(stop); });
+    opcua::ConnectOptions options;
+    options.endpoint = (*server)->endpoint();
+    options.commandDeadline = kPatience;
+    const auto again = opcua::UaLink::connect(options);
+    const auto text = again ? (*again)->fetchTrace() : base::Result<std::string>{};
+    stop.store(true);
+    thread.join();
+    QVERIFY(text.has_value());
+    QVERIFY(text->size() > (std::size_t{1} << 20U));
+    const auto trace = trace::parseControlTrace(*text);
+    QVERIFY(trace.has_value());
+    QVERIFY(trace->samples.size() >= 50'000);  // 200 s in cycles of 4 ms
+  }
+
+  void onlyAChannelInResetTakesAProgram() {
+    const LoopbackMachine cell;
+    const auto link = cell.connect();
+    QVERIFY(link->uploadProgram("WAIT.MPF", kWaiting, false));
+    QVERIFY(link->uploadProgram("SQUARE.MPF", kSquare, false));
+    QVERIFY(link->selectProgram("WAIT.MPF"));
+    QVERIFY(link->cycleStart());
+    awaitChannel(*link, machine::ChannelStatus::Active);
+    QVERIFY(codeOf(link->selectProgram("SQUARE.MPF")) == LinkError::ChannelNotInReset);
+    QVERIFY(codeOf(link->cycleStart()) == LinkError::ChannelNotInReset);
+    QVERIFY(link->reset());
+    awaitChannel(*link, machine::ChannelStatus::Reset);
+    QVERIFY(link->selectProgram("SQUARE.MPF"));
+  }
+
+  /// The handshake of every streaming method in small: the program waits for a cell.
+  void aWrittenCellLetsTheProgramGoOn() {
+    const LoopbackMachine cell({"dmu75"});
+    const auto link = cell.connect();
+    QVERIFY(link->uploadProgram("WAIT.MPF", kWaiting, false));
+    QVERIFY(link->selectProgram("WAIT.MPF"));
+    QVERIFY(link->cycleStart());
+    awaitChannel(*link, machine::ChannelStatus::Active);
+    link->write(std::vector<opcua::Assignment>{{opcua::rParameter(1), 1.0}}, kPatience,
+                opcua::Grouping::List);
+    const auto written = link->wait(link->now() + kPatience);
+    QVERIFY(written && written->kind == opcua::EventKind::WriteDone);
+    awaitChannel(*link, machine::ChannelStatus::Reset);
+  }
+
+  /// Reset must work while a stream's requests are under way, and must not lose their answers.
+  void aCommandKeepsTheEventsOfTheStream() {
+    const LoopbackMachine cell({"dmu75"});
+    const auto link = cell.connect();
+    const auto first =
+        link->read(std::vector{opcua::rParameter(1)}, kPatience, opcua::Grouping::List);
+    const auto second =
+        link->read(std::vector(3, opcua::rParameter(1)), kPatience, opcua::Grouping::Single);
+    QVERIFY(link->reset());
+    for (const base::RequestId id : {first, second}) {
+      const auto event = link->wait(link->now() + kPatience);
+      QVERIFY(event && event->kind == opcua::EventKind::ReadDone);
+      QVERIFY(event->request == id);
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(TestUaControl)
+#include "tst_ua_control.moc"

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A virtual machine behind its real OPC UA server on a free loopback port, run by a thread of
+/// its own inside the test process. The test talks to it as to a control.
+/// @threadsafety for the test's thread; the machine belongs to the server's thread meanwhile.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "base/contract.h"
+#include "machine/config.h"
+#include "machine/front/server.h"
+#include "machine/machine.h"
+#include "opcua/open62541/ua_link.h"
+
+namespace rivulet::tests {
+
+class LoopbackMachine {
+ public:
+  struct Options {
+    std::string preset = "ideal";  ///< access is free; "dmu75" makes it cost what it costs
+    std::uint64_t seed = 1;
+    std::uint16_t port = 0;
+  };
+
+  /// Answers from here on.
+  explicit LoopbackMachine(const Options& options) : m_machine(load(options.preset), options.seed) {
+    machine::ServerOptions where;
+    where.port = options.port;
+    auto server = machine::Server::start(m_machine, where);
+    RIVULET_ASSERT(server.has_value());
+    m_server = std::move(*server);
+    m_endpoint = m_server->endpoint();
+    m_thread = std::thread([this] { m_server->run(m_stop); });
+  }
+  LoopbackMachine() : LoopbackMachine(Options{}) {}
+  ~LoopbackMachine() { stop(); }
+  LoopbackMachine(const LoopbackMachine&) = delete;
+  LoopbackMachine& operator=(const LoopbackMachine&) = delete;
+
+  [[nodiscard]] const std::string& endpoint() const { return m_endpoint; }
+  /// Its counters may be read at any time, until `stop`.
+  [[nodiscard]] const machine::Server& server() const { return *m_server; }
+
+  /// A new connection to it. It answers, so failure is a bug.
+  [[nodiscard]] std::unique_ptr<opcua::UaLink> connect() const {
+    opcua::ConnectOptions options;
+    options.endpoint = m_endpoint;
+    options.connectDeadline = std::chrono::seconds(20);
+    options.commandDeadline = std::chrono::seconds(20);
+    auto link = opcua::UaLink::connect(options);
+    RIVULET_ASSERT(link.has_value());
+    return std::move(*link);
+  }
+
+  /// The server goes away: all connections are closed, the thread ends. Twice does no harm.
+  void stop() {
+    m_stop.store(true);
+    if (m_thread.joinable()) {
+      m_thread.join();
+    }
+    m_server.reset();
+  }
+
+  /// The machine itself, once the server has gone.
+  [[nodiscard]] machine::Machine& machineAfterStop() {
+    RIVULET_ASSERT(m_server == nullptr);
+    return m_machine;
+  }
+
+ private:
+  [[nodiscard]] static machine::MachineConfig load(const std::string& preset) {
+    auto config = machine::loadPreset(preset);
+    RIVULET_ASSERT(config.has_value());
+    return std::move(*config);
+  }
+
+  machine::Machine m_machine;
+  std::unique_ptr<machine::Server> m_server;
+  std::string m_endpoint;
+  std::atomic<bool> m_stop{false};
+  std::thread m_thread;
+};
+
+}  // namespace rivulet::tests
