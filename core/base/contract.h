@@ -17,6 +17,6 @@ namespace rivulet::base {
 
 }  // namespace rivulet::base
 
-#define RIVULET_ASSERT(condition) \
+#define RIVULET_ASSERT(condition)     \
   ((condition) ? static_cast<void>(0) \
                : ::rivulet::base::contractViolated(#condition, __FILE__, __LINE__))

@@ -13,6 +13,8 @@ inline constexpr double kMmPerInch = 25.4;
 [[nodiscard]] constexpr double mmPerSFromMmPerMin(double feedMmPerMin) {
   return feedMmPerMin / 60.0;
 }
-[[nodiscard]] constexpr double mmPerMinFromMmPerS(double feedMmPerS) { return feedMmPerS * 60.0; }
+[[nodiscard]] constexpr double mmPerMinFromMmPerS(double feedMmPerS) {
+  return feedMmPerS * 60.0;
+}
 
 }  // namespace rivulet::base

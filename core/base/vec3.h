@@ -31,9 +31,15 @@ struct Vec3 {
 inline constexpr std::size_t kAxisCount = 3;
 inline constexpr std::array<char, kAxisCount> kAxisNames{'X', 'Y', 'Z'};
 
-[[nodiscard]] constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-[[nodiscard]] inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
-[[nodiscard]] inline double distance(Vec3 a, Vec3 b) { return norm(b - a); }
+[[nodiscard]] constexpr double dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+[[nodiscard]] inline double norm(Vec3 a) {
+  return std::sqrt(dot(a, a));
+}
+[[nodiscard]] inline double distance(Vec3 a, Vec3 b) {
+  return norm(b - a);
+}
 [[nodiscard]] inline bool isFinite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

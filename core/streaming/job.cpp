@@ -331,8 +331,12 @@ class Job {
           {m_link.now(), "the control's trace could not be had: " + trace.error().text()});
       return;
     }
-    m_report.integrity =
-        trace::judgeIntegrity(m_flight.points.points, trace->blocks, kPointToleranceMm);
+    if (trace->truncated) {
+      m_ledger.note({m_link.now(), "the control's trace is incomplete: the run is not judged"});
+    } else {
+      m_report.integrity =
+          trace::judgeIntegrity(m_flight.points.points, trace->blocks, kPointToleranceMm);
+    }
     m_report.pauses = trace::findPauses(*trace);
     if (!trace->samples.empty()) {
       m_report.duration = trace->samples.back().at - trace->samples.front().at;

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The commands of rivulet-cli. Each takes its parsed options and returns the exit code.
+/// @threadsafety main thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+
+namespace rivulet::cli {
+
+struct CheckOptions {
+  std::string file;
+  double chordToleranceMm = 0.005;
+  bool json = false;
+};
+[[nodiscard]] Exit check(const CheckOptions& options);
+
+struct FeasibilityOptions {
+  OperatingOptions point;
+  std::string program;                    ///< file; empty: none
+  std::optional<double> pointDistanceMm;  ///< d_min where no program is given
+  double accessTimeMs = 4.3;
+  double deltaSafety = 1.5;
+  bool json = false;
+};
+[[nodiscard]] Exit feasibility(const FeasibilityOptions& options);
+
+struct TemplateOptions {
+  OperatingOptions point;
+  int rParameterCount = 100;
+  std::string output;  ///< file; empty: standard output
+  bool json = false;
+};
+[[nodiscard]] Exit makeTemplate(const TemplateOptions& options);
+
+struct StreamOptions {
+  OperatingOptions point;
+  std::string file;
+  std::string endpoint;
+  bool simulate = false;
+  std::string preset = "dmu75";
+  std::uint64_t seed = 1;
+  std::string record;
+  double stopAfterS = 0.0;  ///< 0: not
+  bool single = false;
+  bool noMonitor = false;
+  bool acceptInfeasible = false;
+  bool json = false;
+};
+[[nodiscard]] Exit stream(const StreamOptions& options);
+
+struct AnalyseOptions {
+  std::string file;
+  bool json = false;
+};
+[[nodiscard]] Exit analyse(const AnalyseOptions& options);
+
+}  // namespace rivulet::cli

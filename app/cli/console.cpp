@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/console.h"
+
+#include <fmt/format.h>
+
+#include "opcua/error.h"
+#include "report/report_json.h"
+
+namespace rivulet::cli {
+
+void printJson(const nlohmann::ordered_json& json) {
+  // A file name may hold bytes that are no UTF-8: they are replaced, the rest stays readable.
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+Exit exitFor(const base::Error& error) {
+  const std::error_code anyLinkError = opcua::LinkError::NotReachable;
+  return error.code.category() == anyLinkError.category() ? Exit::Connection : Exit::BadInput;
+}
+
+Exit reportError(const base::Error& error, bool asJson) {
+  if (asJson) {
+    printJson({{"error", report::errorJson(error)}});
+  } else {
+    fmt::print(stderr, "rivulet-cli: {}\n", error.text());
+  }
+  return exitFor(error);
+}
+
+templates::TemplateParameters OperatingOptions::parameters() const {
+  templates::TemplateParameters parameters;
+  parameters.method = base::methodFromName(method).value_or(parameters.method);
+  parameters.layout = templates::layoutFromName(layout).value_or(parameters.layout);
+  parameters.pointsPerLoop = pointsPerLoop;
+  return parameters;
+}
+
+}  // namespace rivulet::cli

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What every command shares: exit codes, output, errors. @threadsafety main thread.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/error.h"
+#include "base/method_kind.h"
+#include "streaming/run.h"
+#include "templates/cells.h"
+
+namespace rivulet::cli {
+
+/// Exit codes of rivulet-cli (docs/cli.md).
+enum class Exit { Done = 0, Wrong = 1, BadInput = 2, Connection = 3 };
+
+/// Prints the object on standard output, as one JSON text.
+void printJson(const nlohmann::ordered_json& json);
+
+/// Says what went wrong on standard error, or as {"error": …} with `asJson`.
+/// @return the exit code that belongs to the error
+Exit reportError(const base::Error& error, bool asJson);
+
+/// The exit code for a failure: connection trouble is 3, everything else that was given 2.
+[[nodiscard]] Exit exitFor(const base::Error& error);
+
+/// Options that describe an operating point, as several commands take them.
+struct OperatingOptions {
+  std::string method = "signal";
+  int pointsPerLoop = 7;
+  double deltaMm = 0.3;
+  double feedMmPerMin = 0.0;
+  std::string layout = "paper";
+
+  /// Checked and in internal units. The names are checked by the option parser.
+  [[nodiscard]] templates::TemplateParameters parameters() const;
+};
+
+}  // namespace rivulet::cli

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "feasibility/verdict.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "cli/commands.h"
+#include "gcode/program.h"
+#include "report/report_json.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+/// Where the tool is taken to stand for programs that leave coordinates open.
+constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
+
+void print(const feasibility::Verdict& verdict) {
+  fmt::print("{}\n", verdict.feasible ? "feasible" : "NOT feasible");
+  for (const feasibility::Condition& condition : verdict.conditions) {
+    fmt::print("  {:<18} margin {:.3f}  {}{}", feasibility::equationLabel(condition.equation),
+               condition.margin, condition.margin > 1.0 ? "holds" : "does not hold",
+               condition.decides ? "" : " (for information)");
+    if (condition.place) {
+      fmt::print("  lines {} to {}", condition.place->firstLine.value,
+                 condition.place->lastLine.value);
+    }
+    fmt::print("\n");
+  }
+  fmt::print("  limiting: {}; largest feed {:.0f} mm/min\n",
+             feasibility::equationLabel(verdict.limiting.equation),
+             base::mmPerMinFromMmPerS(verdict.feedMmPerSMax));
+}
+
+}  // namespace
+
+Exit feasibility(const FeasibilityOptions& options) {
+  feasibility::OperatingPoint point;
+  point.method = options.point.parameters().method;
+  point.pointsPerLoop = options.point.pointsPerLoop;
+  point.deltaMm = options.point.deltaMm;
+  point.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  feasibility::AccessModel access;
+  access.accessTime = base::fromMilliseconds(options.accessTimeMs);
+  feasibility::SafetyFactors safety;
+  safety.delta = options.deltaSafety;
+
+  feasibility::ProgramDistances distances;
+  nlohmann::ordered_json json;
+  if (!options.program.empty()) {
+    const auto program = gcode::loadProgram(options.program);
+    if (!program) {
+      return reportError(program.error(), options.json);
+    }
+    const gcode::PointList list = gcode::streamPoints(program->trajectory, kOriginMm);
+    if (list.points.size() < 2) {
+      return reportError(
+          base::makeError(gcode::GcodeError::NoMotion,
+                          "The program has fewer than two points. Choose another.", program->name),
+          options.json);
+    }
+    distances = feasibility::programDistances(list.points, point.pointsPerLoop);
+    json["program"] = program->name;
+    json["points"] = list.points.size();
+    json["distances"] = report::distancesJson(distances);
+  } else {
+    distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
+    json["d_min_mm"] = distances.pointDistanceMmMin;
+  }
+  const auto verdict = feasibility::judge(point, distances, access, safety);
+  if (!verdict) {
+    return reportError(verdict.error(), options.json);
+  }
+  if (options.json) {
+    json.update(report::verdictJson(*verdict));
+    json["method"] = options.point.method;
+    json["points_per_loop"] = point.pointsPerLoop;
+    json["delta_mm"] = point.deltaMm;
+    json["feed_mm_per_min"] = options.point.feedMmPerMin;
+    printJson(json);
+  } else {
+    if (distances.windowSteps > 0) {
+      fmt::print(
+          "d_min {:.4f} mm (lines {} to {}), d_min^N {:.4f} mm over {} steps (lines {} to "
+          "{})\n",
+          distances.pointDistanceMmMin, distances.pointDistancePlace.firstLine.value,
+          distances.pointDistancePlace.lastLine.value, distances.windowLengthMmMin,
+          distances.windowSteps, distances.windowPlace.firstLine.value,
+          distances.windowPlace.lastLine.value);
+    }
+    print(*verdict);
+  }
+  return verdict->feasible ? Exit::Done : Exit::Wrong;
+}
+
+}  // namespace rivulet::cli

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.h"
+
+namespace {
+
+using rivulet::cli::Exit;
+using rivulet::cli::OperatingOptions;
+
+/// Greater than zero and finite: a feed or a distance.
+const CLI::Validator kPositive(
+    [](std::string& text) {
+      double value = 0.0;
+      return CLI::detail::lexical_cast(text, value) && value > 0.0 && value < 1e9
+                 ? std::string()
+                 : "must be a number greater than zero, not " + text;
+    },
+    "POSITIVE");
+
+CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
+  return command->add_option("--feed", point.feedMmPerMin, "Feed F, mm/min")->check(kPositive);
+}
+
+void addPoint(CLI::App* command, OperatingOptions& point) {
+  command->add_option("--method", point.method, "Streaming method")
+      ->check(CLI::IsMember({"position", "signal"}))
+      ->capture_default_str();
+  command->add_option("--points", point.pointsPerLoop, "Points per loop N")->capture_default_str();
+}
+
+void addDelta(CLI::App* command, OperatingOptions& point) {
+  command->add_option("--delta", point.deltaMm, "Distance at which a point counts as reached, mm")
+      ->check(kPositive)
+      ->capture_default_str();
+}
+
+void addLayout(CLI::App* command, OperatingOptions& point) {
+  command->add_option("--layout", point.layout, "How slots lie in the R-parameters")
+      ->check(CLI::IsMember({"paper", "contiguous"}))
+      ->capture_default_str();
+}
+
+void addJson(CLI::App* command, bool& json) {
+  command->add_flag("--json", json, "Print the result as JSON");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Streams a CNC machine's trajectory over OPC UA while it moves.", "rivulet-cli");
+  app.set_version_flag("--version", RIVULET_VERSION);
+  app.require_subcommand(1);
+  Exit exit = Exit::Done;
+
+  rivulet::cli::CheckOptions check;
+  CLI::App* checkCommand = app.add_subcommand("check", "Read an NC program and say what is in it");
+  checkCommand->add_option("FILE", check.file, "NC program")->required();
+  checkCommand
+      ->add_option("--chord-tolerance", check.chordToleranceMm,
+                   "Greatest distance of an arc's chords from the arc, mm")
+      ->check(kPositive)
+      ->capture_default_str();
+  addJson(checkCommand, check.json);
+  checkCommand->callback([&] { exit = rivulet::cli::check(check); });
+
+  rivulet::cli::FeasibilityOptions feasibility;
+  CLI::App* feasibilityCommand =
+      app.add_subcommand("feasibility", "Judge an operating point before anything moves");
+  addPoint(feasibilityCommand, feasibility.point);
+  addDelta(feasibilityCommand, feasibility.point);
+  addFeed(feasibilityCommand, feasibility.point)->required();
+  auto* program = feasibilityCommand->add_option("--program", feasibility.program, "NC program");
+  auto* distance = feasibilityCommand
+                       ->add_option("--d-min", feasibility.pointDistanceMm,
+                                    "Smallest distance of neighbouring points, mm")
+                       ->check(kPositive);
+  program->excludes(distance);
+  feasibilityCommand
+      ->add_option("--access-time", feasibility.accessTimeMs, "OPC UA access time per node, ms")
+      ->check(kPositive)
+      ->capture_default_str();
+  feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
+      ->check(kPositive)
+      ->capture_default_str();
+  addJson(feasibilityCommand, feasibility.json);
+  feasibilityCommand->callback([&] {
+    if (feasibility.program.empty() && !feasibility.pointDistanceMm) {
+      throw CLI::RequiredError("--program or --d-min");
+    }
+    exit = rivulet::cli::feasibility(feasibility);
+  });
+
+  rivulet::cli::TemplateOptions makeTemplate;
+  CLI::App* templateCommand =
+      app.add_subcommand("template", "Write the flexible program for the control");
+  addPoint(templateCommand, makeTemplate.point);
+  addLayout(templateCommand, makeTemplate.point);
+  templateCommand
+      ->add_option("--r-parameters", makeTemplate.rParameterCount,
+                   "R-parameters of the control (MD28050)")
+      ->capture_default_str();
+  templateCommand->add_option("-o,--output", makeTemplate.output, "File to write");
+  addJson(templateCommand, makeTemplate.json);
+  templateCommand->callback([&] { exit = rivulet::cli::makeTemplate(makeTemplate); });
+
+  rivulet::cli::StreamOptions stream;
+  CLI::App* streamCommand = app.add_subcommand("stream", "Stream an NC program to a control");
+  streamCommand->add_option("FILE", stream.file, "NC program")->required();
+  addPoint(streamCommand, stream.point);
+  addDelta(streamCommand, stream.point);
+  addFeed(streamCommand, stream.point)->required();
+  addLayout(streamCommand, stream.point);
+  auto* endpoint = streamCommand->add_option("--endpoint", stream.endpoint, "OPC UA server");
+  auto* simulate =
+      streamCommand->add_flag("--simulate", stream.simulate, "Virtual machine in virtual time");
+  endpoint->excludes(simulate);
+  streamCommand->add_option("--preset", stream.preset, "Machine of --simulate: a name or a file")
+      ->capture_default_str();
+  streamCommand->add_option("--seed", stream.seed, "Seed of --simulate")->capture_default_str();
+  streamCommand->add_option("--record", stream.record, "File for the recording of the run");
+  streamCommand->add_option("--stop-after", stream.stopAfterS, "Order a stop after so many seconds")
+      ->check(kPositive);
+  streamCommand->add_flag("--single", stream.single, "One service call per variable");
+  streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
+  streamCommand->add_flag("--accept-infeasible", stream.acceptInfeasible,
+                          "Start on a real control though the verdict says no");
+  addJson(streamCommand, stream.json);
+  streamCommand->callback([&] {
+    if (!stream.simulate && stream.endpoint.empty()) {
+      throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    exit = rivulet::cli::stream(stream);
+  });
+
+  rivulet::cli::AnalyseOptions analyse;
+  CLI::App* analyseCommand = app.add_subcommand("analyse", "Analyse a recording");
+  analyseCommand->add_option("RECORDING", analyse.file, "File of stream --record")->required();
+  addJson(analyseCommand, analyse.json);
+  analyseCommand->callback([&] { exit = rivulet::cli::analyse(analyse); });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version end well; everything else is bad usage.
+    return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::BadInput);
+  }
+  return static_cast<int>(exit);
+}

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
+#include "base/units.h"
+#include "cli/commands.h"
+#include "feasibility/verdict.h"
+#include "gcode/program.h"
+#include "machine/machine.h"
+#include "report/report_json.h"
+#include "streaming/job.h"
+#include "streaming/simulation/simulated_link.h"
+#include "trace/recording.h"
+
+#ifdef RIVULET_WITH_OPEN62541
+#include "opcua/open62541/ua_link.h"
+#endif
+
+namespace rivulet::cli {
+
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+extern "C" void onInterrupt(int) {
+  interrupted = true;
+}
+
+/// Stop by Ctrl-C, or at a time of the run that was ordered beforehand.
+class ConsoleOrders final : public streaming::RunOrders {
+ public:
+  explicit ConsoleOrders(double stopAfterS) : m_stopAfterS(stopAfterS) {}
+  bool stopRequested(base::Instant now) override {
+    if (interrupted) {
+      return true;
+    }
+    if (m_stopAfterS <= 0.0) {
+      return false;
+    }
+    if (!m_first) {
+      m_first = now;
+    }
+    return now - *m_first >= base::fromSeconds(m_stopAfterS);
+  }
+
+ private:
+  double m_stopAfterS;
+  std::optional<base::Instant> m_first;
+};
+
+/// A progress line on a terminal, nothing in a pipe.
+class ConsoleSink final : public streaming::RunSink {
+ public:
+  ConsoleSink() : m_isTerminal(isatty(STDERR_FILENO) == 1) {}
+  ~ConsoleSink() override {
+    if (m_drawn) {
+      std::fputs("\r\x1b[K", stderr);
+    }
+  }
+  void update(const streaming::LiveUpdate& update) override {
+    if (!m_isTerminal || update.counters.total == 0) {
+      return;
+    }
+    const std::size_t share = 40 * update.counters.executed / update.counters.total;
+    if (m_drawn && share == m_share && update.state == m_state) {
+      return;
+    }
+    m_drawn = true;
+    m_share = share;
+    m_state = update.state;
+    fmt::print(stderr, "\r{:<8} [{:<40}] {} of {} points", streaming::runStateName(update.state),
+               std::string(share, '#'), update.counters.executed, update.counters.total);
+    std::fflush(stderr);
+  }
+  void access(const trace::Access&) override {}
+  void note(const trace::Note&) override {}
+
+ private:
+  bool m_isTerminal;
+  bool m_drawn = false;
+  std::size_t m_share = 0;
+  streaming::RunState m_state = streaming::RunState::Idle;
+};
+
+std::string utcNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+/// The link of a run, and what it hangs on.
+struct Connection {
+  std::unique_ptr<machine::Machine> machine;
+  std::unique_ptr<streaming::SimulatedLink> simulated;
+#ifdef RIVULET_WITH_OPEN62541
+  std::unique_ptr<opcua::UaLink> real;
+#endif
+  opcua::Link* link = nullptr;
+  opcua::Control* control = nullptr;
+  std::string name;
+};
+
+base::Result<Connection> open(const StreamOptions& options) {
+  Connection connection;
+  if (options.simulate) {
+    auto config = machine::loadPreset(options.preset);
+    if (!config) {
+      return base::fail(config.error());
+    }
+    connection.machine = std::make_unique<machine::Machine>(std::move(*config), options.seed);
+    connection.simulated = std::make_unique<streaming::SimulatedLink>(*connection.machine);
+    connection.link = connection.simulated.get();
+    connection.control = connection.simulated.get();
+    connection.name = fmt::format("simulated {} seed {}", options.preset, options.seed);
+    return connection;
+  }
+#ifdef RIVULET_WITH_OPEN62541
+  opcua::ConnectOptions connect;
+  connect.endpoint = options.endpoint;
+  connect.name = "rivulet-cli";
+  auto link = opcua::UaLink::connect(connect);
+  if (!link) {
+    return base::fail(link.error());
+  }
+  connection.real = std::move(*link);
+  connection.link = connection.real.get();
+  connection.control = connection.real.get();
+  connection.name = options.endpoint;
+  return connection;
+#else
+  return base::fail(opcua::LinkError::NotReachable,
+                    "This build has no OPC UA. Use --simulate, or build with open62541.");
+#endif
+}
+
+/// Judged before anything moves. @return why the run must not start; nothing if it may
+std::optional<base::Error> objection(const StreamOptions& options, const Connection& connection,
+                                     const gcode::Program& program,
+                                     const streaming::RunSettings& settings, bool& feasible) {
+  feasibility::OperatingPoint point;
+  point.method = settings.parameters.method;
+  point.pointsPerLoop = settings.parameters.pointsPerLoop;
+  point.deltaMm = settings.deltaMm;
+  point.feedMmPerS = settings.feedMmPerS;
+  const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
+  if (list.points.size() < 2) {
+    feasible = true;  // a single point needs no refill
+    return std::nullopt;
+  }
+  const auto verdict =
+      feasibility::judge(point, feasibility::programDistances(list.points, point.pointsPerLoop));
+  if (!verdict) {
+    return verdict.error();
+  }
+  feasible = verdict->feasible;
+  if (feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
+    return std::nullopt;
+  }
+  return base::makeError(
+      streaming::StreamError::ProgramNotStreamable,
+      fmt::format("Not feasible: equation {} does not hold, the control would repeat points. "
+                  "Reduce the feed to {:.0f} mm/min, or give --accept-infeasible.",
+                  feasibility::equationLabel(verdict->limiting.equation),
+                  base::mmPerMinFromMmPerS(verdict->feedMmPerSMax)));
+}
+
+void print(const streaming::RunReport& report, bool feasible) {
+  fmt::print("{}: {} of {} points executed", streaming::outcomeName(report.outcome),
+             report.counters.executed, report.counters.total);
+  if (report.integrity.judged) {
+    fmt::print(", {} repeated, {} skipped, {} foreign", report.integrity.repeated,
+               report.integrity.skipped, report.integrity.foreign);
+  } else {
+    fmt::print(" (not judged: no trace of the control)");
+  }
+  base::Duration paused{};
+  for (const trace::Pause& pause : report.pauses) {
+    paused += pause.duration;
+  }
+  fmt::print("\n{:.1f} s, {} pauses of {:.1f} ms on average\n", base::toSeconds(report.duration),
+             report.pauses.size(),
+             report.pauses.empty()
+                 ? 0.0
+                 : base::toMilliseconds(paused) / static_cast<double>(report.pauses.size()));
+  fmt::print("access per node: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
+             base::toMilliseconds(report.access.perNode.mean),
+             base::toMilliseconds(report.access.perNode.p99),
+             base::toMilliseconds(report.access.perNode.max));
+  if (!feasible) {
+    fmt::print("The settings were outside the feasible region.\n");
+  }
+  if (report.error.code) {
+    fmt::print(stderr, "rivulet-cli: {}\n", report.error.text());
+  }
+}
+
+}  // namespace
+
+Exit stream(const StreamOptions& options) {
+  const auto program = gcode::loadProgram(options.file);
+  if (!program) {
+    return reportError(program.error(), options.json);
+  }
+  streaming::RunSettings settings;
+  settings.parameters = options.point.parameters();
+  settings.deltaMm = options.point.deltaMm;
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  settings.grouping = options.single ? opcua::Grouping::Single : opcua::Grouping::List;
+  settings.monitor = !options.noMonitor;
+
+  if (const auto cells = templates::planCells(settings.parameters); !cells) {
+    return reportError(cells.error(), options.json);
+  }
+  auto connection = open(options);
+  if (!connection) {
+    return reportError(connection.error(), options.json);
+  }
+  bool feasible = false;
+  if (const auto error = objection(options, *connection, *program, settings, feasible)) {
+    return reportError(*error, options.json);
+  }
+
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(nullptr, std::fclose);
+  std::unique_ptr<trace::RecordingWriter> writer;
+  if (!options.record.empty()) {
+    file.reset(std::fopen(options.record.c_str(), "wb"));
+    if (!file) {
+      return reportError(
+          base::makeError(trace::TraceError::FileNotWritable,
+                          "The recording cannot be written. Check the folder and the permissions.",
+                          options.record),
+          options.json);
+    }
+    writer = std::make_unique<trace::RecordingWriter>([&file](std::string_view text) {
+      return std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() &&
+             std::fflush(file.get()) == 0;
+    });
+  }
+  streaming::JobRecorder recorder;
+  recorder.writer = writer.get();
+  recorder.start.toolVersion = RIVULET_VERSION;
+  recorder.start.endpoint = connection->name;
+  recorder.start.startedAtUtc = utcNow();
+
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+  ConsoleOrders orders(options.stopAfterS);
+  streaming::RunReport report;
+  {
+    ConsoleSink sink;
+    report = streaming::runJob(*connection->link, *connection->control, *program, settings, orders,
+                               sink, recorder);
+  }
+  const bool recorded = !writer || writer->ok();
+  if (options.json) {
+    nlohmann::ordered_json json = report::runJson(report);
+    json["feasible"] = feasible;
+    json["endpoint"] = connection->name;
+    if (!options.record.empty()) {
+      json["recording"] = options.record;
+    }
+    printJson(json);
+  } else {
+    print(report, feasible);
+  }
+  if (!recorded) {
+    fmt::print(stderr, "rivulet-cli: {}: The recording is incomplete: the disk took no more.\n",
+               options.record);
+  }
+  if (report.error.code && exitFor(report.error) == Exit::Connection) {
+    return Exit::Connection;
+  }
+  return report.isFaultless() && recorded ? Exit::Done : Exit::Wrong;
+}
+
+}  // namespace rivulet::cli

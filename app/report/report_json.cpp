@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/report_json.h"
+
+#include <cmath>
+
+#include "base/units.h"
+
+namespace rivulet::report {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// A number, or null where there is none: NaN is no JSON.
+ordered_json numberOrNull(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json durationsJson(const trace::DurationStatistics& durations) {
+  return {{"mean", base::toMilliseconds(durations.mean)},
+          {"p50", base::toMilliseconds(durations.p50)},
+          {"p95", base::toMilliseconds(durations.p95)},
+          {"p99", base::toMilliseconds(durations.p99)},
+          {"max", base::toMilliseconds(durations.max)}};
+}
+
+}  // namespace
+
+ordered_json errorJson(const base::Error& error) {
+  return {{"code",
+           std::string(error.code.category().name()) + ":" + std::to_string(error.code.value())},
+          {"message", error.text()}};
+}
+
+ordered_json pausesJson(const std::vector<trace::Pause>& pauses, base::Instant origin) {
+  ordered_json list = ordered_json::array();
+  for (const trace::Pause& pause : pauses) {
+    list.push_back({{"start_s", base::toSeconds(pause.start - origin)},
+                    {"duration_ms", base::toMilliseconds(pause.duration)},
+                    {"origin", trace::pauseOriginName(pause.origin)}});
+  }
+  return list;
+}
+
+ordered_json settingsJson(const streaming::RunSettings& settings) {
+  return {{"method", base::methodName(settings.parameters.method)},
+          {"points_per_loop", settings.parameters.pointsPerLoop},
+          {"layout", templates::layoutName(settings.parameters.layout)},
+          {"delta_mm", settings.deltaMm},
+          {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
+          {"grouping", settings.grouping == opcua::Grouping::List ? "list" : "single"},
+          {"monitor", settings.monitor}};
+}
+
+ordered_json runJson(const streaming::RunReport& report) {
+  const bool traced = report.controlTrace && !report.controlTrace->samples.empty();
+  const base::Instant origin =
+      traced ? report.controlTrace->samples.front().at
+             : (report.pauses.empty() ? base::Instant{} : report.pauses.front().start);
+  ordered_json json{
+      {"outcome", streaming::outcomeName(report.outcome)},
+      {"faultless", report.isFaultless()},
+      {"program", report.programName},
+      {"method", base::methodName(report.settings.parameters.method)},
+      {"points", report.counters.total},
+      {"sent", report.counters.sent},
+      {"accepted", report.counters.accepted},
+      {"executed", report.counters.executed},
+      {"judged", report.integrity.judged},
+      {"repeated", report.integrity.repeated},
+      {"skipped", report.integrity.skipped},
+      {"foreign", report.integrity.foreign},
+      {"out_of_order", report.integrity.outOfOrder},
+      {"duration_s", base::toSeconds(report.duration)},
+      {"pauses", pausesJson(report.pauses, origin)},
+      {"access_ms", durationsJson(report.access.perNode)},
+      {"request_ms", durationsJson(report.access.perRequest)},
+      {"requests", report.access.requests},
+      {"settings", settingsJson(report.settings)},
+  };
+  if (report.stopConfirmedAfter) {
+    json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);
+  }
+  if (report.error.code) {
+    json["error"] = errorJson(report.error);
+  }
+  return json;
+}
+
+ordered_json verdictJson(const feasibility::Verdict& verdict) {
+  const auto condition = [](const feasibility::Condition& item) {
+    ordered_json json{{"equation", feasibility::equationLabel(item.equation)},
+                      {"margin", numberOrNull(item.margin)},
+                      {"holds", item.margin > 1.0},
+                      {"decides", item.decides}};
+    if (item.place) {
+      json["lines"] = {item.place->firstLine.value, item.place->lastLine.value};
+    }
+    return json;
+  };
+  ordered_json conditions = ordered_json::array();
+  for (const feasibility::Condition& item : verdict.conditions) {
+    conditions.push_back(condition(item));
+  }
+  return {{"feasible", verdict.feasible},
+          {"limiting", condition(verdict.limiting)},
+          {"feed_mm_per_min_max", base::mmPerMinFromMmPerS(verdict.feedMmPerSMax)},
+          {"delta_mm_min", verdict.deltaMmMin},
+          {"conditions", conditions}};
+}
+
+ordered_json distancesJson(const feasibility::ProgramDistances& distances) {
+  return {
+      {"d_min_mm", distances.pointDistanceMmMin},
+      {"d_min_lines",
+       {distances.pointDistancePlace.firstLine.value, distances.pointDistancePlace.lastLine.value}},
+      {"window_steps", distances.windowSteps},
+      {"d_min_n_mm", distances.windowLengthMmMin},
+      {"d_min_n_lines",
+       {distances.windowPlace.firstLine.value, distances.windowPlace.lastLine.value}}};
+}
+
+ordered_json programJson(const gcode::Program& program) {
+  const gcode::Statistics& statistics = program.statistics;
+  ordered_json bounds = ordered_json::object();
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (std::isfinite(statistics.minMm[axis])) {
+      bounds[std::string(1, base::kAxisNames[axis])] = {statistics.minMm[axis],
+                                                        statistics.maxMm[axis]};
+    }
+  }
+  ordered_json diagnostics = ordered_json::array();
+  for (const gcode::Diagnostic& diagnostic : program.diagnostics) {
+    diagnostics.push_back({{"severity", gcode::severityName(diagnostic.severity)},
+                           {"line", diagnostic.line.value},
+                           {"column", diagnostic.column},
+                           {"code", gcode::diagnosticName(diagnostic.code)},
+                           {"message", gcode::describe(diagnostic)}});
+  }
+  return {{"file", program.name},
+          {"hash", program.hash},
+          {"lines", statistics.lines},
+          {"motions",
+           {{"g0", statistics.motions[0]},
+            {"g1", statistics.motions[1]},
+            {"g2", statistics.motions[2]},
+            {"g3", statistics.motions[3]}}},
+          {"points", statistics.points},
+          {"bounds", bounds},
+          {"length_mm", {{"rapid", statistics.rapidLengthMm}, {"cut", statistics.cutLengthMm}}},
+          {"feeds", statistics.feedsMmPerMin},
+          {"streamable", program.isStreamable()},
+          {"diagnostics", diagnostics}};
+}
+
+}  // namespace rivulet::report

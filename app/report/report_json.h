@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Results as JSON for programs (docs/cli.md names every field). @threadsafety pure.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "feasibility/verdict.h"
+#include "gcode/program.h"
+#include "streaming/run.h"
+#include "trace/analysis/integrity.h"
+#include "trace/pause.h"
+
+namespace rivulet::report {
+
+/// {"code": "category:number", "message": …}
+[[nodiscard]] nlohmann::ordered_json errorJson(const base::Error& error);
+[[nodiscard]] nlohmann::ordered_json pausesJson(const std::vector<trace::Pause>& pauses,
+                                                base::Instant origin);
+[[nodiscard]] nlohmann::ordered_json settingsJson(const streaming::RunSettings& settings);
+[[nodiscard]] nlohmann::ordered_json runJson(const streaming::RunReport& report);
+[[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);
+[[nodiscard]] nlohmann::ordered_json distancesJson(const feasibility::ProgramDistances& distances);
+[[nodiscard]] nlohmann::ordered_json programJson(const gcode::Program& program);
+
+}  // namespace rivulet::report
