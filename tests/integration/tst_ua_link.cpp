@@ -312,6 +312,22 @@ class TestUaLink : public QObject {
     QVERIFY(!link->wait(link->now() + 5ms));
   }
 
+  void anAnswerThatCameInTimeCountsWheneverItIsAskedFor() {
+    const LoopbackMachine cell;
+    const auto link = cell.connect();
+    const auto other = cell.connect();
+    const base::Duration deadline = 200ms;
+    const auto id = link->read(parameters(1, 1), deadline, Grouping::List);
+    const base::Instant until = other->now() + deadline;
+    // The server answers one after another: when the other one has its answer, ours is sent.
+    other->read(parameters(1, 1), kPatience, Grouping::List);
+    QCOMPARE(next(*other).kind, EventKind::ReadDone);
+    QVERIFY(!other->wait(until));
+    const Event event = next(*link);
+    QVERIFY(event.request == id);
+    QCOMPARE(event.kind, EventKind::ReadDone);
+  }
+
   void aChainThatExpiresIsNotGoneOnWith() {
     LoopbackMachine cell({"dmu75"});
     const auto link = cell.connect();

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "base/contract.h"
@@ -133,6 +133,15 @@ template <class T>
   return reading;
 }
 
+/// A control has far fewer variables of one kind than fit below the kind's bits.
+struct VariableHash {
+  [[nodiscard]] std::size_t operator()(const Variable& variable) const {
+    constexpr unsigned kIndexBits = 24;
+    return (static_cast<std::size_t>(variable.kind) << kIndexBits) ^
+           static_cast<std::size_t>(variable.index);
+  }
+};
+
 /// What a method answered to `Select` or `CycleStart`.
 [[nodiscard]] base::Result<void> resultOf(int status, const std::string& subject,
                                           const std::string& detail = {}) {
@@ -231,7 +240,7 @@ class UaLink::Impl {
   void sendDue();
   void send(Pending& pending);
   void fail(Pending& pending, base::Error error);
-  void reportLoss();
+  void noticeLoss();
   [[nodiscard]] const std::string& identifier(const Variable& variable);
 
   [[nodiscard]] UA_StatusCode exchange(const void* request, const UA_DataType* requestType,
@@ -249,9 +258,10 @@ class UaLink::Impl {
   UA_UInt16 m_namespace = 0;
   std::optional<UA_UInt16> m_virtualNamespace;
 
-  std::map<Variable, std::string> m_identifiers;  ///< stable: requests borrow from it
-  std::vector<UA_ReadValueId> m_readItems;        ///< scratch of `send`
-  std::vector<UA_WriteValue> m_writeItems;        ///< scratch of `send`
+  /// Requests borrow from it: its elements stay where they are.
+  std::unordered_map<Variable, std::string, VariableHash> m_identifiers;
+  std::vector<UA_ReadValueId> m_readItems;  ///< scratch of `send`
+  std::vector<UA_WriteValue> m_writeItems;  ///< scratch of `send`
 
   std::deque<Pending> m_pending;
   std::deque<Event> m_events;
@@ -519,8 +529,13 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   pending.event.sent = now();
   pending.event.at = pending.event.sent;
   pending.deadline = addSaturating(pending.event.sent, deadline);
+  if (operation == Operation::Read) {
+    pending.event.readings.reserve(pending.variables.size());
+  } else {
+    pending.event.statuses.reserve(pending.variables.size());
+  }
 
-  settle();  // a loss noticed in between comes before this request
+  noticeLoss();  // comes before this request
   if (m_lost) {
     fail(pending, error(LinkError::ConnectionLost));
   } else if (pending.variables.size() > kItemsMax) {
@@ -643,7 +658,10 @@ void UaLink::Impl::expire(Instant time) {
   std::erase_if(m_pending, [](const Pending& pending) { return pending.done; });
 }
 
-void UaLink::Impl::reportLoss() {
+void UaLink::Impl::noticeLoss() {
+  if (!m_lost || m_lossReported) {
+    return;
+  }
   m_lossReported = true;
   m_pending.clear();
   Event event;
@@ -656,13 +674,11 @@ void UaLink::Impl::reportLoss() {
 
 void UaLink::Impl::settle() {
   finishAnswered();
-  if (!m_lost) {
+  if (!m_lost && !m_pending.empty()) {
     expire(now());
     sendDue();
   }
-  if (m_lost && !m_lossReported) {
-    reportLoss();
-  }
+  noticeLoss();
 }
 
 void UaLink::Impl::step(Instant until) {
@@ -683,7 +699,9 @@ void UaLink::Impl::step(Instant until) {
 }
 
 std::optional<Event> UaLink::Impl::wait(Instant until) {
-  settle();
+  // No deadline is looked at before the network: what has come in time counts, however late
+  // the caller asks for it.
+  noticeLoss();
   for (bool looked = false; m_events.empty(); looked = true) {
     if (looked && now() >= until) {
       return std::nullopt;
