@@ -1,0 +1,1287 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>DiagnosticTexts</name>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: the run does not wait here, and no tool is changed.</source>
+        <translation>%1 wird nicht an die Steuerung gesendet: Der Lauf wartet hier nicht, und kein Werkzeug wird gewechselt.</translation>
+    </message>
+    <message>
+        <source>A block with &quot;/&quot; is executed: Rivulet reads the program with block skip off.</source>
+        <translation>Ein Satz mit „/“ wird ausgeführt: Rivulet liest das Programm ohne Satzausblenden.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: set spindle, tool and coolant there.</source>
+        <translation>%1 wird nicht an die Steuerung gesendet: Spindel, Werkzeug und Kühlmittel dort einstellen.</translation>
+    </message>
+    <message>
+        <source>The character &quot;%1&quot; has no meaning here: remove it or put it into a comment.</source>
+        <translation>Das Zeichen „%1“ hat hier keine Bedeutung: entfernen oder in einen Kommentar setzen.</translation>
+    </message>
+    <message>
+        <source>The word %1 has no number behind it.</source>
+        <translation>Hinter dem Wort %1 steht keine Zahl.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number: write digits with a point for the decimals.</source>
+        <translation>„%1“ ist keine Zahl: Ziffern mit Punkt vor den Nachkommastellen schreiben.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened and not closed on this line: the rest of the line is not read.</source>
+        <translation>Eine Klammer wird in dieser Zeile geöffnet und nicht geschlossen: Der Rest der Zeile wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a G function Rivulet knows: what it does to the path is unknown.</source>
+        <translation>%1 ist keine G-Funktion, die Rivulet kennt: Ihre Wirkung auf die Bahn ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The word %1 is not understood here: what it does to the path is unknown.</source>
+        <translation>Das Wort %1 wird hier nicht verstanden: Seine Wirkung auf die Bahn ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>%1 changes the path or the feed in a way Rivulet does not support: post-process the program without it.</source>
+        <translation>%1 ändert Bahn oder Vorschub auf eine Weise, die Rivulet nicht unterstützt: Das Programm ohne diese Funktion ausgeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a variable, a calculation or a jump, which Rivulet does not run: post-process the program to plain coordinates.</source>
+        <translation>„%1“ ist eine Variable, eine Rechnung oder ein Sprung, die Rivulet nicht ausführt: Das Programm mit reinen Koordinaten ausgeben.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: it does not change the path.</source>
+        <translation>%1 wird nicht an die Steuerung gesendet: Die Bahn ändert sich dadurch nicht.</translation>
+    </message>
+    <message>
+        <source>%1 contradict each other in one block: keep one of them.</source>
+        <translation>%1 widersprechen sich in einem Satz: nur eines davon behalten.</translation>
+    </message>
+    <message>
+        <source>The word %1 appears twice in one block: keep one of them.</source>
+        <translation>Das Wort %1 steht zweimal in einem Satz: nur eines davon behalten.</translation>
+    </message>
+    <message>
+        <source>The arc has no centre: give I, J, K, or a radius with an end point away from the start.</source>
+        <translation>Der Kreisbogen hat keinen Mittelpunkt: I, J, K angeben oder einen Radius mit einem Endpunkt, der nicht der Anfang ist.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius differs by %1 mm between start and end: check the centre, which is read as an increment from the start.</source>
+        <translation>Der Radius des Bogens unterscheidet sich zwischen Anfang und Ende um %1 mm: den Mittelpunkt prüfen, er wird als Abstand vom Anfang gelesen.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius is too small to reach its end point (radius &lt; half chord, mm: %1).</source>
+        <translation>Der Radius des Bogens ist zu klein für seinen Endpunkt (Radius &lt; halbe Sehne, mm: %1).</translation>
+    </message>
+    <message>
+        <source>The arc starts at an unknown place: program %1 with G0 or G1 before it.</source>
+        <translation>Der Bogen beginnt an unbekannter Stelle: vorher %1 mit G0 oder G1 programmieren.</translation>
+    </message>
+    <message>
+        <source>The increment of %1 starts at an unknown place: program %1 with G90 before it.</source>
+        <translation>Das Kettenmaß von %1 beginnt an unbekannter Stelle: vorher %1 mit G90 programmieren.</translation>
+    </message>
+    <message>
+        <source>A block moves with G1, G2 or G3 before any feed F: the feed of the run is used.</source>
+        <translation>Ein Satz fährt mit G1, G2 oder G3 vor dem ersten Vorschub F: Es gilt der Vorschub des Laufs.</translation>
+    </message>
+    <message>
+        <source>The feed F%1 is not greater than 0.</source>
+        <translation>Der Vorschub F%1 ist nicht größer als 0.</translation>
+    </message>
+    <message>
+        <source>The value of %1 is outside of what Rivulet accepts.</source>
+        <translation>Der Wert von %1 liegt außerhalb dessen, was Rivulet annimmt.</translation>
+    </message>
+    <message>
+        <source>The blocks from here on stand behind the end of the program (M30, M2, M17 or %): they are not read.</source>
+        <translation>Die Sätze ab hier stehen hinter dem Programmende (M30, M2, M17 oder %): Sie werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
+        <translation>Eine Achse ist vor dem ersten G0 bis G3 programmiert: Es wird G1 angenommen, wie nach einem Reset der Steuerung.</translation>
+    </message>
+    <message>
+        <source>The centre word %1 does not lie in the plane of the arc: check G17, G18, G19.</source>
+        <translation>Das Mittelpunktwort %1 liegt nicht in der Ebene des Bogens: G17, G18, G19 prüfen.</translation>
+    </message>
+    <message>
+        <source>The program has more than %1 points: it is not read further. Split it.</source>
+        <translation>Das Programm hat mehr als %1 Punkte: Es wird nicht weiter gelesen. Bitte aufteilen.</translation>
+    </message>
+    <message>
+        <source>%1 more findings from here on are not listed.</source>
+        <translation>%1 weitere Befunde ab hier sind nicht aufgeführt.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorTexts</name>
+    <message>
+        <source>The file cannot be read. Check that it exists and that you may read it.</source>
+        <translation>Die Datei ist nicht lesbar. Prüfen, ob sie vorhanden ist und gelesen werden darf.</translation>
+    </message>
+    <message>
+        <source>The file is too large. Split the program into parts.</source>
+        <translation>Die Datei ist zu groß. Das Programm in Teile aufteilen.</translation>
+    </message>
+    <message>
+        <source>The program is empty. Choose a file with NC blocks.</source>
+        <translation>Das Programm ist leer. Eine Datei mit NC-Sätzen wählen.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis. Choose a program with G0, G1, G2 or G3.</source>
+        <translation>Das Programm bewegt keine Achse. Ein Programm mit G0, G1, G2 oder G3 wählen.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not understood. See the list of findings.</source>
+        <translation>Teile des Programms werden nicht verstanden. Siehe die Liste der Befunde.</translation>
+    </message>
+    <message>
+        <source>The feed F must be greater than zero.</source>
+        <translation>Der Vorschub F muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>The distance δ must be greater than zero.</source>
+        <translation>Der Abstand δ muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>N is too small. Choose at least 2 points per loop.</source>
+        <translation>N ist zu klein. Mindestens 2 Punkte je Schleife wählen.</translation>
+    </message>
+    <message>
+        <source>N is too small for this method. Choose more points per loop.</source>
+        <translation>N ist für dieses Verfahren zu klein. Mehr Punkte je Schleife wählen.</translation>
+    </message>
+    <message>
+        <source>N points do not fit the R-parameters of the control. Choose a smaller N, the contiguous layout, or enlarge MD28050.</source>
+        <translation>N Punkte passen nicht in die R-Parameter der Steuerung. Ein kleineres N oder das dichte Layout wählen oder MD28050 vergrößern.</translation>
+    </message>
+    <message>
+        <source>No axis is chosen. Choose at least one axis.</source>
+        <translation>Keine Achse gewählt. Mindestens eine Achse wählen.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder.</source>
+        <translation>Die Datei kann nicht geschrieben werden. Einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>This file is not a recording of Rivulet.</source>
+        <translation>Diese Datei ist keine Aufzeichnung von Rivulet.</translation>
+    </message>
+    <message>
+        <source>The recording was written by a newer Rivulet. Update this program to read it.</source>
+        <translation>Die Aufzeichnung stammt von einem neueren Rivulet. Zum Lesen dieses Programm aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged. Everything before the damage was kept.</source>
+        <translation>Die Aufzeichnung ist beschädigt. Alles vor dem Schaden blieb erhalten.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be read. Check that it exists and that you may read it.</source>
+        <translation>Die Aufzeichnung ist nicht lesbar. Prüfen, ob sie vorhanden ist und gelesen werden darf.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written. Check the folder and the free space.</source>
+        <translation>Die Aufzeichnung kann nicht geschrieben werden. Ordner und freien Speicher prüfen.</translation>
+    </message>
+    <message>
+        <source>No OPC UA server answers at this endpoint. Check address, port and network.</source>
+        <translation>An diesem Endpunkt antwortet kein OPC-UA-Server. Adresse, Port und Netzwerk prüfen.</translation>
+    </message>
+    <message>
+        <source>The connection to the control is lost. Check the machine, then connect again.</source>
+        <translation>Die Verbindung zur Steuerung ist verloren. Die Maschine prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>The control did not answer in time. Check the network and its load.</source>
+        <translation>Die Steuerung hat nicht rechtzeitig geantwortet. Netzwerk und Auslastung prüfen.</translation>
+    </message>
+    <message>
+        <source>The control does not have a variable Rivulet needs. Check the server&apos;s setup.</source>
+        <translation>Der Steuerung fehlt eine Variable, die Rivulet braucht. Die Einrichtung des Servers prüfen.</translation>
+    </message>
+    <message>
+        <source>A variable may not be written. Give this user write access on the control.</source>
+        <translation>Eine Variable darf nicht geschrieben werden. Diesem Benutzer auf der Steuerung Schreibrecht geben.</translation>
+    </message>
+    <message>
+        <source>A value cannot be used; nothing was sent.</source>
+        <translation>Ein Wert ist nicht verwendbar; es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>The control rejected the request.</source>
+        <translation>Die Steuerung hat die Anfrage abgelehnt.</translation>
+    </message>
+    <message>
+        <source>The server is no SINUMERIK (no SinumerikVarProvider). Check the endpoint.</source>
+        <translation>Der Server ist keine SINUMERIK (kein SinumerikVarProvider). Den Endpunkt prüfen.</translation>
+    </message>
+    <message>
+        <source>The server does not offer this function.</source>
+        <translation>Der Server bietet diese Funktion nicht an.</translation>
+    </message>
+    <message>
+        <source>There is no such program on the control. Send the template first.</source>
+        <translation>Dieses Programm gibt es auf der Steuerung nicht. Zuerst die Vorlage senden.</translation>
+    </message>
+    <message>
+        <source>The channel is not in reset. Press reset at the control, then try again.</source>
+        <translation>Der Kanal ist nicht im Reset. An der Steuerung Reset drücken, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>A program of this name is already on the control.</source>
+        <translation>Ein Programm dieses Namens liegt schon auf der Steuerung.</translation>
+    </message>
+    <message>
+        <source>The request is larger than the server takes. Choose a smaller N.</source>
+        <translation>Die Anfrage ist größer, als der Server annimmt. Ein kleineres N wählen.</translation>
+    </message>
+    <message>
+        <source>This program cannot be streamed. See the list of findings.</source>
+        <translation>Dieses Programm kann nicht gestreamt werden. Siehe die Liste der Befunde.</translation>
+    </message>
+    <message>
+        <source>The control does not run the expected template. Select and start the template of these settings.</source>
+        <translation>Auf der Steuerung läuft nicht die erwartete Vorlage. Die Vorlage dieser Einstellungen anwählen und starten.</translation>
+    </message>
+    <message>
+        <source>Another program runs on the control. Wait for its end or reset the channel.</source>
+        <translation>Auf der Steuerung läuft ein anderes Programm. Sein Ende abwarten oder den Kanal zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Cycle start was not pressed in time. Arm the run again.</source>
+        <translation>NC-Start wurde nicht rechtzeitig gedrückt. Den Lauf erneut starten.</translation>
+    </message>
+    <message>
+        <source>The control runs, but the stream shows no progress. Check feed override and feed hold at the control.</source>
+        <translation>Die Steuerung läuft, aber der Strom kommt nicht voran. Vorschub-Override und Vorschub-Halt an der Steuerung prüfen.</translation>
+    </message>
+    <message>
+        <source>The control did not confirm the stop in time. Check the machine.</source>
+        <translation>Die Steuerung hat den Stopp nicht rechtzeitig bestätigt. Die Maschine prüfen.</translation>
+    </message>
+    <message>
+        <source>The control ended the program with an alarm. Clear its cause at the control.</source>
+        <translation>Die Steuerung hat das Programm mit einem Alarm beendet. Die Ursache an der Steuerung beheben.</translation>
+    </message>
+    <message>
+        <source>The program on the control ended before all points were sent.</source>
+        <translation>Das Programm auf der Steuerung endete, bevor alle Punkte gesendet waren.</translation>
+    </message>
+</context>
+<context>
+    <name>PauseTexts</name>
+    <message>
+        <source>M</source>
+        <comment>letter for a measured pause</comment>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <comment>letter for an inferred pause</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter for a predicted pause</comment>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation>abgeleitet</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+</context>
+<context>
+    <name>RunStateTexts</name>
+    <message>
+        <source>Idle</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Stoppt</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Aborted</source>
+        <translation>Abbruch</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CellModel</name>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>R-Parameter</translation>
+    </message>
+    <message>
+        <source>Written by</source>
+        <translation>Geschrieben von</translation>
+    </message>
+    <message>
+        <source>Point %1: %2</source>
+        <translation>Punkt %1: %2</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>Client and NC</source>
+        <translation>Client und NC</translation>
+    </message>
+    <message>
+        <source>NC</source>
+        <translation>NC</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>Vorschub, mm/min</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Layoutnummer</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ConnectionPanel</name>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>OPC UA endpoint</source>
+        <translation>OPC-UA-Endpunkt</translation>
+    </message>
+    <message>
+        <source>Actual position</source>
+        <translation>Istposition</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation>Angewählt</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Disconnected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Connecting …</source>
+        <translation>Verbindung wird aufgebaut …</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Virtual machine: no real axis moves</source>
+        <translation>Virtuelle Maschine: keine echte Achse bewegt sich</translation>
+    </message>
+    <message>
+        <source>Old values: not connected</source>
+        <translation>Alte Werte: nicht verbunden</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Keine Daten</translation>
+    </message>
+    <message>
+        <source>Stale: %1 old</source>
+        <translation>Veraltet: %1 alt</translation>
+    </message>
+    <message>
+        <source>Stale</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Aktiv</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Unbekannt (%1)</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::DiagnosticModel</name>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Befund</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FeasibilityPage</name>
+    <message>
+        <source>F over d_min</source>
+        <translation>F über d_min</translation>
+    </message>
+    <message>
+        <source>F over N</source>
+        <translation>F über N</translation>
+    </message>
+    <message>
+        <source>F over δ</source>
+        <translation>F über δ</translation>
+    </message>
+    <message>
+        <source>Load a program to see where it can be streamed.</source>
+        <translation>Ein Programm laden, um zu sehen, wo es streambar ist.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the feed.</source>
+        <translation>Den Ring ziehen, um den Vorschub zu ändern.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed. Method position does not depend on N.</source>
+        <translation>Den Ring ziehen, um N und den Vorschub zu ändern. Das Verfahren Position hängt nicht von N ab.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed.</source>
+        <translation>Den Ring ziehen, um N und den Vorschub zu ändern.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change δ and the feed.</source>
+        <translation>Den Ring ziehen, um δ und den Vorschub zu ändern.</translation>
+    </message>
+    <message>
+        <source>Method signal does not use δ: the borders do not depend on it.</source>
+        <translation>Das Verfahren Signal benutzt δ nicht: Die Grenzen hängen nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Arbeitspunkt</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Machbar</translation>
+    </message>
+    <message>
+        <source>Safety band</source>
+        <translation>Sicherheitsband</translation>
+    </message>
+    <message>
+        <source>(1) point distance</source>
+        <translation>(1) Punktabstand</translation>
+    </message>
+    <message>
+        <source>(2) distance δ</source>
+        <translation>(2) Abstand δ</translation>
+    </message>
+    <message>
+        <source>(3) half a loop</source>
+        <translation>(3) halbe Schleife</translation>
+    </message>
+    <message>
+        <source>(3) half a loop, for information</source>
+        <translation>(3) halbe Schleife, zur Information</translation>
+    </message>
+    <message>
+        <source>(3ᴺ) half a loop, real path</source>
+        <translation>(3ᴺ) halbe Schleife, wirkliche Bahn</translation>
+    </message>
+    <message>
+        <source>dashed: as published</source>
+        <translation>gestrichelt: wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Smallest distances of the program</source>
+        <translation>Kleinste Abstände des Programms</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogView</name>
+    <message>
+        <source>Save the log</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MessageArea</name>
+    <message>
+        <source>Copy the message</source>
+        <translation>Meldung kopieren</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MethodPanel</name>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Position (watches the tool)</source>
+        <translation>Position (beobachtet das Werkzeug)</translation>
+    </message>
+    <message>
+        <source>Signal (watches a cell)</source>
+        <translation>Signal (beobachtet eine Zelle)</translation>
+    </message>
+    <message>
+        <source>N (points per loop)</source>
+        <translation>N (Punkte je Schleife)</translation>
+    </message>
+    <message>
+        <source>δ (point reached)</source>
+        <translation>δ (Punkt erreicht)</translation>
+    </message>
+    <message>
+        <source>F (path feed)</source>
+        <translation>F (Bahnvorschub)</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Paper (R11 R12 R13, R21 …)</source>
+        <translation>Wie im Artikel (R11 R12 R13, R21 …)</translation>
+    </message>
+    <message>
+        <source>Contiguous (from R10 on)</source>
+        <translation>Dicht (ab R10)</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Größter Vorschub</translation>
+    </message>
+    <message>
+        <source>Limiting place</source>
+        <translation>Engste Stelle</translation>
+    </message>
+    <message>
+        <source>Distance from the tool at which a point counts as reached</source>
+        <translation>Abstand vom Werkzeug, ab dem ein Punkt als erreicht gilt</translation>
+    </message>
+    <message>
+        <source>Method signal does not use δ: it watches a cell, not the tool</source>
+        <translation>Das Verfahren Signal benutzt δ nicht: Es beobachtet eine Zelle, nicht das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Equation (1): the tool must not pass a point between two polls.</source>
+        <translation>Gleichung (1): Das Werkzeug darf zwischen zwei Abfragen keinen Punkt überfahren.</translation>
+    </message>
+    <message>
+        <source>Equation (2): the tool must be seen within δ of each point.</source>
+        <translation>Gleichung (2): Das Werkzeug muss innerhalb von δ um jeden Punkt gesehen werden.</translation>
+    </message>
+    <message>
+        <source>Equation (3): half a loop must be written before the tool has used it up.</source>
+        <translation>Gleichung (3): Eine halbe Schleife muss geschrieben sein, bevor das Werkzeug sie verbraucht hat.</translation>
+    </message>
+    <message>
+        <source>Equation (3) with the real path: half a loop must be written before the tool has used it up.</source>
+        <translation>Gleichung (3) mit der wirklichen Bahn: Eine halbe Schleife muss geschrieben sein, bevor das Werkzeug sie verbraucht hat.</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Load a program to have it judged.</source>
+        <translation>Ein Programm laden, um es beurteilen zu lassen.</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Machbar</translation>
+    </message>
+    <message>
+        <source>Not feasible</source>
+        <translation>Nicht machbar</translation>
+    </message>
+    <message>
+        <source>Closest limit: %1</source>
+        <translation>Nächste Grenze: %1</translation>
+    </message>
+    <message>
+        <source>Violated: %1</source>
+        <translation>Verletzt: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (must exceed 1)</source>
+        <translation>%1 × (muss über 1 liegen)</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>Zeilen %1–%2</translation>
+    </message>
+    <message>
+        <source>Use δ = %1</source>
+        <translation>δ = %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>F = %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>No feed is slow enough: two points of the program nearly coincide.</source>
+        <translation>Kein Vorschub ist langsam genug: Zwei Punkte des Programms fallen fast zusammen.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathView</name>
+    <message>
+        <source>Top (XY)</source>
+        <translation>Von oben (XY)</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole path (double click does the same)</source>
+        <translation>Die ganze Bahn zeigen (wie ein Doppelklick)</translation>
+    </message>
+    <message>
+        <source>No program is loaded</source>
+        <translation>Kein Programm geladen</translation>
+    </message>
+    <message>
+        <source>To cut</source>
+        <translation>Noch zu fahren</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ausgeführt</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PauseModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Herkunft</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPanel</name>
+    <message>
+        <source>Open an NC program</source>
+        <translation>NC-Programm öffnen</translation>
+    </message>
+    <message>
+        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.txt)</source>
+        <translation>NC-Programme (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.txt)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Cutting path</source>
+        <translation>Schnittweg</translation>
+    </message>
+    <message>
+        <source>Rapid path</source>
+        <translation>Eilgangweg</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Vorschübe</translation>
+    </message>
+    <message>
+        <source>d_min</source>
+        <translation>d_min</translation>
+    </message>
+    <message>
+        <source>d_min^N</source>
+        <translation>d_min^N</translation>
+    </message>
+    <message>
+        <source>Smallest distance of neighbouring points</source>
+        <translation>Kleinster Abstand benachbarter Punkte</translation>
+    </message>
+    <message>
+        <source>Smallest path length of half a loop (N/2 points, rounded down)</source>
+        <translation>Kleinste Bahnlänge einer halben Schleife (N/2 Punkte, abgerundet)</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Kein Programm</translation>
+    </message>
+    <message>
+        <source>Drop a file here or press Open…</source>
+        <translation>Datei hier ablegen oder Öffnen… drücken</translation>
+    </message>
+    <message>
+        <source>Hash %1</source>
+        <translation>Prüfsumme %1</translation>
+    </message>
+    <message>
+        <source>Errors: %1, warnings: %2, notes: %3</source>
+        <translation>Fehler: %1, Warnungen: %2, Hinweise: %3</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed.</source>
+        <translation>Nicht streambar.</translation>
+    </message>
+    <message>
+        <source>%1 different, %2 … %3</source>
+        <translation>%1 verschiedene, %2 … %3</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>Zeilen %1–%2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RegionChart</name>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>d_min, mm</source>
+        <translation>d_min, mm</translation>
+    </message>
+    <message>
+        <source>N, points per loop</source>
+        <translation>N, Punkte je Schleife</translation>
+    </message>
+    <message>
+        <source>δ, mm</source>
+        <translation>δ, mm</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReportPanel</name>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausen</translation>
+    </message>
+    <message>
+        <source>Access time per variable</source>
+        <translation>Zugriffszeit je Variable</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ausgeführt</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Fremde Bewegung</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95. Perzentil</translation>
+    </message>
+    <message>
+        <source>99th percentile</source>
+        <translation>99. Perzentil</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Stopp bestätigt</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Noch kein Lauf</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Abgeschlossen mit falscher Bewegung</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Gestoppt, mit falscher Bewegung</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: no trace of the control)</source>
+        <translation>%1 von %2 (nicht beurteilt: keine Aufzeichnung der Steuerung)</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>NOT confirmed: check the machine</source>
+        <translation>NICHT bestätigt: Maschine prüfen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunPanel</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Ends the run at the end of the loop. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Beendet den Lauf am Ende der Schleife. Ersetzt nicht den Not-Halt der Maschine.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Angenommen</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ausgeführt</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Time until the control needs the next point, less the 99th percentile of access time</source>
+        <translation>Zeit, bis die Steuerung den nächsten Punkt braucht, weniger das 99. Perzentil der Zugriffszeit</translation>
+    </message>
+    <message>
+        <source>Waiting for</source>
+        <translation>Wartet auf</translation>
+    </message>
+    <message>
+        <source>transfer of the template to the control</source>
+        <translation>Übertragung der Vorlage zur Steuerung</translation>
+    </message>
+    <message>
+        <source>cycle start at the control</source>
+        <translation>NC-Start an der Steuerung</translation>
+    </message>
+    <message>
+        <source>the control&apos;s own trace</source>
+        <translation>die Aufzeichnung der Steuerung</translation>
+    </message>
+    <message>
+        <source>Start is not possible: %1</source>
+        <translation>Start ist nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>Ready to start</source>
+        <translation>Startbereit</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Stopp angefordert, noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1</source>
+        <translation>Stopp bestätigt nach %1</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Stopp bestätigt</translation>
+    </message>
+    <message>
+        <source>Stop NOT confirmed: check the machine</source>
+        <translation>Stopp NICHT bestätigt: Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>(too late)</source>
+        <translation>(zu spät)</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TemplatePage</name>
+    <message>
+        <source>Save the template</source>
+        <translation>Vorlage speichern</translation>
+    </message>
+    <message>
+        <source>NC programs (*.MPF *.mpf)</source>
+        <translation>NC-Programme (*.MPF *.mpf)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>No template: %1</source>
+        <translation>Keine Vorlage: %1</translation>
+    </message>
+    <message>
+        <source>No template yet</source>
+        <translation>Noch keine Vorlage</translation>
+    </message>
+    <message>
+        <source>%1, layout number %2</source>
+        <translation>%1, Layoutnummer %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>Vorschub, mm/min</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Follow the newest samples</source>
+        <translation>Den neuesten Messwerten folgen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move.</source>
+        <translation>Rad: vergrößern. Ziehen: verschieben.</translation>
+    </message>
+    <message>
+        <source>Pauses (STOPRE)</source>
+        <translation>Pausen (STOPRE)</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>No samples yet</source>
+        <translation>Noch keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Live samples: read while the stream has time; short pauses may be missing from the curves</source>
+        <translation>Live-Messwerte: gelesen, solange der Strom Zeit hat; kurze Pausen können in den Kurven fehlen</translation>
+    </message>
+    <message>
+        <source>The control&apos;s own trace: one sample every %1</source>
+        <translation>Aufzeichnung der Steuerung: ein Wert alle %1</translation>
+    </message>
+    <message>
+        <source>incomplete: the trace memory was full</source>
+        <translation>unvollständig: der Speicher der Steuerung war voll</translation>
+    </message>
+    <message>
+        <source>%1: pause %2</source>
+        <translation>%1: Pause %2</translation>
+    </message>
+</context>
+</TS>
