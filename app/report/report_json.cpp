@@ -44,6 +44,29 @@ ordered_json pausesJson(const std::vector<trace::Pause>& pauses, base::Instant o
   return list;
 }
 
+ordered_json faultsJson(const std::vector<trace::IntegrityFault>& faults, base::Instant origin) {
+  const auto name = [](trace::IntegrityFault::Kind kind) {
+    switch (kind) {
+      case trace::IntegrityFault::Kind::Repeated:
+        return "repeated";
+      case trace::IntegrityFault::Kind::Skipped:
+        return "skipped";
+      case trace::IntegrityFault::Kind::Foreign:
+        return "foreign";
+      case trace::IntegrityFault::Kind::OutOfOrder:
+        return "out-of-order";
+    }
+    return "";
+  };
+  ordered_json list = ordered_json::array();
+  for (const trace::IntegrityFault& fault : faults) {
+    list.push_back({{"kind", name(fault.kind)},
+                    {"point", fault.point.value},
+                    {"at_s", base::toSeconds(fault.at - origin)}});
+  }
+  return list;
+}
+
 ordered_json settingsJson(const streaming::RunSettings& settings) {
   return {{"method", base::methodName(settings.parameters.method)},
           {"points_per_loop", settings.parameters.pointsPerLoop},
@@ -80,6 +103,9 @@ ordered_json runJson(const streaming::RunReport& report) {
       {"requests", report.access.requests},
       {"settings", settingsJson(report.settings)},
   };
+  if (!report.integrity.faults.empty()) {
+    json["faults"] = faultsJson(report.integrity.faults, origin);
+  }
   if (report.stopConfirmedAfter) {
     json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);
   }

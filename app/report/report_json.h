@@ -20,6 +20,9 @@ namespace rivulet::report {
 [[nodiscard]] nlohmann::ordered_json errorJson(const base::Error& error);
 [[nodiscard]] nlohmann::ordered_json pausesJson(const std::vector<trace::Pause>& pauses,
                                                 base::Instant origin);
+/// The first faults the oracle found, with times from the start of the trace.
+[[nodiscard]] nlohmann::ordered_json faultsJson(const std::vector<trace::IntegrityFault>& faults,
+                                                base::Instant origin);
 [[nodiscard]] nlohmann::ordered_json settingsJson(const streaming::RunSettings& settings);
 [[nodiscard]] nlohmann::ordered_json runJson(const streaming::RunReport& report);
 [[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);

@@ -322,7 +322,7 @@ bool Machine::hasRParameter(int index) const {
 }
 
 double Machine::rParameter(int index) const {
-  return m_impl->m_parameters.value(index);
+  return m_impl->m_parameters.serviceValue(index);
 }
 
 void Machine::writeRParameter(int index, double value) {

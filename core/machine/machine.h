@@ -59,7 +59,8 @@ class Machine {
 
   // --- R-parameters -----------------------------------------------------------------------
   [[nodiscard]] bool hasRParameter(int index) const;
-  /// @param index hasRParameter
+  /// As the variable service answers it: after a write the new value, although the NC program
+  /// sees it only from the next interpolation boundary on. @param index hasRParameter
   [[nodiscard]] double rParameter(int index) const;
   /// Becomes visible at the next interpolation boundary. @param index hasRParameter
   void writeRParameter(int index, double value);

@@ -25,6 +25,17 @@ class RParameters {
   }
   [[nodiscard]] const std::vector<double>& values() const { return m_values; }
 
+  /// As the variable service answers: a client reads what it has written, though the NC sees it
+  /// only from the boundary on.
+  [[nodiscard]] double serviceValue(int index) const {
+    for (auto write = m_pending.rbegin(); write != m_pending.rend(); ++write) {
+      if (write->index == index) {
+        return write->value;
+      }
+    }
+    return value(index);
+  }
+
   /// From the NC program.
   void set(int index, double value) {
     RIVULET_ASSERT(has(index));

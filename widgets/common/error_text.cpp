@@ -4,6 +4,7 @@
 #include "widgets/common/error_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include "feasibility/verdict.h"
 #include "gcode/error.h"
@@ -179,8 +180,12 @@ QString errorCodeText(const std::error_code& code) {
 }
 
 QString errorText(const base::Error& error) {
+  // The message that came with the error is English and knows figures the sentence of its code
+  // does not: where English is spoken, it is the better one.
+  const QString message = QString::fromStdString(error.message);
   const QString known = errorCodeText(error.code);
-  const QString sentence = known.isEmpty() ? QString::fromStdString(error.message) : known;
+  const bool isEnglish = QLocale().language() == QLocale::English;
+  const QString sentence = known.isEmpty() || (isEnglish && !message.isEmpty()) ? message : known;
   if (error.context.empty()) {
     return sentence;
   }

@@ -86,8 +86,7 @@ void PositionMethod::observe(const Answer& answer, base::Instant now) {
   }
   m_positionMm = toolMm;
   double distanceMm = base::distance(toolMm, m_plan.pointMm(m_due));
-  const bool pointsLeft = m_due < m_plan.pointCount();
-  if (pointsLeft && distanceMm < m_plan.settings().deltaMm) {
+  if (m_due < m_plan.pointCount() && distanceMm < m_plan.settings().deltaMm) {
     ++m_due;
     m_refillDue = true;
     m_progress.executed = m_due;
@@ -95,18 +94,14 @@ void PositionMethod::observe(const Answer& answer, base::Instant now) {
     if (m_due % m_plan.slotCount() == 0) {
       ++m_progress.stopsPassed;
     }
+    // Only progress moves this limit: a tool that circles through old points is late.
     distanceMm = base::distance(m_plan.pointMm(m_due - 1), m_plan.pointMm(m_due));
+    m_progress.nextLatest = now + m_plan.travelTime(m_due - 1, m_due) + kSlowerThanPlanned;
   }
-  planNext(answer.sent, distanceMm);
-}
-
-void PositionMethod::planNext(base::Instant since, double distanceMm) {
-  // The position was valid at some time after `since`; at the feed the tool cannot be within δ of
-  // the point due any sooner than this.
-  const double feed = m_plan.settings().feedMmPerS;
+  // The position was valid at some time after the request was sent; at the feed the tool cannot
+  // be within δ of the point due any sooner than this.
   const double freeMm = std::max(0.0, distanceMm - 2.0 * m_plan.settings().deltaMm);
-  m_progress.nextEarliest = since + base::fromSeconds(freeMm / feed);
-  m_progress.nextLatest = since + base::fromSeconds(distanceMm / feed) + kSlowerThanPlanned;
+  m_progress.nextEarliest = answer.sent + base::fromSeconds(freeMm / m_plan.settings().feedMmPerS);
 }
 
 }  // namespace rivulet::streaming

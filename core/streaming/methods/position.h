@@ -29,7 +29,6 @@ class PositionMethod final : public Method {
 
   void observe(const Answer& answer, base::Instant now);
   [[nodiscard]] Action write(Phase phase, std::size_t points);
-  void planNext(base::Instant since, double distanceMm);
 
   SlotPlan m_plan;
   std::array<opcua::Variable, base::kAxisCount> m_watched;
