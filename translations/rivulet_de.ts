@@ -664,14 +664,6 @@
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>Position (watches the tool)</source>
-        <translation>Position (beobachtet das Werkzeug)</translation>
-    </message>
-    <message>
-        <source>Signal (watches a cell)</source>
-        <translation>Signal (beobachtet eine Zelle)</translation>
-    </message>
-    <message>
         <source>N (points per loop)</source>
         <translation>N (Punkte je Schleife)</translation>
     </message>
@@ -686,14 +678,6 @@
     <message>
         <source>Cells</source>
         <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>Paper (R11 R12 R13, R21 …)</source>
-        <translation>Wie im Artikel (R11 R12 R13, R21 …)</translation>
-    </message>
-    <message>
-        <source>Contiguous (from R10 on)</source>
-        <translation>Dicht (ab R10)</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -782,6 +766,26 @@
     <message>
         <source>No feed is slow enough: two points of the program nearly coincide.</source>
         <translation>Kein Vorschub ist langsam genug: Zwei Punkte des Programms fallen fast zusammen.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced.</source>
+        <translation>Position: Der Client beobachtet das Werkzeug und ersetzt überfahrene Punkte. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf.</translation>
+    </message>
+    <message>
+        <source>Paper (R11, R21 …)</source>
+        <translation>Artikel (R11, R21 …)</translation>
+    </message>
+    <message>
+        <source>Contiguous (R10 …)</source>
+        <translation>Dicht (R10 …)</translation>
     </message>
 </context>
 <context>

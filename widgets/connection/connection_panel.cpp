@@ -61,6 +61,7 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
   m_endpointLabel->setBuddy(m_endpoint);
   m_connectionStatus->setEmphasis(11.0, true);
   m_connectionStatus->setWordWrap(true);
+  m_virtualBadge->setWordWrap(true);
   auto* connection = new QGridLayout(m_connectionGroup);
   connection->addWidget(m_endpointLabel, 0, 0, 1, 2);
   connection->addWidget(m_endpoint, 1, 0);

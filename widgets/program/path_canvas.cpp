@@ -183,7 +183,12 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
   if (m_vertices.empty()) {
     painter.setPen(themeColors(palette()).mutedText);
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_texts.empty);
+  } else {
+    drawStart(painter);
+    drawLegend(painter);
   }
+  drawScaleBar(painter);
+  drawAxes(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   drawTool(painter);
 }
@@ -255,7 +260,6 @@ void PathCanvas::makePicture() {
   const ThemeColors& colors = themeColors(palette());
   m_picture.fill(colors.surface);
   QPainter painter(&m_picture);
-  painter.setFont(font());
   drawGrid(painter);
   m_drawnVertices = 0;
   if (!m_vertices.empty()) {
@@ -264,17 +268,7 @@ void PathCanvas::makePicture() {
     m_drawnVertices = drawMoves(painter, 1, m_vertices.size(), QPen(colors.path, 1.4), rapid);
     drawExecuted(painter, 0, m_executed);
     m_executedInPicture = m_executed;
-
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QPointF start = onScreen(m_projectedMm.front());
-    painter.setPen(QPen(colors.text, 1.6));
-    painter.setBrush(colors.surface);
-    painter.drawEllipse(start, 5.0, 5.0);
-    painter.drawText(start + QPointF(8.0, -7.0), m_texts.start);
-    drawLegend(painter);
   }
-  drawScaleBar(painter);
-  drawAxes(painter);
 }
 
 std::size_t PathCanvas::drawMoves(QPainter& painter, std::size_t from, std::size_t to,
@@ -419,6 +413,16 @@ void PathCanvas::drawLegend(QPainter& painter) const {
                      Qt::AlignLeft | Qt::AlignVCenter, text);
     x += 36.0 + textWidth + 22.0;
   }
+}
+
+void PathCanvas::drawStart(QPainter& painter) const {
+  const ThemeColors& colors = themeColors(palette());
+  const QPointF start = onScreen(m_projectedMm.front());
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colors.text, 1.6));
+  painter.setBrush(colors.surface);
+  painter.drawEllipse(start, 5.0, 5.0);
+  painter.drawText(start + QPointF(8.0, -7.0), m_texts.start);
 }
 
 void PathCanvas::drawTool(QPainter& painter) const {

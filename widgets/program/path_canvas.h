@@ -82,6 +82,7 @@ class PathCanvas final : public QWidget {
   void drawScaleBar(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
   void drawLegend(QPainter& painter) const;
+  void drawStart(QPainter& painter) const;
   void drawTool(QPainter& painter) const;
   [[nodiscard]] QPointF projected(base::Vec3 positionMm) const;
   [[nodiscard]] QPointF onScreen(QPointF projectedMm) const;

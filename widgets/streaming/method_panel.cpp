@@ -170,14 +170,18 @@ void MethodPanel::retranslate() {
   const bool wasShowing = std::exchange(m_isShowing, true);
   m_settingsGroup->setTitle(tr("Method"));
   m_methodLabel->setText(tr("Method"));
-  m_method->setItemText(0, tr("Position (watches the tool)"));
-  m_method->setItemText(1, tr("Signal (watches a cell)"));
+  m_method->setItemText(0, tr("Position"));
+  m_method->setItemText(1, tr("Signal"));
+  m_method->setToolTip(
+      tr("Position: the client watches the tool and replaces points it has "
+         "passed. Signal: the client watches a cell in which the program says "
+         "which half of the loop may be replaced."));
   m_pointsLabel->setText(tr("N (points per loop)"));
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
-  m_layout->setItemText(0, tr("Paper (R11 R12 R13, R21 …)"));
-  m_layout->setItemText(1, tr("Contiguous (from R10 on)"));
+  m_layout->setItemText(0, tr("Paper (R11, R21 …)"));
+  m_layout->setItemText(1, tr("Contiguous (R10 …)"));
   m_isShowing = wasShowing;
   m_verdictGroup->setTitle(tr("Verdict"));
   m_marginLabel->setText(tr("Margin"));

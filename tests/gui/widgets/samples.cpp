@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gui/widgets/samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/contract.h"
+#include "base/units.h"
+
+namespace rivulet::test {
+
+namespace {
+
+gcode::Program interpreted(const std::string& name, std::string text) {
+  auto program = gcode::interpretProgram(name, std::move(text));
+  RIVULET_ASSERT(program.has_value());
+  return *std::move(program);
+}
+
+std::string number(double value) {
+  // Locale-free: the tests switch languages.
+  const long thousandths = std::lround(value * 1000.0);
+  const long size = std::labs(thousandths);
+  std::string digits = std::to_string(size % 1000);
+  digits.insert(0, 3 - digits.size(), '0');
+  return (thousandths < 0 ? "-" : "") + std::to_string(size / 1000) + "." + digits;
+}
+
+}  // namespace
+
+std::string pocketText() {
+  std::string text =
+      "; pocket 60 x 40\nG17 G90 G71\nT1 M6\nS8000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F250\nF500\n";
+  for (double r = 0.5; r < 14.0; r += 0.5) {
+    for (int step = 0; step < 48; ++step) {
+      const double angle = 2.0 * M_PI * step / 48.0;
+      const double radius = r + 0.5 * step / 48.0;
+      text +=
+          "X" + number(radius * std::cos(angle)) + " Y" + number(radius * std::sin(angle)) + "\n";
+    }
+  }
+  text +=
+      "G0 Z5\nX-30 Y-20\nG1 Z-2 F250\nX20 F800\nG3 X30 Y-10 CR=10\nG1 Y10\nG3 X20 Y20 CR=10\n"
+      "G1 X-30\nY-20\nG0 Z5\nM30\n";
+  return text;
+}
+
+std::shared_ptr<const gcode::Program> pocket() {
+  return std::make_shared<const gcode::Program>(interpreted("POCKET_60x40.MPF", pocketText()));
+}
+
+std::shared_ptr<const gcode::Program> brokenProgram() {
+  return std::make_shared<const gcode::Program>(interpreted(
+      "BROKEN.MPF", "G0 X0 Y0 Z5\nG1 X10 F500\nG87 X20\nG1 X=R1+3\nG1 X30 Y\nM8\nG1 X40 Y10\n"));
+}
+
+std::vector<gcode::StreamPoint> streamed(const gcode::Program& program) {
+  return gcode::streamPoints(program.trajectory, {0.0, 0.0, 0.0}).points;
+}
+
+std::vector<gcode::StreamPoint> manyPoints(std::size_t points) {
+  std::vector<gcode::StreamPoint> list;
+  list.reserve(points);
+  for (std::size_t index = 0; index < points; ++index) {
+    const double along = static_cast<double>(index);
+    const double radius = 50.0 * along / static_cast<double>(points);
+    list.push_back({{radius * std::cos(along * 0.05), radius * std::sin(along * 0.05), 0.0},
+                    base::LineNumber{static_cast<std::uint32_t>(index + 1)}});
+  }
+  return list;
+}
+
+widgets::MachineView runningMachine() {
+  widgets::MachineView machine;
+  machine.channelStatus = 1;
+  machine.programStatus = 3;
+  machine.programName = QStringLiteral("RIVULET_SIGNAL_7.MPF");
+  machine.alarmNumber = 0;
+  machine.message = QStringLiteral("RIVULET: window 12");
+  machine.positionMm = base::Vec3{-12.3456, 105.0, -2.0};
+  machine.feedMmPerS = base::mmPerSFromMmPerMin(500.0);
+  machine.isVirtualMachine = true;
+  return machine;
+}
+
+widgets::FeasibilityModel feasibilityModel(base::MethodKind method, double feedMmPerMin) {
+  widgets::FeasibilityModel model;
+  model.operatingPoint.method = method;
+  model.operatingPoint.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  const auto points = streamed(*pocket());
+  model.distances = feasibility::programDistances(points, model.operatingPoint.pointsPerLoop);
+  for (std::size_t index = 1; index < points.size(); ++index) {
+    model.smallestDistancesMm.push_back(
+        base::distance(points[index - 1].positionMm, points[index].positionMm));
+  }
+  std::sort(model.smallestDistancesMm.begin(), model.smallestDistancesMm.end());
+  model.smallestDistancesMm.resize(std::min<std::size_t>(model.smallestDistancesMm.size(), 200));
+  return model;
+}
+
+std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS) {
+  auto trace = std::make_shared<trace::ControlTrace>();
+  trace->cycle = std::chrono::milliseconds{4};
+  const double feed = base::mmPerSFromMmPerMin(500.0);
+  double sincePause = 0.0;
+  double angle = 0.0;
+  for (int cycle = 0; cycle < 5000; ++cycle) {
+    sincePause += 0.004;
+    const double pause = sincePause - pauseEveryS;
+    const double speed = pause > 0.0 ? 0.0 : feed * std::min(1.0, sincePause / 0.02);
+    if (pause > 0.041) {
+      sincePause = 0.0;
+    }
+    angle += speed * 0.004 / 10.0;
+    trace::ControlSample sample;
+    sample.at = base::Instant{std::chrono::milliseconds{1000 + 4 * cycle}};
+    sample.commandMm = {10.0 * std::cos(angle), 10.0 * std::sin(angle), -2.0};
+    sample.actualMm = sample.commandMm;
+    sample.feedMmPerS = speed;
+    trace->samples.push_back(sample);
+  }
+  return trace;
+}
+
+std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace) {
+  std::vector<trace::Pause> pauses;
+  bool stands = false;
+  for (const trace::ControlSample& sample : trace.samples) {
+    const bool standsNow = sample.feedMmPerS <= 0.0;
+    if (standsNow && !stands) {
+      pauses.push_back({sample.at, {}, trace::PauseOrigin::Measured});
+    }
+    if (stands) {
+      pauses.back().duration = sample.at - pauses.back().start;
+    }
+    stands = standsNow;
+  }
+  return pauses;
+}
+
+streaming::RunReport report() {
+  streaming::RunReport report;
+  report.outcome = streaming::Outcome::Completed;
+  report.counters = {1353, 1353, 1353, 1353};
+  report.integrity.judged = true;
+  report.integrity.executed = 1353;
+  const auto trace = controlTrace(0.9);
+  report.pauses = pausesOf(*trace);
+  report.duration = std::chrono::milliseconds{184'320};
+  report.access.requests = 5412;
+  report.access.nodes = 9021;
+  report.access.perNode.count = 9021;
+  report.access.perNode.mean = std::chrono::microseconds{4310};
+  report.access.perNode.p50 = std::chrono::microseconds{4280};
+  report.access.perNode.p95 = std::chrono::microseconds{5130};
+  report.access.perNode.p99 = std::chrono::microseconds{6900};
+  report.access.perNode.max = std::chrono::microseconds{12'040};
+  report.programName = "POCKET_60x40.MPF";
+  report.settings.feedMmPerS = base::mmPerSFromMmPerMin(500.0);
+  return report;
+}
+
+}  // namespace rivulet::test

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Values as a real session hands them to the pages: a pocket with arcs, a run on it, its trace.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "feasibility/verdict.h"
+#include "gcode/program.h"
+#include "streaming/run.h"
+#include "trace/control_trace.h"
+#include "widgets/connection/machine_view.h"
+#include "widgets/feasibility/region_chart.h"
+
+namespace rivulet::test {
+
+/// NC text of a pocket milled as a spiral, with a few words Rivulet warns of.
+[[nodiscard]] std::string pocketText();
+/// The pocket, interpreted.
+[[nodiscard]] std::shared_ptr<const gcode::Program> pocket();
+/// A program with errors, interpreted.
+[[nodiscard]] std::shared_ptr<const gcode::Program> brokenProgram();
+[[nodiscard]] std::vector<gcode::StreamPoint> streamed(const gcode::Program& program);
+/// A path of many points, built without a text. @param points >= 2
+[[nodiscard]] std::vector<gcode::StreamPoint> manyPoints(std::size_t points);
+[[nodiscard]] widgets::MachineView runningMachine();
+[[nodiscard]] widgets::FeasibilityModel feasibilityModel(base::MethodKind method,
+                                                         double feedMmPerMin);
+/// 4 ms samples along the pocket at 500 mm/min, standing still every `pauseEveryS`.
+[[nodiscard]] std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS);
+[[nodiscard]] std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace);
+[[nodiscard]] streaming::RunReport report();
+
+}  // namespace rivulet::test

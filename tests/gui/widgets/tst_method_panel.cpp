@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTest>
+
+#include "base/units.h"
+#include "gui/widgets/page_test.h"
+#include "gui/widgets/samples.h"
+#include "widgets/streaming/method_panel.h"
+
+using namespace rivulet;
+using namespace rivulet::widgets;
+
+namespace {
+
+feasibility::Verdict verdictOf(const StreamSettings& settings) {
+  const auto points = test::streamed(*test::pocket());
+  const auto distances = feasibility::programDistances(points, settings.parameters.pointsPerLoop);
+  return feasibility::judge({settings.parameters.method, settings.parameters.pointsPerLoop,
+                             settings.deltaMm, settings.feedMmPerS},
+                            distances)
+      .value();
+}
+
+QPushButton* buttonWith(const QWidget& widget, const QString& text) {
+  for (QPushButton* button : widget.findChildren<QPushButton*>()) {
+    if (button->text().contains(text) && button->isVisibleTo(&widget)) {
+      return button;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+class TestMethodPanel : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { test::failOnWarnings(); }
+
+  void changesAreSignalledOnce() {
+    test::Language language;
+    MethodPanel panel;
+    QSignalSpy changes(&panel, &MethodPanel::settingsChanged);
+    StreamSettings settings;
+    settings.parameters.pointsPerLoop = 9;
+    panel.setSettings(settings);
+    QCOMPARE(changes.count(), 0);
+    panel.findChild<QSpinBox*>()->setValue(11);
+    QCOMPARE(changes.count(), 1);
+    auto changed = changes.takeFirst().first().value<StreamSettings>();
+    QCOMPARE(changed.parameters.pointsPerLoop, 11);
+    panel.findChild<QComboBox*>()->setCurrentIndex(0);
+    QCOMPARE(changes.count(), 1);
+    changed = changes.takeFirst().first().value<StreamSettings>();
+    QCOMPARE(changed.parameters.method, base::MethodKind::Position);
+    // Switching the language shows everything anew and changes nothing.
+    language.german();
+    QCOMPARE(changes.count(), 0);
+  }
+
+  void valuesKeepTheDigitsTheFieldsDoNotShow() {
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.feedMmPerS = 1.23456;
+    settings.deltaMm = 0.1234567;
+    panel.setSettings(settings);
+    panel.findChild<QSpinBox*>()->setValue(12);
+    QCOMPARE(panel.settings().feedMmPerS, 1.23456);
+    QCOMPARE(panel.settings().deltaMm, 0.1234567);
+  }
+
+  void deltaBelongsToMethodPosition() {
+    test::Language language;
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.parameters.method = base::MethodKind::Signal;
+    panel.setSettings(settings);
+    auto* delta = panel.findChildren<QDoubleSpinBox*>().first();
+    QVERIFY(!delta->isEnabled());
+    QVERIFY(delta->toolTip().contains("does not use δ"));
+    settings.parameters.method = base::MethodKind::Position;
+    panel.setSettings(settings);
+    QVERIFY(delta->isEnabled());
+  }
+
+  void infeasibleOffersAFeedThatIsFeasible_data() {
+    QTest::addColumn<bool>("position");
+    QTest::newRow("position") << true;
+    QTest::newRow("signal") << false;
+  }
+  void infeasibleOffersAFeedThatIsFeasible() {
+    QFETCH(bool, position);
+    test::Language language;
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.parameters.method = position ? base::MethodKind::Position : base::MethodKind::Signal;
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(5000.0);
+    panel.setSettings(settings);
+    panel.setVerdict(verdictOf(settings), std::nullopt);
+    QVERIFY(test::visibleText(panel).contains("Not feasible"));
+    QVERIFY(test::visibleText(panel).contains("Violated: Equation ("));
+    QVERIFY(test::visibleText(panel).contains("line"));
+    QPushButton* offer = buttonWith(panel, "Use F = ");
+    QVERIFY(offer != nullptr);
+    QSignalSpy changes(&panel, &MethodPanel::settingsChanged);
+    offer->click();
+    QCOMPARE(changes.count(), 1);
+    const auto changed = changes.first().first().value<StreamSettings>();
+    QVERIFY(changed.feedMmPerS < settings.feedMmPerS);
+    QVERIFY(verdictOf(changed).feasible);
+    panel.setVerdict(verdictOf(changed), std::nullopt);
+    QVERIFY(!test::visibleText(panel).contains("Not feasible"));
+    QVERIFY(buttonWith(panel, "Use F = ") == nullptr);
+  }
+
+  void offersALargerDeltaWhereItAloneHelps() {
+    test::Language language;
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.parameters.method = base::MethodKind::Position;
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(60.0);
+    settings.deltaMm = 0.005;
+    panel.setSettings(settings);
+    const auto verdict = verdictOf(settings);
+    QVERIFY(!verdict.feasible);
+    panel.setVerdict(verdict, std::nullopt);
+    QPushButton* offer = buttonWith(panel, "Use δ = ");
+    QVERIFY(offer != nullptr);
+    offer->click();
+    QVERIFY(panel.settings().deltaMm > settings.deltaMm);
+    QVERIFY(verdictOf(panel.settings()).feasible);
+  }
+
+  void offeredFeedsAreBelowTheLimit() {
+    for (const double limitMmPerMin : {0.15, 1.0, 12.34, 999.0, 1000.0, 12'345.6}) {
+      const auto offer = offeredFeedMmPerS(base::mmPerSFromMmPerMin(limitMmPerMin));
+      QVERIFY(offer.has_value());
+      QVERIFY(*offer < base::mmPerSFromMmPerMin(limitMmPerMin));
+      QVERIFY(*offer > 0.5 * base::mmPerSFromMmPerMin(limitMmPerMin));
+    }
+    QVERIFY(!offeredFeedMmPerS(0.0).has_value());
+    QVERIFY(!offeredFeedMmPerS(std::numeric_limits<double>::infinity()).has_value());
+  }
+
+  void problemsAreSaid() {
+    test::Language language;
+    MethodPanel panel;
+    QVERIFY(test::visibleText(panel).contains("Load a program"));
+    panel.setVerdict(std::nullopt, QString("N does not fit."));
+    QVERIFY(test::visibleText(panel).contains("N does not fit."));
+    QVERIFY(test::visibleText(panel).contains("Not judged"));
+  }
+
+  void nothingCanBeChangedWhileARunLasts() {
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.parameters.method = base::MethodKind::Position;
+    settings.feedMmPerS = 100.0;
+    panel.setSettings(settings);
+    panel.setVerdict(verdictOf(settings), std::nullopt);
+    panel.setEditable(false);
+    for (const QAbstractSpinBox* field : panel.findChildren<QAbstractSpinBox*>()) {
+      QVERIFY(!field->isEnabled());
+    }
+    for (const QPushButton* button : panel.findChildren<QPushButton*>()) {
+      QVERIFY(!button->isEnabled() || !button->isVisibleTo(&panel));
+    }
+  }
+
+  void numbersFollowTheLanguage() {
+    test::Language language;
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.parameters.method = base::MethodKind::Position;
+    panel.setSettings(settings);
+    language.german();
+    const auto fields = panel.findChildren<QDoubleSpinBox*>();
+    QCOMPARE(fields.first()->text(), QString("0,300") + QChar(0x00A0) + "mm");
+    QVERIFY(test::visibleText(panel).contains("Verfahren"));
+  }
+};
+
+Q_DECLARE_METATYPE(rivulet::widgets::StreamSettings)
+QTEST_MAIN(TestMethodPanel)
+#include "tst_method_panel.moc"

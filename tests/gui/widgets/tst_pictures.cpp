@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// One picture of every page, in both themes and both languages, in the folder `pictures` of the
+// build: to be looked at, and checked here for what a program can check.
+
+#include <QTest>
+#include <functional>
+#include <memory>
+
+#include "base/units.h"
+#include "gui/widgets/page_test.h"
+#include "gui/widgets/samples.h"
+#include "templates/generator.h"
+#include "widgets/common/log_view.h"
+#include "widgets/common/message_area.h"
+#include "widgets/common/theme.h"
+#include "widgets/connection/connection_panel.h"
+#include "widgets/feasibility/feasibility_page.h"
+#include "widgets/program/path_view.h"
+#include "widgets/program/program_panel.h"
+#include "widgets/streaming/method_panel.h"
+#include "widgets/streaming/report_panel.h"
+#include "widgets/streaming/run_panel.h"
+#include "widgets/templates/template_page.h"
+#include "widgets/trace/trace_page.h"
+
+using namespace rivulet;
+using namespace rivulet::widgets;
+
+namespace {
+
+struct Sample {
+  QString name;
+  QSize size;
+  std::function<std::unique_ptr<QWidget>()> make;
+};
+
+std::unique_ptr<QWidget> methodPanel(base::MethodKind method, double feedMmPerMin) {
+  auto panel = std::make_unique<MethodPanel>();
+  StreamSettings settings;
+  settings.parameters.method = method;
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  panel->setSettings(settings);
+  const auto model = test::feasibilityModel(method, feedMmPerMin);
+  panel->setVerdict(feasibility::judge(model.operatingPoint, model.distances).value(),
+                    std::nullopt);
+  return panel;
+}
+
+std::unique_ptr<QWidget> runPanel(streaming::RunState state) {
+  auto panel = std::make_unique<RunPanel>();
+  panel->setTotal(1353);
+  if (state == streaming::RunState::Idle) {
+    panel->setStartBlocked(QStringLiteral("N = 20, MD28050"));
+    return panel;
+  }
+  streaming::LiveUpdate update;
+  update.state = state;
+  update.counters = {412, 409, 405, 1353};
+  update.margin = std::chrono::microseconds{12'400};
+  if (state == streaming::RunState::Aborted) {
+    update.stopConfirmedAfter = std::chrono::milliseconds{830};
+  }
+  panel->setUpdate(update);
+  return panel;
+}
+
+std::unique_ptr<QWidget> feasibilityPage(base::MethodKind method, feasibility::SweepAxis axis,
+                                         double feedMmPerMin) {
+  auto page = std::make_unique<FeasibilityPage>();
+  page->setModel(test::feasibilityModel(method, feedMmPerMin));
+  page->showChart(axis);
+  return page;
+}
+
+std::unique_ptr<QWidget> pathView(bool isometric) {
+  auto view = std::make_unique<PathView>();
+  const auto program = test::pocket();
+  view->setProgram(program);
+  const auto points = test::streamed(*program);
+  view->setPoints(points);
+  view->setExecuted(700);
+  view->setToolPosition(points[700].positionMm);
+  view->setIsometric(isometric);
+  return view;
+}
+
+std::unique_ptr<QWidget> programPanel(const std::shared_ptr<const gcode::Program>& program) {
+  auto panel = std::make_unique<ProgramPanel>();
+  panel->setRecentFiles({QStringLiteral("/data/a.mpf")});
+  panel->setProgram(program);
+  panel->setDistances(feasibility::programDistances(test::streamed(*program), 7));
+  return panel;
+}
+
+std::unique_ptr<QWidget> connectionPanel(ConnectionState state) {
+  auto panel = std::make_unique<ConnectionPanel>();
+  panel->setConnectionState(state);
+  MachineView machine = test::runningMachine();
+  if (state == ConnectionState::Lost) {
+    machine.alarmNumber = 10'870;
+    machine.channelStatus = 2;
+  }
+  panel->setMachineState(machine);
+  return panel;
+}
+
+std::unique_ptr<QWidget> tracePage(bool control) {
+  auto page = std::make_unique<TracePage>();
+  const auto trace = test::controlTrace(0.9);
+  if (control) {
+    page->showControlTrace(trace, test::pausesOf(*trace));
+    return page;
+  }
+  for (std::size_t index = 0; index < trace->samples.size(); index += 12) {
+    const auto& sample = trace->samples[index];
+    page->append({base::toSeconds(sample.at) - 1.0, sample.actualMm, sample.feedMmPerS});
+  }
+  int count = 0;
+  for (trace::Pause pause : test::pausesOf(*trace)) {
+    pause.start -= std::chrono::seconds{1};
+    pause.origin = static_cast<trace::PauseOrigin>(count++ % 3);
+    page->addPause(pause);
+  }
+  return page;
+}
+
+std::unique_ptr<QWidget> templatePage() {
+  auto page = std::make_unique<TemplatePage>();
+  const templates::TemplateParameters parameters;
+  page->setTemplate(QString::fromStdString(templates::generateTemplate(parameters).value()),
+                    QString::fromStdString(templates::templateFileName(parameters)),
+                    templates::planCells(parameters).value(), templates::layoutNumber(parameters));
+  return page;
+}
+
+std::unique_ptr<QWidget> logView() {
+  auto view = std::make_unique<LogView>();
+  const QDateTime at(QDate(2026, 3, 4), QTime(9, 15, 2, 125));
+  view->append(
+      {at, gcode::Severity::Note, QStringLiteral("Connected to opc.tcp://127.0.0.1:4840")});
+  view->append({at.addMSecs(310), gcode::Severity::Warning, QStringLiteral("Access time 12 ms")});
+  view->append({at.addMSecs(5210), gcode::Severity::Error, QStringLiteral("Alarm 10870")});
+  return view;
+}
+
+std::unique_ptr<QWidget> messageArea() {
+  auto area = std::make_unique<MessageArea>();
+  area->showMessage(gcode::Severity::Error,
+                    QStringLiteral("opc.tcp://127.0.0.1:4840: BadConnectionClosed"));
+  return area;
+}
+
+std::unique_ptr<QWidget> reportPanel(bool faulty) {
+  auto panel = std::make_unique<ReportPanel>();
+  streaming::RunReport report = test::report();
+  if (faulty) {
+    report.outcome = streaming::Outcome::Stopped;
+    report.integrity.repeated = 14;
+    report.integrity.skipped = 2;
+    report.stopConfirmedAfter = std::chrono::milliseconds{830};
+  }
+  panel->setReport(report);
+  return panel;
+}
+
+std::vector<Sample> samples() {
+  using base::MethodKind;
+  using feasibility::SweepAxis;
+  using streaming::RunState;
+  return {
+      {"connection", {360, 560}, [] { return connectionPanel(ConnectionState::Connected); }},
+      {"connection_lost", {360, 560}, [] { return connectionPanel(ConnectionState::Lost); }},
+      {"program", {420, 700}, [] { return programPanel(test::pocket()); }},
+      {"program_broken", {420, 700}, [] { return programPanel(test::brokenProgram()); }},
+      {"path_top", {640, 520}, [] { return pathView(false); }},
+      {"path_isometric", {640, 520}, [] { return pathView(true); }},
+      {"method_feasible", {380, 560}, [] { return methodPanel(MethodKind::Position, 60.0); }},
+      {"method_infeasible", {380, 560}, [] { return methodPanel(MethodKind::Signal, 4000.0); }},
+      {"run_idle", {380, 380}, [] { return runPanel(RunState::Idle); }},
+      {"run_running", {380, 380}, [] { return runPanel(RunState::Running); }},
+      {"run_aborted", {380, 380}, [] { return runPanel(RunState::Aborted); }},
+      {"feasibility_distance",
+       {900, 600},
+       [] { return feasibilityPage(MethodKind::Position, SweepAxis::PointDistance, 100.0); }},
+      {"feasibility_points",
+       {900, 600},
+       [] { return feasibilityPage(MethodKind::Signal, SweepAxis::PointsPerLoop, 300.0); }},
+      {"feasibility_delta",
+       {900, 600},
+       [] { return feasibilityPage(MethodKind::Position, SweepAxis::Delta, 100.0); }},
+      {"trace_live", {1000, 640}, [] { return tracePage(false); }},
+      {"trace_control", {1000, 640}, [] { return tracePage(true); }},
+      {"template", {900, 560}, [] { return templatePage(); }},
+      {"report", {700, 520}, [] { return reportPanel(false); }},
+      {"report_faulty", {700, 520}, [] { return reportPanel(true); }},
+      {"log", {800, 300}, [] { return logView(); }},
+      {"message", {800, 56}, [] { return messageArea(); }},
+  };
+}
+
+}  // namespace
+
+class TestPictures : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { test::failOnWarnings(); }
+
+  void pages_data() {
+    QTest::addColumn<int>("sample");
+    QTest::addColumn<bool>("dark");
+    QTest::addColumn<bool>("german");
+    const auto all = samples();
+    for (std::size_t index = 0; index < all.size(); ++index) {
+      for (const bool dark : {false, true}) {
+        for (const bool german : {false, true}) {
+          QTest::addRow("%s_%s_%s", qPrintable(all[index].name), dark ? "dark" : "light",
+                        german ? "de" : "en")
+              << static_cast<int>(index) << dark << german;
+        }
+      }
+    }
+  }
+  void pages() {
+    QFETCH(int, sample);
+    QFETCH(bool, dark);
+    QFETCH(bool, german);
+    test::Language language;
+    applyTheme(Theme::Light);
+    const auto all = samples();
+    const Sample& one = all[static_cast<std::size_t>(sample)];
+    const std::unique_ptr<QWidget> page = one.make();
+    // Theme and language change while the page is there, as in the application.
+    if (dark) {
+      applyTheme(Theme::Dark);
+    }
+    if (german) {
+      language.german();
+    }
+    const QImage picture = test::picture(*page, one.size);
+    test::keep(picture, QString::fromLatin1(QTest::currentDataTag()));
+    QVERIFY(test::colourCount(picture) >= 20);
+    const QStringList cut = test::cutTexts(*page);
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(" | ")));
+    // The page is as dark as its theme: no part stayed behind in the other.
+    const QColor window = themePalette(dark ? Theme::Dark : Theme::Light).color(QPalette::Window);
+    const QColor average =
+        picture.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).pixelColor(0, 0);
+    QVERIFY(std::abs(average.lightness() - window.lightness()) < 60);
+  }
+};
+
+QTEST_MAIN(TestPictures)
+#include "tst_pictures.moc"

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "gui/widgets/page_test.h"
+#include "gui/widgets/samples.h"
+#include "widgets/common/theme.h"
+#include "widgets/streaming/report_panel.h"
+#include "widgets/streaming/run_panel.h"
+#include "widgets/streaming/state_strip.h"
+
+using namespace rivulet;
+using namespace rivulet::widgets;
+using streaming::RunState;
+
+namespace {
+
+streaming::LiveUpdate updateOf(RunState state) {
+  streaming::LiveUpdate update;
+  update.state = state;
+  update.counters = {412, 409, 405, 1353};
+  update.margin = std::chrono::microseconds{12'400};
+  return update;
+}
+
+struct Buttons {
+  explicit Buttons(const RunPanel& panel) {
+    const auto all = panel.findChildren<QPushButton*>();
+    start = all.at(0);
+    stop = all.at(1);
+  }
+  QPushButton* start;
+  QPushButton* stop;
+};
+
+}  // namespace
+
+class TestRunPanel : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    test::failOnWarnings();
+    applyTheme(Theme::Light);
+  }
+
+  void startIsGuarded() {
+    test::Language language;
+    RunPanel panel;
+    const Buttons buttons(panel);
+    QSignalSpy starts(&panel, &RunPanel::startRequested);
+    panel.setStartBlocked("the verdict is not feasible");
+    QVERIFY(!buttons.start->isEnabled());
+    buttons.start->click();
+    QCOMPARE(starts.count(), 0);
+    QVERIFY(test::visibleText(panel).contains("Start is not possible: the verdict"));
+    panel.setStartBlocked({});
+    QVERIFY(buttons.start->isEnabled());
+    buttons.start->click();
+    QCOMPARE(starts.count(), 1);
+  }
+
+  void stopIsThereWheneverSomethingMayMove_data() {
+    QTest::addColumn<int>("state");
+    QTest::addColumn<bool>("canStop");
+    QTest::newRow("idle") << static_cast<int>(RunState::Idle) << false;
+    QTest::newRow("armed") << static_cast<int>(RunState::Armed) << true;
+    QTest::newRow("running") << static_cast<int>(RunState::Running) << true;
+    QTest::newRow("stopping") << static_cast<int>(RunState::Stopping) << true;
+    QTest::newRow("done") << static_cast<int>(RunState::Done) << false;
+    QTest::newRow("aborted") << static_cast<int>(RunState::Aborted) << false;
+  }
+  void stopIsThereWheneverSomethingMayMove() {
+    QFETCH(int, state);
+    QFETCH(bool, canStop);
+    RunPanel panel;
+    const Buttons buttons(panel);
+    panel.setUpdate(updateOf(static_cast<RunState>(state)));
+    QCOMPARE(buttons.stop->isEnabled(), canStop);
+    QCOMPARE(buttons.start->isEnabled(), !canStop);
+  }
+
+  void stopSaysWhenItIsConfirmed() {
+    test::Language language;
+    RunPanel panel;
+    const Buttons buttons(panel);
+    QSignalSpy stops(&panel, &RunPanel::stopRequested);
+    panel.setUpdate(updateOf(RunState::Running));
+    buttons.stop->click();
+    QCOMPARE(stops.count(), 1);
+    QVERIFY(test::visibleText(panel).contains("not yet confirmed"));
+    panel.setStopUnconfirmed();
+    QVERIFY(test::visibleText(panel).contains("Stop NOT confirmed"));
+    auto update = updateOf(RunState::Stopping);
+    update.stopConfirmedAfter = std::chrono::milliseconds{1230};
+    panel.setUpdate(update);
+    QVERIFY(test::visibleText(panel).contains(QString("Stop confirmed after 1.23") + QChar(0x00A0) +
+                                              "s"));
+    // The next run begins without the traces of this one.
+    panel.setUpdate(updateOf(RunState::Done));
+    panel.setUpdate(updateOf(RunState::Armed));
+    QVERIFY(!test::visibleText(panel).contains("confirmed"));
+  }
+
+  void startIsNeverRedAndStopNeverGreen() {
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+      applyTheme(theme);
+      RunPanel panel;
+      const Buttons buttons(panel);
+      panel.setUpdate(updateOf(RunState::Running));
+      for (QPushButton* button : {buttons.start, buttons.stop}) {
+        const QImage image = test::picture(*button, {200, 60});
+        int coloured = 0;
+        for (int y = 6; y < image.height() - 6; ++y) {
+          for (int x = 6; x < image.width() - 6; ++x) {
+            coloured += image.pixelColor(x, y).hsvSaturation() > 60 ? 1 : 0;
+          }
+        }
+        QCOMPARE(coloured, 0);
+        QVERIFY(button->minimumHeight() >= kTouchHeightPx);
+      }
+      for (const QString& text : {buttons.stop->text(), buttons.stop->toolTip()}) {
+        QVERIFY(!text.startsWith("Emergency", Qt::CaseInsensitive));
+      }
+    }
+  }
+
+  void countersAndReasonsAreShown() {
+    test::Language language;
+    RunPanel panel;
+    panel.setTotal(1353);
+    QVERIFY(test::visibleText(panel).contains("0 of 1,353"));
+    auto update = updateOf(RunState::Armed);
+    update.waitingFor = "cycle-start";
+    panel.setUpdate(update);
+    QString text = test::visibleText(panel);
+    QVERIFY(text.contains("412 of 1,353"));
+    QVERIFY(text.contains("409 of 1,353"));
+    QVERIFY(text.contains("405 of 1,353"));
+    QVERIFY(text.contains("cycle start at the control"));
+    update.waitingFor = "something-new";
+    update.margin = std::chrono::milliseconds{-3};
+    panel.setUpdate(update);
+    text = test::visibleText(panel);
+    QVERIFY(text.contains("something-new"));
+    QVERIFY(text.contains("(too late)"));
+    language.german();
+    text = test::visibleText(panel);
+    QVERIFY(text.contains("412 von 1.353"));
+    QVERIFY(text.contains("(zu spät)"));
+  }
+
+  void stripShowsThePresentState() {
+    test::Language language;
+    StateStrip strip;
+    QSet<QString> pictures;
+    for (const RunState state : {RunState::Idle, RunState::Armed, RunState::Running,
+                                 RunState::Stopping, RunState::Done, RunState::Aborted}) {
+      strip.setState(state);
+      QCOMPARE(strip.accessibleName(), runStateText(state));
+      // Different even for someone who sees no colours.
+      const QImage grey =
+          test::picture(strip, {480, 40}).convertToFormat(QImage::Format_Grayscale8);
+      pictures.insert(QString::fromLatin1(
+          QByteArray(reinterpret_cast<const char*>(grey.constBits()), grey.sizeInBytes())
+              .toBase64()));
+    }
+    QCOMPARE(pictures.size(), 6);
+  }
+
+  void reportTellsWhatHappened() {
+    test::Language language;
+    ReportPanel panel;
+    QVERIFY(test::visibleText(panel).contains("No run yet"));
+    streaming::RunReport report = test::report();
+    panel.setReport(report);
+    QString text = test::visibleText(panel);
+    QVERIFY(text.contains("Completed"));
+    QVERIFY(text.contains("1,353 of 1,353"));
+    QVERIFY(text.contains(QString("4.31") + QChar(0x00A0) + "ms"));
+    report.integrity.repeated = 3;
+    panel.setReport(report);
+    QVERIFY(test::visibleText(panel).contains("Completed with wrong motion"));
+    report.integrity = {};
+    report.outcome = streaming::Outcome::Stopped;
+    panel.setReport(report);
+    text = test::visibleText(panel);
+    QVERIFY(text.contains("not judged"));
+    QVERIFY(text.contains("NOT confirmed: check the machine"));
+    report.outcome = streaming::Outcome::Failed;
+    report.error = base::makeError(make_error_code(streaming::StreamError::ControlAlarm),
+                                   "The control stopped with alarm 10870.");
+    panel.setReport(report);
+    QVERIFY(test::visibleText(panel).contains("alarm 10870"));
+    language.german();
+    QVERIFY(test::visibleText(panel).contains("Fehlgeschlagen"));
+  }
+};
+
+QTEST_MAIN(TestRunPanel)
+#include "tst_run_panel.moc"
