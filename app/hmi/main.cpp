@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QApplication>
+#include <QCommandLineParser>
+
+#include "hmi/demo.h"
+#include "hmi/main_window.h"
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("Rivulet"));
+  QApplication::setApplicationName(QStringLiteral("Rivulet"));
+  QApplication::setApplicationVersion(QStringLiteral(RIVULET_VERSION));
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QStringLiteral("Streams a CNC machine's trajectory over OPC UA while it moves."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const QCommandLineOption connectOption(QStringLiteral("connect"),
+                                         QStringLiteral("Connect to this OPC UA server."),
+                                         QStringLiteral("URL"));
+  const QCommandLineOption openOption(
+      QStringLiteral("open"), QStringLiteral("Open this NC program."), QStringLiteral("FILE"));
+  const QCommandLineOption demoOption(
+      QStringLiteral("demo"),
+      QStringLiteral("Press Start, leave pictures and the report in this folder, and quit."),
+      QStringLiteral("FOLDER"));
+  const QCommandLineOption languageOption(QStringLiteral("language"), QStringLiteral("en or de."),
+                                          QStringLiteral("LANGUAGE"));
+  const QCommandLineOption themeOption(
+      QStringLiteral("theme"), QStringLiteral("light, dark or system."), QStringLiteral("THEME"));
+  parser.addOptions({connectOption, openOption, demoOption, languageOption, themeOption});
+  parser.process(application);
+
+  rivulet::hmi::Settings settings = rivulet::hmi::loadSettings();
+  const bool isDemo = parser.isSet(demoOption);
+  if (isDemo) {
+    // The same demonstration everywhere, whatever was set here before.
+    settings = rivulet::hmi::Settings();
+    settings.stream.feedMmPerS = 2000.0 / 60.0;
+    settings.language = QStringLiteral("en");
+    settings.theme = rivulet::widgets::Theme::Light;
+  }
+  if (parser.isSet(languageOption)) {
+    settings.language = parser.value(languageOption);
+  }
+  if (parser.isSet(themeOption)) {
+    const QString theme = parser.value(themeOption);
+    settings.theme = theme == QLatin1String("light")  ? rivulet::widgets::Theme::Light
+                     : theme == QLatin1String("dark") ? rivulet::widgets::Theme::Dark
+                                                      : rivulet::widgets::Theme::System;
+  }
+  rivulet::hmi::MainWindow window(settings, !isDemo);
+  window.show();
+  if (parser.isSet(openOption)) {
+    window.openProgram(parser.value(openOption));
+  }
+  if (parser.isSet(connectOption)) {
+    window.connectTo(parser.value(connectOption));
+  }
+  if (isDemo) {
+    new rivulet::hmi::Demo(window, parser.value(demoOption));  // the window owns it
+  }
+  return QApplication::exec();
+}

@@ -1,0 +1,626 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDateTime>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "base/units.h"
+#include "templates/generator.h"
+#include "trace/file.h"
+#include "widgets/common/error_text.h"
+#include "widgets/common/log_view.h"
+#include "widgets/common/message_area.h"
+#include "widgets/common/number_format.h"
+#include "widgets/connection/connection_panel.h"
+#include "widgets/feasibility/feasibility_page.h"
+#include "widgets/program/path_view.h"
+#include "widgets/program/program_panel.h"
+#include "widgets/streaming/method_panel.h"
+#include "widgets/streaming/report_panel.h"
+#include "widgets/streaming/run_panel.h"
+#include "widgets/templates/template_page.h"
+#include "widgets/trace/trace_page.h"
+
+namespace rivulet::hmi {
+
+namespace {
+
+using gcode::Severity;
+
+/// Where the tool is taken to stand while no machine has been seen.
+constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
+
+widgets::ConnectionState connectionState(session::LinkState state) {
+  switch (state) {
+    case session::LinkState::Disconnected:
+      return widgets::ConnectionState::Disconnected;
+    case session::LinkState::Connecting:
+      return widgets::ConnectionState::Connecting;
+    case session::LinkState::Connected:
+      return widgets::ConnectionState::Connected;
+    case session::LinkState::Lost:
+      return widgets::ConnectionState::Lost;
+  }
+  return widgets::ConnectionState::Disconnected;
+}
+
+/// Distances of neighbouring points, the smallest ones, ascending: what the region shows.
+std::vector<double> smallestDistances(const std::vector<gcode::StreamPoint>& points) {
+  constexpr std::size_t kShown = 200;
+  std::vector<double> distances;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    distances.push_back(base::distance(points[i - 1].positionMm, points[i].positionMm));
+  }
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(kShown, distances.size()));
+  std::partial_sort(distances.begin(), distances.begin() + shown, distances.end());
+  distances.resize(static_cast<std::size_t>(shown));
+  return distances;
+}
+
+/// A column that scrolls when the window is lower than its pages.
+QScrollArea* makeColumn(QWidget* parent, QWidget* page) {
+  auto* area = new QScrollArea(parent);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(page);
+  return area;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Settings settings, bool persistent, QWidget* parent)
+    : QMainWindow(parent), m_settings(std::move(settings)), m_persistent(persistent) {
+  m_translator.setLanguage(m_settings.language);
+  widgets::applyTheme(m_settings.theme);
+  setAcceptDrops(true);
+  buildPages();
+  buildMenus();
+  connectPages();
+  m_connection->setEndpoint(m_settings.endpoint);
+  m_programPanel->setRecentFiles(m_settings.recentFiles);
+  m_method->setSettings(m_settings.stream);
+  retranslate();
+  judge();
+  resize(1366, 820);
+  if (!m_settings.geometry.isEmpty()) {
+    restoreGeometry(m_settings.geometry);
+  }
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildPages() {
+  auto* central = new QWidget(this);
+  auto* rows = new QVBoxLayout(central);
+  m_messages = new widgets::MessageArea(central);
+  rows->addWidget(m_messages);
+
+  auto* columns = new QSplitter(Qt::Horizontal, central);
+  m_connection = new widgets::ConnectionPanel;
+  columns->addWidget(makeColumn(columns, m_connection));
+
+  m_tabs = new QTabWidget(columns);
+  auto* programPage = new QSplitter(Qt::Horizontal, m_tabs);
+  m_path = new widgets::PathView(programPage);
+  m_programPanel = new widgets::ProgramPanel(programPage);
+  programPage->addWidget(m_path);
+  programPage->addWidget(m_programPanel);
+  programPage->setStretchFactor(0, 3);
+  programPage->setStretchFactor(1, 2);
+  m_feasibility = new widgets::FeasibilityPage(m_tabs);
+  m_trace = new widgets::TracePage(m_tabs);
+  m_template = new widgets::TemplatePage(m_tabs);
+  m_reportPanel = new widgets::ReportPanel(m_tabs);
+  m_log = new widgets::LogView(m_tabs);
+  for (QWidget* page : {static_cast<QWidget*>(programPage), static_cast<QWidget*>(m_feasibility),
+                        static_cast<QWidget*>(m_trace), static_cast<QWidget*>(m_template),
+                        static_cast<QWidget*>(m_reportPanel), static_cast<QWidget*>(m_log)}) {
+    m_tabs->addTab(page, QString());
+  }
+  columns->addWidget(m_tabs);
+
+  m_method = new widgets::MethodPanel;
+  columns->addWidget(makeColumn(columns, m_method));
+  columns->setStretchFactor(0, 0);
+  columns->setStretchFactor(1, 1);
+  columns->setStretchFactor(2, 0);
+  columns->setChildrenCollapsible(false);
+  rows->addWidget(columns, 1);
+
+  m_run = new widgets::RunPanel(central);
+  rows->addWidget(m_run);
+  setCentralWidget(central);
+}
+
+void MainWindow::buildMenus() {
+  m_fileMenu = menuBar()->addMenu(QString());
+  m_openAction = m_fileMenu->addAction(QString(), this, [this] { m_programPanel->chooseFile(); });
+  m_openAction->setShortcut(QKeySequence::Open);
+  m_fileMenu->addSeparator();
+  m_quitAction = m_fileMenu->addAction(QString(), this, &MainWindow::close);
+  m_quitAction->setShortcut(QKeySequence::Quit);
+
+  m_viewMenu = menuBar()->addMenu(QString());
+  m_languageMenu = m_viewMenu->addMenu(QString());
+  m_languages = new QActionGroup(this);
+  const auto addLanguage = [this](const QString& name, const QString& code) {
+    // A language is named in itself, so that everybody finds the own one.
+    QAction* action = m_languageMenu->addAction(name, this, [this, code] { setLanguage(code); });
+    action->setCheckable(true);
+    action->setChecked(m_translator.language() == code);
+    m_languages->addAction(action);
+  };
+  addLanguage(QStringLiteral("English"), QStringLiteral("en"));
+  addLanguage(QStringLiteral("Deutsch"), QStringLiteral("de"));
+  m_themeMenu = m_viewMenu->addMenu(QString());
+  m_themes = new QActionGroup(this);
+  for (const widgets::Theme theme :
+       {widgets::Theme::Light, widgets::Theme::Dark, widgets::Theme::System}) {
+    QAction* action = m_themeMenu->addAction(QString(), this, [this, theme] { setTheme(theme); });
+    action->setCheckable(true);
+    action->setChecked(m_settings.theme == theme);
+    m_themes->addAction(action);
+  }
+
+  m_helpMenu = menuBar()->addMenu(QString());
+  m_aboutAction = m_helpMenu->addAction(QString(), this, [this] {
+    QMessageBox::about(this, tr("About Rivulet"),
+                       tr("Rivulet %1\nStreams a CNC machine's trajectory over OPC UA while it "
+                          "moves.\n\nStop ends the program at the end of its loop. It is no "
+                          "emergency stop.\n\nGPL-3.0-or-later")
+                           .arg(QStringLiteral(RIVULET_VERSION)));
+  });
+}
+
+void MainWindow::connectPages() {
+  using widgets::ConnectionPanel;
+  connect(m_connection, &ConnectionPanel::connectRequested, this, &MainWindow::connectTo);
+  connect(m_connection, &ConnectionPanel::disconnectRequested, this,
+          [this] { m_session.disconnectFrom(); });
+  connect(m_programPanel, &widgets::ProgramPanel::openRequested, this, &MainWindow::openProgram);
+  connect(m_programPanel, &widgets::ProgramPanel::fileDropped, this, &MainWindow::openProgram);
+  connect(m_method, &widgets::MethodPanel::settingsChanged, this,
+          [this](const widgets::StreamSettings& stream) {
+            m_settings.stream = stream;
+            judge();
+          });
+  connect(m_feasibility, &widgets::FeasibilityPage::operatingPointRequested, this,
+          [this](const feasibility::OperatingPoint& point) {
+            m_settings.stream.parameters.pointsPerLoop = point.pointsPerLoop;
+            m_settings.stream.deltaMm = point.deltaMm;
+            m_settings.stream.feedMmPerS = point.feedMmPerS;
+            m_method->setSettings(m_settings.stream);
+            judge();
+          });
+  connect(m_template, &widgets::TemplatePage::saveRequested, this,
+          [this](const QString& path) { saveText(path, m_template->text()); });
+  connect(m_log, &widgets::LogView::saveRequested, this,
+          [this](const QString& path) { saveText(path, m_log->toText()); });
+  connect(m_run, &widgets::RunPanel::startRequested, this, &MainWindow::start);
+  connect(m_run, &widgets::RunPanel::stopRequested, this, &MainWindow::stop);
+
+  connect(&m_loader, &session::ProgramLoader::loaded, this, &MainWindow::showProgram);
+  connect(&m_loader, &session::ProgramLoader::failed, this, &MainWindow::showLoadError);
+  connect(&m_session, &session::StreamSession::linkChanged, this, &MainWindow::showLink);
+  connect(&m_session, &session::StreamSession::machineSeen, this, &MainWindow::showMachine);
+  connect(&m_session, &session::StreamSession::updateArrived, this, &MainWindow::showUpdate);
+  connect(&m_session, &session::StreamSession::runFinished, this, &MainWindow::showFinished);
+  connect(&m_session, &session::StreamSession::noteArrived, this, [this](const trace::Note& note) {
+    log(Severity::Note, QString::fromStdString(note.text));
+  });
+}
+
+void MainWindow::retranslate() {
+  setWindowTitle(m_program ? tr("%1 – Rivulet").arg(QString::fromStdString(m_program->name))
+                           : tr("Rivulet"));
+  const QStringList titles{tr("Program"),  tr("Feasibility"), tr("Traces"),
+                           tr("Template"), tr("Report"),      tr("Log")};
+  for (int i = 0; i < m_tabs->count(); ++i) {
+    m_tabs->setTabText(i, titles[i]);
+  }
+  m_fileMenu->setTitle(tr("&File"));
+  m_openAction->setText(tr("&Open program …"));
+  m_quitAction->setText(tr("&Quit"));
+  m_viewMenu->setTitle(tr("&View"));
+  m_languageMenu->setTitle(tr("&Language"));
+  m_themeMenu->setTitle(tr("&Theme"));
+  const QList<QAction*> themes = m_themes->actions();
+  themes[0]->setText(tr("Light"));
+  themes[1]->setText(tr("Dark"));
+  themes[2]->setText(tr("As the system"));
+  m_helpMenu->setTitle(tr("&Help"));
+  m_aboutAction->setText(tr("&About Rivulet"));
+  refreshStart();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange && m_aboutAction != nullptr) {
+    retranslate();
+    judge();
+  }
+  QMainWindow::changeEvent(event);
+}
+
+void MainWindow::setLanguage(const QString& language) {
+  m_settings.language = language;
+  m_translator.setLanguage(language);
+  if (m_translator.language() == QLatin1String("en")) {
+    // Without a translator to install no event would come.
+    QEvent change(QEvent::LanguageChange);
+    const QWidgetList widgets = QApplication::allWidgets();
+    for (QWidget* widget : widgets) {
+      QApplication::sendEvent(widget, &change);
+    }
+  }
+}
+
+void MainWindow::setTheme(widgets::Theme theme) {
+  m_settings.theme = theme;
+  widgets::applyTheme(theme);
+}
+
+void MainWindow::setStreamSettings(const widgets::StreamSettings& settings) {
+  m_settings.stream = settings;
+  m_method->setSettings(settings);
+  judge();
+}
+
+void MainWindow::openProgram(const QString& path) {
+  if (m_session.isRunning()) {
+    m_messages->showMessage(Severity::Warning,
+                            tr("A run lasts. Open another program when it has ended."));
+    return;
+  }
+  m_loader.load(path);
+}
+
+void MainWindow::showProgram(const std::shared_ptr<const gcode::Program>& program,
+                             const QString& path) {
+  m_program = program;
+  m_settings.addRecentFile(QFileInfo(path).absoluteFilePath());
+  m_programPanel->setRecentFiles(m_settings.recentFiles);
+  m_programPanel->setProgram(program);
+  m_points = gcode::streamPoints(program->trajectory, m_machine.positionMm.value_or(kOriginMm));
+  m_path->setProgram(program);
+  m_path->setPoints(m_points.points);
+  m_run->setTotal(m_points.points.size());
+  m_messages->clear();
+  log(Severity::Note,
+      tr("Opened %1 (%2), %3 points.")
+          .arg(QString::fromStdString(program->name), QString::fromStdString(program->hash),
+               widgets::countText(m_points.points.size())));
+  if (!program->isStreamable()) {
+    m_messages->showMessage(Severity::Error,
+                            tr("The path of %1 is not known everywhere: see the findings. It "
+                               "cannot be streamed.")
+                                .arg(QString::fromStdString(program->name)));
+  }
+  retranslate();
+  judge();
+}
+
+void MainWindow::showLoadError(const base::Error& error, const QString& path) {
+  const QString text = widgets::errorText(error);
+  m_messages->showMessage(Severity::Error, text);
+  log(Severity::Error, QStringLiteral("%1: %2").arg(path, text));
+}
+
+void MainWindow::connectTo(const QString& endpoint) {
+  m_settings.endpoint = endpoint;
+  m_connection->setEndpoint(endpoint);
+  m_session.connectTo(endpoint);
+}
+
+void MainWindow::showLink(const session::LinkChanged& change) {
+  m_link = change;
+  const QString why = change.error.code ? widgets::errorText(change.error) : QString();
+  m_connection->setConnectionState(connectionState(change.state), why);
+  m_machine.isVirtualMachine = change.isVirtualMachine;
+  if (change.state != session::LinkState::Connected) {
+    m_machine.isStale = m_machine.positionMm.has_value();
+  }
+  m_connection->setMachineState(m_machine);
+  switch (change.state) {
+    case session::LinkState::Connected:
+      m_messages->clear();
+      log(Severity::Note,
+          change.isVirtualMachine
+              ? tr("Connected to the virtual machine at %1.").arg(m_settings.endpoint)
+              : tr("Connected to the control at %1.").arg(m_settings.endpoint));
+      break;
+    case session::LinkState::Disconnected:
+    case session::LinkState::Lost:
+      if (!why.isEmpty()) {
+        m_messages->showMessage(Severity::Error, why);
+        log(Severity::Error, why);
+      }
+      break;
+    case session::LinkState::Connecting:
+      break;
+  }
+  refreshStart();
+}
+
+void MainWindow::showMachine(const session::MachineSeen& seen) {
+  m_machine.channelStatus = seen.channelStatus;
+  m_machine.programStatus = seen.programStatus;
+  m_machine.alarmNumber = seen.alarm;
+  m_machine.programName = QString::fromStdString(seen.programName);
+  m_machine.message = QString::fromStdString(seen.message);
+  m_machine.positionMm = seen.positionMm;
+  m_machine.feedMmPerS = seen.feedMmPerS;
+  m_machine.isStale = false;
+  m_connection->setMachineState(m_machine);
+  m_path->setToolPosition(seen.positionMm);
+  refreshStart();
+}
+
+void MainWindow::judge() {
+  feasibility::OperatingPoint point;
+  point.method = m_settings.stream.parameters.method;
+  point.pointsPerLoop = m_settings.stream.parameters.pointsPerLoop;
+  point.deltaMm = m_settings.stream.deltaMm;
+  point.feedMmPerS = m_settings.stream.feedMmPerS;
+  m_verdict.reset();
+  m_problem.reset();
+  m_distances.reset();
+  const auto cells = templates::planCells(m_settings.stream.parameters);
+  const auto text = templates::generateTemplate(m_settings.stream.parameters);
+  if (cells && text) {
+    m_template->setTemplate(
+        QString::fromStdString(*text),
+        QString::fromStdString(templates::templateFileName(m_settings.stream.parameters)), *cells,
+        templates::layoutNumber(m_settings.stream.parameters));
+  } else {
+    m_problem = widgets::errorText(cells ? text.error() : cells.error());
+    m_template->setProblem(*m_problem);
+  }
+  if (!m_program) {
+    m_problem = m_problem.value_or(tr("No program is loaded."));
+  } else if (m_points.points.size() >= 2) {
+    m_distances = feasibility::programDistances(m_points.points, point.pointsPerLoop);
+    if (!m_problem) {
+      const auto verdict = feasibility::judge(point, *m_distances);
+      if (verdict) {
+        m_verdict = *verdict;
+      } else {
+        m_problem = widgets::errorText(verdict.error());
+      }
+    }
+  } else {
+    m_problem = tr("The program has fewer than two points.");
+  }
+  m_programPanel->setDistances(m_distances);
+  m_method->setVerdict(m_verdict, m_problem);
+  widgets::FeasibilityModel model;
+  model.operatingPoint = point;
+  if (m_distances) {
+    model.distances = *m_distances;
+  }
+  model.smallestDistancesMm = smallestDistances(m_points.points);
+  m_feasibility->setModel(model);
+  refreshStart();
+}
+
+QString MainWindow::startBlockedReason() const {
+  if (m_session.isRunning()) {
+    return tr("A run lasts.");
+  }
+  if (m_link.state != session::LinkState::Connected) {
+    return tr("Connect to a control first.");
+  }
+  if (!m_program) {
+    return tr("Open a program first.");
+  }
+  if (!m_program->isStreamable()) {
+    return tr("The path of the program is not known everywhere: see the findings.");
+  }
+  if (m_problem) {
+    return *m_problem;
+  }
+  if (m_verdict && !m_verdict->feasible) {
+    return tr("Not feasible: the control would repeat points. Change F, N or δ.");
+  }
+  if (m_machine.channelStatus.value_or(0) != 0) {
+    return tr("A program runs on the control.");
+  }
+  if (m_machine.alarmNumber.value_or(0) != 0) {
+    return tr("The control reports an alarm.");
+  }
+  return {};
+}
+
+void MainWindow::refreshStart() {
+  const bool running = m_session.isRunning();
+  m_run->setStartBlocked(startBlockedReason());
+  m_method->setEditable(!running);
+  m_feasibility->setEditable(!running);
+  m_programPanel->setOpenEnabled(!running);
+  m_connection->setDisconnectEnabled(!running);
+  m_openAction->setEnabled(!running);
+}
+
+bool MainWindow::start() {
+  const QString blocked = startBlockedReason();
+  if (!blocked.isEmpty()) {
+    m_messages->showMessage(Severity::Warning, blocked);
+    return false;
+  }
+  streaming::RunSettings settings;
+  settings.parameters = m_settings.stream.parameters;
+  settings.deltaMm = m_settings.stream.deltaMm;
+  settings.feedMmPerS = m_settings.stream.feedMmPerS;
+  m_points = gcode::streamPoints(m_program->trajectory, m_machine.positionMm.value_or(kOriginMm));
+  m_path->setPoints(m_points.points);
+  m_path->setExecuted(0);
+  m_trace->clear();
+  m_report.reset();
+  m_reportPanel->setReport(std::nullopt);
+  m_runBegan.reset();
+  m_messages->clear();
+  if (m_machine.positionMm && !m_points.points.empty()) {
+    log(Severity::Note, tr("Start. The tool first moves %1 in a straight line to the first point.")
+                            .arg(widgets::lengthText(base::distance(
+                                *m_machine.positionMm, m_points.points.front().positionMm))));
+  }
+  m_session.start(m_program, settings, newRecordingPath());
+  refreshStart();
+  Q_EMIT runStarted();
+  return true;
+}
+
+void MainWindow::stop() {
+  m_session.stop();
+  log(Severity::Note, tr("Stop ordered."));
+}
+
+void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
+  const bool stateChanged = update.state != m_update.state;
+  m_update = update;
+  m_run->setUpdate(update);
+  m_path->setExecuted(update.counters.executed);
+  if (update.state == streaming::RunState::Running && !m_runBegan) {
+    m_runBegan = update.at;
+  }
+  const base::Instant origin = m_runBegan.value_or(update.at);
+  if (update.sample) {
+    widgets::TraceSample sample;
+    sample.atS = base::toSeconds(update.sample->at - origin);
+    sample.positionMm = update.sample->positionMm;
+    sample.feedMmPerS = update.sample->feedMmPerS;
+    if (m_runBegan && sample.atS >= 0.0) {
+      m_trace->append(sample);
+    }
+    if (sample.positionMm) {
+      m_machine.positionMm = sample.positionMm;
+      m_path->setToolPosition(sample.positionMm);
+    }
+    if (sample.feedMmPerS) {
+      m_machine.feedMmPerS = sample.feedMmPerS;
+    }
+    m_machine.isStale = false;
+    m_connection->setMachineState(m_machine);
+  }
+  if (update.pause) {
+    trace::Pause pause = *update.pause;
+    pause.start = base::Instant{pause.start - origin};
+    m_trace->addPause(pause);
+  }
+  if (stateChanged) {
+    refreshStart();
+  }
+}
+
+void MainWindow::showFinished(const session::RunFinished& finished) {
+  m_report = finished.report;
+  m_reportPanel->setReport(*m_report);
+  if (m_report->controlTrace) {
+    m_trace->showControlTrace(m_report->controlTrace, m_report->pauses);
+  }
+  streaming::LiveUpdate last = m_update;
+  last.state = m_report->outcome == streaming::Outcome::Failed ? streaming::RunState::Aborted
+                                                               : streaming::RunState::Done;
+  last.counters = m_report->counters;
+  last.stopConfirmedAfter = m_report->stopConfirmedAfter;
+  last.waitingFor.clear();
+  m_update = last;
+  m_run->setUpdate(last);
+  m_path->setExecuted(m_report->counters.executed);
+  if (m_report->error.code == streaming::StreamError::StopNotConfirmed) {
+    m_run->setStopUnconfirmed();
+  }
+  if (m_report->error.code) {
+    const QString text = widgets::errorText(m_report->error);
+    m_messages->showMessage(Severity::Error, text);
+    log(Severity::Error, text);
+  } else if (!m_report->isFaultless()) {
+    const QString text =
+        tr("Wrong motion: the control's trace shows repeated or skipped points. See the report.");
+    m_messages->showMessage(Severity::Error, text);
+    log(Severity::Error, text);
+  } else {
+    log(Severity::Note, tr("Run ended: %1 of %2 points executed.")
+                            .arg(widgets::countText(m_report->counters.executed),
+                                 widgets::countText(m_report->counters.total)));
+  }
+  if (!finished.recordingPath.empty()) {
+    log(Severity::Note, tr("Recording: %1").arg(QString::fromStdString(finished.recordingPath)));
+  }
+  refreshStart();
+  Q_EMIT runFinished(m_report);
+}
+
+void MainWindow::log(Severity severity, const QString& text) {
+  m_log->append({QDateTime::currentDateTime(), severity, text});
+}
+
+void MainWindow::saveText(const QString& path, const QString& text) {
+  const auto written = trace::writeFile(path.toStdString(), text.toStdString());
+  if (!written) {
+    m_messages->showMessage(Severity::Error, widgets::errorText(written.error()));
+    return;
+  }
+  log(Severity::Note, tr("Saved %1.").arg(path));
+}
+
+QString MainWindow::newRecordingPath() {
+  const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                    QStringLiteral("/runs"));
+  if (!folder.mkpath(QStringLiteral("."))) {
+    log(Severity::Warning,
+        tr("The run is not recorded: the folder %1 cannot be made.").arg(folder.path()));
+    return {};
+  }
+  return folder.filePath(
+      QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz")) +
+      QStringLiteral(".rivulet"));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (m_session.isRunning()) {
+    // Closing must neither leave the machine alone nor stop it by surprise.
+    m_messages->showMessage(Severity::Warning,
+                            tr("A run lasts. Press Stop and wait for its end, then close."));
+    event->ignore();
+    return;
+  }
+  if (m_persistent) {
+    m_settings.geometry = saveGeometry();
+    saveSettings(m_settings);
+  }
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && !m_session.isRunning()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (!urls.isEmpty() && urls.first().isLocalFile()) {
+    openProgram(urls.first().toLocalFile());
+    event->acceptProposedAction();
+  }
+}
+
+}  // namespace rivulet::hmi

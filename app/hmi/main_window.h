@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The one window: puts the pages together, holds what is open, and connects intents of the
+/// pages with the session. Values flow session → window → pages; only intents flow back.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <optional>
+
+#include "feasibility/verdict.h"
+#include "hmi/settings.h"
+#include "hmi/translator.h"
+#include "session/program_loader.h"
+#include "session/stream_session.h"
+#include "widgets/connection/machine_view.h"
+
+class QAction;
+class QActionGroup;
+class QMenu;
+class QTabWidget;
+
+namespace rivulet::widgets {
+class ConnectionPanel;
+class FeasibilityPage;
+class LogView;
+class MessageArea;
+class MethodPanel;
+class PathView;
+class ProgramPanel;
+class ReportPanel;
+class RunPanel;
+class TemplatePage;
+class TracePage;
+}  // namespace rivulet::widgets
+
+namespace rivulet::hmi {
+
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// @param settings  where the window begins; written back to the store when it closes if
+  ///                  `persistent`
+  explicit MainWindow(Settings settings, bool persistent, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  void openProgram(const QString& path);
+  void connectTo(const QString& endpoint);
+  void setStreamSettings(const widgets::StreamSettings& settings);
+  void setLanguage(const QString& language);
+  void setTheme(widgets::Theme theme);
+  /// Starts if nothing stands in the way. @return false and shows why otherwise
+  bool start();
+  void stop();
+
+  [[nodiscard]] QString startBlockedReason() const;
+  [[nodiscard]] bool isRunning() const { return m_session.isRunning(); }
+  [[nodiscard]] const std::optional<feasibility::Verdict>& verdict() const { return m_verdict; }
+  [[nodiscard]] std::shared_ptr<const streaming::RunReport> lastReport() const { return m_report; }
+  [[nodiscard]] const streaming::LiveUpdate& lastUpdate() const { return m_update; }
+  /// The pages, for pictures and tests.
+  [[nodiscard]] QTabWidget* pages() const { return m_tabs; }
+  [[nodiscard]] widgets::TracePage* tracePage() const { return m_trace; }
+
+ Q_SIGNALS:
+  void runFinished(const std::shared_ptr<const rivulet::streaming::RunReport>& report);
+  void runStarted();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildPages();
+  void buildMenus();
+  void connectPages();
+  void retranslate();
+
+  void showProgram(const std::shared_ptr<const gcode::Program>& program, const QString& path);
+  void showLoadError(const base::Error& error, const QString& path);
+  void showLink(const session::LinkChanged& change);
+  void showMachine(const session::MachineSeen& seen);
+  void showUpdate(const streaming::LiveUpdate& update);
+  void showFinished(const session::RunFinished& finished);
+
+  /// Everything that follows from program and settings: verdict, region, template.
+  void judge();
+  void refreshStart();
+  void log(gcode::Severity severity, const QString& text);
+  void saveText(const QString& path, const QString& text);
+  [[nodiscard]] QString newRecordingPath();
+
+  Settings m_settings;
+  bool m_persistent;
+  Translator m_translator;
+  session::StreamSession m_session;
+  session::ProgramLoader m_loader;
+
+  std::shared_ptr<const gcode::Program> m_program;
+  gcode::PointList m_points;
+  std::optional<feasibility::ProgramDistances> m_distances;
+  std::optional<feasibility::Verdict> m_verdict;
+  std::optional<QString> m_problem;
+  session::LinkChanged m_link;
+  widgets::MachineView m_machine;
+  streaming::LiveUpdate m_update;
+  std::optional<base::Instant> m_runBegan;
+  std::shared_ptr<const streaming::RunReport> m_report;
+
+  widgets::MessageArea* m_messages = nullptr;
+  widgets::ConnectionPanel* m_connection = nullptr;
+  widgets::MethodPanel* m_method = nullptr;
+  widgets::ProgramPanel* m_programPanel = nullptr;
+  widgets::PathView* m_path = nullptr;
+  widgets::FeasibilityPage* m_feasibility = nullptr;
+  widgets::TracePage* m_trace = nullptr;
+  widgets::TemplatePage* m_template = nullptr;
+  widgets::ReportPanel* m_reportPanel = nullptr;
+  widgets::LogView* m_log = nullptr;
+  widgets::RunPanel* m_run = nullptr;
+  QTabWidget* m_tabs = nullptr;
+
+  QMenu* m_fileMenu = nullptr;
+  QMenu* m_viewMenu = nullptr;
+  QMenu* m_languageMenu = nullptr;
+  QMenu* m_themeMenu = nullptr;
+  QMenu* m_helpMenu = nullptr;
+  QAction* m_openAction = nullptr;
+  QAction* m_quitAction = nullptr;
+  QAction* m_aboutAction = nullptr;
+  QActionGroup* m_languages = nullptr;
+  QActionGroup* m_themes = nullptr;
+};
+
+}  // namespace rivulet::hmi

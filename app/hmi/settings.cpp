@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/settings.h"
+
+#include <QSettings>
+
+#include "base/units.h"
+
+namespace rivulet::hmi {
+
+namespace {
+
+QString themeName(widgets::Theme theme) {
+  switch (theme) {
+    case widgets::Theme::Light:
+      return QStringLiteral("light");
+    case widgets::Theme::Dark:
+      return QStringLiteral("dark");
+    case widgets::Theme::System:
+      break;
+  }
+  return QStringLiteral("system");
+}
+
+widgets::Theme themeFromName(const QString& name) {
+  if (name == QLatin1String("light")) {
+    return widgets::Theme::Light;
+  }
+  return name == QLatin1String("dark") ? widgets::Theme::Dark : widgets::Theme::System;
+}
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+/// A positive number, or what was there before: a damaged file must not become an order.
+double positive(const QVariant& value, double otherwise) {
+  bool isNumber = false;
+  const double number = value.toDouble(&isNumber);
+  return isNumber && number > 0.0 && number < 1e6 ? number : otherwise;
+}
+
+}  // namespace
+
+void Settings::addRecentFile(const QString& path) {
+  recentFiles.removeAll(path);
+  recentFiles.prepend(path);
+  while (recentFiles.size() > kRecentFilesMax) {
+    recentFiles.removeLast();
+  }
+}
+
+Settings loadSettings() {
+  const QSettings store;
+  Settings settings;
+  settings.endpoint = store.value(QStringLiteral("endpoint"), settings.endpoint).toString();
+  settings.recentFiles = store.value(QStringLiteral("recentFiles")).toStringList();
+  settings.language = store.value(QStringLiteral("language")).toString();
+  settings.theme = themeFromName(store.value(QStringLiteral("theme")).toString());
+  settings.geometry = store.value(QStringLiteral("geometry")).toByteArray();
+  widgets::StreamSettings& stream = settings.stream;
+  stream.feedMmPerS = base::mmPerSFromMmPerMin(2000.0);
+  stream.parameters.method =
+      base::methodFromName(store.value(QStringLiteral("stream/method")).toString().toStdString())
+          .value_or(stream.parameters.method);
+  stream.parameters.layout =
+      templates::layoutFromName(
+          store.value(QStringLiteral("stream/layout")).toString().toStdString())
+          .value_or(stream.parameters.layout);
+  const int points = store.value(QStringLiteral("stream/points")).toInt();
+  if (points >= 2) {
+    stream.parameters.pointsPerLoop = points;
+  }
+  stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
+  stream.feedMmPerS =
+      base::mmPerSFromMmPerMin(positive(store.value(QStringLiteral("stream/feedMmPerMin")),
+                                        base::mmPerMinFromMmPerS(stream.feedMmPerS)));
+  return settings;
+}
+
+void saveSettings(const Settings& settings) {
+  QSettings store;
+  store.setValue(QStringLiteral("endpoint"), settings.endpoint);
+  store.setValue(QStringLiteral("recentFiles"), settings.recentFiles);
+  store.setValue(QStringLiteral("language"), settings.language);
+  store.setValue(QStringLiteral("theme"), themeName(settings.theme));
+  store.setValue(QStringLiteral("geometry"), settings.geometry);
+  const widgets::StreamSettings& stream = settings.stream;
+  store.setValue(QStringLiteral("stream/method"), text(base::methodName(stream.parameters.method)));
+  store.setValue(QStringLiteral("stream/layout"),
+                 text(templates::layoutName(stream.parameters.layout)));
+  store.setValue(QStringLiteral("stream/points"), stream.parameters.pointsPerLoop);
+  store.setValue(QStringLiteral("stream/deltaMm"), stream.deltaMm);
+  store.setValue(QStringLiteral("stream/feedMmPerMin"),
+                 base::mmPerMinFromMmPerS(stream.feedMmPerS));
+}
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the HMI remembers between starts. The only user of QSettings. @threadsafety GUI thread.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include "widgets/common/theme.h"
+#include "widgets/streaming/stream_settings.h"
+
+namespace rivulet::hmi {
+
+struct Settings {
+  QString endpoint = QStringLiteral("opc.tcp://127.0.0.1:4840");
+  QStringList recentFiles;
+  QString language;  ///< "en", "de"; empty: the system's
+  widgets::Theme theme = widgets::Theme::System;
+  widgets::StreamSettings stream;
+  QByteArray geometry;
+
+  static constexpr int kRecentFilesMax = 8;
+  void addRecentFile(const QString& path);
+};
+
+[[nodiscard]] Settings loadSettings();
+void saveSettings(const Settings& settings);
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the streaming thread tells the GUI, and what the GUI orders. @threadsafety plain values.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "base/error.h"
+#include "gcode/program.h"
+#include "streaming/run.h"
+#include "trace/recording.h"
+
+namespace rivulet::session {
+
+enum class LinkState { Disconnected, Connecting, Connected, Lost };
+
+struct LinkChanged {
+  LinkState state = LinkState::Disconnected;
+  base::Error error;  ///< why, for Disconnected and Lost; code clear otherwise
+  bool isVirtualMachine = false;
+};
+
+/// The control as it was seen between runs.
+struct MachineSeen {
+  int channelStatus = 0;
+  int programStatus = 0;
+  int alarm = 0;
+  std::string programName;
+  std::string message;
+  base::Vec3 positionMm;
+  double feedMmPerS = 0.0;
+};
+
+struct RunFinished {
+  std::shared_ptr<const streaming::RunReport> report;
+  std::string recordingPath;  ///< empty: none could be written
+};
+
+using SessionEvent = std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate,
+                                  trace::Note, RunFinished>;
+
+struct ConnectOrder {
+  std::string endpoint;
+};
+struct DisconnectOrder {};
+struct StartOrder {
+  std::shared_ptr<const gcode::Program> program;
+  streaming::RunSettings settings;
+  std::string recordingPath;  ///< empty: no recording
+  std::string startedAtUtc;
+};
+
+using SessionOrder = std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder>;
+
+}  // namespace rivulet::session

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "session/session_worker.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+
+#include "base/units.h"
+#include "opcua/open62541/ua_link.h"
+#include "trace/recording.h"
+
+namespace rivulet::session {
+
+namespace {
+
+/// How often the control is looked at between runs.
+constexpr std::chrono::milliseconds kWatchInterval{250};
+constexpr std::chrono::seconds kWatchDeadline{2};
+/// How long the thread waits for room when the GUI is busy, per attempt.
+constexpr std::chrono::milliseconds kRoomInterval{2};
+
+}  // namespace
+
+/// Hands what a run reports to the ring.
+class SessionWorker::Sink final : public streaming::RunSink {
+ public:
+  explicit Sink(SessionWorker& worker) : m_worker(worker) {}
+  void update(const streaming::LiveUpdate& update) override {
+    const bool important = update.pause || update.state != m_state;
+    m_state = update.state;
+    if (important) {
+      m_worker.tell(update);
+    } else {
+      m_worker.tellIfRoom(update);
+    }
+  }
+  void access(const trace::Access&) override {}
+  void note(const trace::Note& note) override { m_worker.tell(note); }
+
+ private:
+  SessionWorker& m_worker;
+  streaming::RunState m_state = streaming::RunState::Idle;
+};
+
+class SessionWorker::Orders final : public streaming::RunOrders {
+ public:
+  explicit Orders(SessionWorker& worker) : m_worker(worker) {}
+  bool stopRequested(base::Instant) override {
+    return m_worker.m_stopRun.load() || m_worker.m_quit.load();
+  }
+
+ private:
+  SessionWorker& m_worker;
+};
+
+SessionWorker::SessionWorker() : m_thread([this] { work(); }) {
+}
+
+SessionWorker::~SessionWorker() {
+  m_quit.store(true);
+  m_orderCount.release();
+  m_thread.join();
+}
+
+bool SessionWorker::order(SessionOrder order) {
+  if (std::holds_alternative<StartOrder>(order)) {
+    m_stopRun.store(false);
+  }
+  if (!m_orders.tryPush(std::move(order))) {
+    return false;
+  }
+  m_orderCount.release();
+  return true;
+}
+
+void SessionWorker::stopRun() {
+  m_stopRun.store(true);
+}
+
+std::optional<SessionEvent> SessionWorker::take() {
+  return m_events.tryPop();
+}
+
+void SessionWorker::tell(SessionEvent event) {
+  while (!m_events.tryPush(event)) {
+    if (m_quit.load()) {
+      return;
+    }
+    std::this_thread::sleep_for(kRoomInterval);
+  }
+}
+
+void SessionWorker::tellIfRoom(SessionEvent event) {
+  if (!m_events.tryPush(std::move(event))) {
+    m_lost.fetch_add(1);
+  }
+}
+
+void SessionWorker::work() {
+  while (!m_quit.load()) {
+    // Without an order within the interval the control is looked at again.
+    if (m_orderCount.try_acquire_for(kWatchInterval)) {
+      const std::optional<SessionOrder> order = m_orders.tryPop();
+      if (!order) {
+        continue;
+      }
+      if (const auto* connectOrder = std::get_if<ConnectOrder>(&*order)) {
+        connect(*connectOrder);
+      } else if (std::holds_alternative<DisconnectOrder>(*order)) {
+        disconnect();
+      } else if (const auto* startOrder = std::get_if<StartOrder>(&*order)) {
+        start(*startOrder);
+      }
+    }
+    watch();
+  }
+  m_link.reset();
+}
+
+void SessionWorker::connect(const ConnectOrder& order) {
+  m_link.reset();
+  tell(LinkChanged{LinkState::Connecting, {}, false});
+  opcua::ConnectOptions options;
+  options.endpoint = order.endpoint;
+  auto link = opcua::UaLink::connect(options);
+  if (!link) {
+    tell(LinkChanged{LinkState::Disconnected, link.error(), false});
+    return;
+  }
+  m_link = std::move(*link);
+  tell(LinkChanged{LinkState::Connected, {}, m_link->isVirtualMachine()});
+}
+
+void SessionWorker::disconnect() {
+  m_link.reset();
+  tell(LinkChanged{LinkState::Disconnected, {}, false});
+}
+
+void SessionWorker::watch() {
+  if (!m_link) {
+    return;
+  }
+  using opcua::VariableKind;
+  static constexpr std::array<opcua::Variable, 9> kWatched{{
+      {VariableKind::ChannelStatus, 0},
+      {VariableKind::ProgramStatus, 0},
+      {VariableKind::Alarm, 0},
+      {VariableKind::ProgramName, 0},
+      {VariableKind::Message, 0},
+      {VariableKind::ActualPosition, 0},
+      {VariableKind::ActualPosition, 1},
+      {VariableKind::ActualPosition, 2},
+      {VariableKind::PathFeed, 0},
+  }};
+  const auto readings = streaming::readNow(*m_link, kWatched, kWatchDeadline);
+  if (!readings) {
+    if (readings.error().code == opcua::LinkError::ConnectionLost) {
+      m_link.reset();
+      tell(LinkChanged{LinkState::Lost, readings.error(), false});
+    }
+    return;
+  }
+  MachineSeen seen;
+  seen.channelStatus = static_cast<int>((*readings)[0].number);
+  seen.programStatus = static_cast<int>((*readings)[1].number);
+  seen.alarm = static_cast<int>((*readings)[2].number);
+  seen.programName = (*readings)[3].text;
+  seen.message = (*readings)[4].text;
+  seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
+  seen.feedMmPerS = base::mmPerSFromMmPerMin((*readings)[8].number);
+  tellIfRoom(seen);
+}
+
+void SessionWorker::start(const StartOrder& order) {
+  if (!m_link) {
+    auto report = std::make_shared<streaming::RunReport>();
+    report->error = base::makeError(opcua::LinkError::NotReachable,
+                                    "There is no connection to a control. Connect first.");
+    report->settings = order.settings;
+    tell(RunFinished{std::move(report), {}});
+    return;
+  }
+  Sink sink(*this);
+  Orders orders(*this);
+  // The file is written by this thread between accesses: small appends into the page cache.
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      order.recordingPath.empty() ? nullptr : std::fopen(order.recordingPath.c_str(), "wb"),
+      std::fclose);
+  std::unique_ptr<trace::RecordingWriter> writer;
+  if (file) {
+    writer = std::make_unique<trace::RecordingWriter>([&file](std::string_view text) {
+      return std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
+    });
+  }
+  streaming::JobRecorder recorder;
+  recorder.writer = writer.get();
+  recorder.start.toolVersion = RIVULET_VERSION;
+  recorder.start.startedAtUtc = order.startedAtUtc;
+  auto report = std::make_shared<streaming::RunReport>(streaming::runJob(
+      *m_link, *m_link, *order.program, order.settings, orders, sink, std::move(recorder)));
+  const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
+  const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
+  const base::Error error = report->error;
+  tell(RunFinished{std::move(report), recorded ? order.recordingPath : std::string()});
+  if (lost) {
+    m_link.reset();
+    tell(LinkChanged{LinkState::Lost, error, false});
+  }
+}
+
+}  // namespace rivulet::session

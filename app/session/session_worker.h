@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The streaming thread: owns the link and, during a run, driver and method. Orders come in and
+/// events go out through bounded rings; nothing on this side waits for the GUI.
+/// @threadsafety constructor, destructor, `order`, `stopRun` and `take` belong to the GUI thread.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <semaphore>
+#include <thread>
+
+#include "base/spsc_ring.h"
+#include "opcua/link.h"
+#include "session/session_event.h"
+#include "streaming/job.h"
+
+namespace rivulet::opcua {
+class UaLink;
+}
+
+namespace rivulet::session {
+
+class SessionWorker {
+ public:
+  SessionWorker();
+  /// Orders a stop if a run lasts, waits for it, closes the connection, ends the thread.
+  ~SessionWorker();
+  SessionWorker(const SessionWorker&) = delete;
+  SessionWorker& operator=(const SessionWorker&) = delete;
+
+  /// @return false if more orders wait than anybody can have meant
+  bool order(SessionOrder order);
+  /// Takes effect within a driver's look at its orders, 20 ms.
+  void stopRun();
+  /// The oldest event not taken yet.
+  std::optional<SessionEvent> take();
+  /// Live updates that were dropped because nobody took them.
+  [[nodiscard]] std::size_t lost() const { return m_lost.load(); }
+
+ private:
+  class Sink;
+  class Orders;
+
+  void work();
+  void connect(const ConnectOrder& order);
+  void disconnect();
+  void start(const StartOrder& order);
+  void watch();
+  /// Live values may be lost when the GUI does not keep up; everything else waits for room.
+  void tell(SessionEvent event);
+  void tellIfRoom(SessionEvent event);
+
+  base::SpscRing<SessionOrder, 16> m_orders;
+  base::SpscRing<SessionEvent, 4096> m_events;
+  std::counting_semaphore<> m_orderCount{0};
+  std::atomic<bool> m_quit{false};
+  std::atomic<bool> m_stopRun{false};
+  std::atomic<std::size_t> m_lost{0};
+  std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
+  std::thread m_thread;
+};
+
+}  // namespace rivulet::session

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "session/stream_session.h"
+
+#include <QDateTime>
+
+#include "session/session_worker.h"
+
+namespace rivulet::session {
+
+namespace {
+
+constexpr int kDrainIntervalMs = 33;
+
+}  // namespace
+
+StreamSession::StreamSession(QObject* parent)
+    : QObject(parent), m_worker(std::make_unique<SessionWorker>()) {
+  m_timer.setInterval(kDrainIntervalMs);
+  connect(&m_timer, &QTimer::timeout, this, &StreamSession::drain);
+  m_timer.start();
+}
+
+StreamSession::~StreamSession() = default;
+
+void StreamSession::connectTo(const QString& endpoint) {
+  m_worker->order(ConnectOrder{endpoint.trimmed().toStdString()});
+}
+
+void StreamSession::disconnectFrom() {
+  m_worker->order(DisconnectOrder{});
+}
+
+void StreamSession::start(std::shared_ptr<const gcode::Program> program,
+                          const streaming::RunSettings& settings, const QString& recordingPath) {
+  if (m_running) {
+    return;
+  }
+  m_running = m_worker->order(
+      StartOrder{std::move(program), settings, recordingPath.toStdString(),
+                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+}
+
+void StreamSession::stop() {
+  m_worker->stopRun();
+}
+
+void StreamSession::drain() {
+  while (const std::optional<SessionEvent> event = m_worker->take()) {
+    if (const auto* change = std::get_if<LinkChanged>(&*event)) {
+      Q_EMIT linkChanged(*change);
+    } else if (const auto* seen = std::get_if<MachineSeen>(&*event)) {
+      Q_EMIT machineSeen(*seen);
+    } else if (const auto* update = std::get_if<streaming::LiveUpdate>(&*event)) {
+      Q_EMIT updateArrived(*update);
+    } else if (const auto* note = std::get_if<trace::Note>(&*event)) {
+      Q_EMIT noteArrived(*note);
+    } else if (const auto* finished = std::get_if<RunFinished>(&*event)) {
+      m_running = false;
+      Q_EMIT runFinished(*finished);
+    }
+  }
+}
+
+}  // namespace rivulet::session

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The HMI's view of the streaming thread: intents in, values out as signals, at most 30 times a
+/// second. @threadsafety GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+
+#include "session/session_event.h"
+
+namespace rivulet::session {
+
+class SessionWorker;
+
+class StreamSession final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StreamSession(QObject* parent = nullptr);
+  /// Ends a run that lasts (with a stop, waiting for its confirmation) and the connection.
+  ~StreamSession() override;
+
+  void connectTo(const QString& endpoint);
+  void disconnectFrom();
+  /// @param recordingPath  file to write; empty: none
+  void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
+             const QString& recordingPath);
+  void stop();
+
+  [[nodiscard]] bool isRunning() const { return m_running; }
+
+ Q_SIGNALS:
+  void linkChanged(const rivulet::session::LinkChanged& change);
+  void machineSeen(const rivulet::session::MachineSeen& seen);
+  void updateArrived(const rivulet::streaming::LiveUpdate& update);
+  void noteArrived(const rivulet::trace::Note& note);
+  void runFinished(const rivulet::session::RunFinished& finished);
+
+ private:
+  void drain();
+
+  std::unique_ptr<SessionWorker> m_worker;
+  QTimer m_timer;
+  bool m_running = false;
+};
+
+}  // namespace rivulet::session
