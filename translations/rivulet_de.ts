@@ -337,6 +337,193 @@
     </message>
 </context>
 <context>
+    <name>rivulet::hmi::Demo</name>
+    <message>
+        <source>The picture or the report cannot be written to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MainWindow</name>
+    <message>
+        <source>About Rivulet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rivulet %1
+Streams a CNC machine&apos;s trajectory over OPC UA while it moves.
+
+Stop ends the program at the end of its loop. It is no emergency stop.
+
+GPL-3.0-or-later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – Rivulet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rivulet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Feasibility</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open program …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Rivulet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run lasts. Open another program when it has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened %1 (%2), %3 points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path of %1 is not known everywhere: see the findings. It cannot be streamed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected to the virtual machine at %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected to the control at %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program is loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has fewer than two points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run lasts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a control first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path of the program is not known everywhere: see the findings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program runs on the control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control reports an alarm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start. The tool first moves %1 in a straight line to the first point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop ordered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrong motion: the control&apos;s trace shows repeated or skipped points. See the report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run ended: %1 of %2 points executed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run is not recorded: the folder %1 cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run lasts. Press Stop and wait for its end, then close.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::CellModel</name>
     <message>
         <source>Role</source>
@@ -347,20 +534,12 @@
         <translation>R-Parameter</translation>
     </message>
     <message>
-        <source>Written by</source>
-        <translation>Geschrieben von</translation>
-    </message>
-    <message>
         <source>Point %1: %2</source>
         <translation>Punkt %1: %2</translation>
     </message>
     <message>
         <source>Client</source>
         <translation>Client</translation>
-    </message>
-    <message>
-        <source>Client and NC</source>
-        <translation>Client und NC</translation>
     </message>
     <message>
         <source>NC</source>
@@ -379,12 +558,20 @@
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Feed, mm/min</source>
-        <translation>Vorschub, mm/min</translation>
-    </message>
-    <message>
         <source>Layout number</source>
         <translation>Layoutnummer</translation>
+    </message>
+    <message>
+        <source>Writer</source>
+        <translation>Schreiber</translation>
+    </message>
+    <message>
+        <source>Client, NC</source>
+        <translation>Client, NC</translation>
+    </message>
+    <message>
+        <source>Feed (mm/min)</source>
+        <translation>Vorschub (mm/min)</translation>
     </message>
 </context>
 <context>
@@ -901,14 +1088,6 @@
         <translation>Vorschübe</translation>
     </message>
     <message>
-        <source>d_min</source>
-        <translation>d_min</translation>
-    </message>
-    <message>
-        <source>d_min^N</source>
-        <translation>d_min^N</translation>
-    </message>
-    <message>
         <source>Smallest distance of neighbouring points</source>
         <translation>Kleinster Abstand benachbarter Punkte</translation>
     </message>
@@ -937,16 +1116,20 @@
         <translation>Nicht streambar.</translation>
     </message>
     <message>
-        <source>%1 different, %2 … %3</source>
-        <translation>%1 verschiedene, %2 … %3</translation>
-    </message>
-    <message>
         <source>line %1</source>
         <translation>Zeile %1</translation>
     </message>
     <message>
         <source>lines %1–%2</source>
         <translation>Zeilen %1–%2</translation>
+    </message>
+    <message>
+        <source>%1 … %2 (%3 values)</source>
+        <translation>%1 … %2 (%3 Werte)</translation>
+    </message>
+    <message>
+        <source>No findings</source>
+        <translation>Keine Befunde</translation>
     </message>
 </context>
 <context>
@@ -989,10 +1172,6 @@
     <message>
         <source>Program</source>
         <translation>Programm</translation>
-    </message>
-    <message>
-        <source>Settings</source>
-        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -1101,6 +1280,14 @@
     <message>
         <source>NOT confirmed: check the machine</source>
         <translation>NICHT bestätigt: Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
     </message>
 </context>
 <context>
@@ -1228,10 +1415,6 @@
 <context>
     <name>rivulet::widgets::TracePage</name>
     <message>
-        <source>Feed, mm/min</source>
-        <translation>Vorschub, mm/min</translation>
-    </message>
-    <message>
         <source>Time, s</source>
         <translation>Zeit, s</translation>
     </message>
@@ -1286,6 +1469,10 @@
     <message>
         <source>%1: pause %2</source>
         <translation>%1: Pause %2</translation>
+    </message>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
     </message>
 </context>
 </TS>

@@ -47,13 +47,10 @@ QLabel* makeHeading(QWidget* parent) {
   return label;
 }
 
-void setMuted(QWidget* widget) {
-  QPalette palette = widget->palette();
-  const QColor color = themeColors(palette).mutedText;
-  if (palette.color(QPalette::WindowText) != color) {
-    palette.setColor(QPalette::WindowText, color);
-    widget->setPalette(palette);
-  }
+void setMuted(QWidget* widget, const QPalette& palette) {
+  QPalette muted = widget->palette();
+  muted.setColor(QPalette::WindowText, themeColors(palette).mutedText);
+  widget->setPalette(muted);
 }
 
 }  // namespace rivulet::widgets

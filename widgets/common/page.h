@@ -39,6 +39,7 @@ class Page : public QWidget {
 [[nodiscard]] QLabel* makeHeading(QWidget* parent);
 
 /// Gives a widget the colour of secondary text.
-void setMuted(QWidget* widget);
+/// @param palette  of the page: while a theme changes, the children still have the old one
+void setMuted(QWidget* widget, const QPalette& palette);
 
 }  // namespace rivulet::widgets

@@ -3,7 +3,10 @@
 
 #include "widgets/common/table_style.h"
 
+#include <QApplication>
 #include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <QTableView>
 
 #include "widgets/common/diagnostic_text.h"
@@ -12,7 +15,38 @@
 
 namespace rivulet::widgets {
 
+namespace {
+
+/// Room between a cell's text and its neighbours.
+class PaddedDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyleOptionViewItem padded = option;
+    initStyleOption(&padded, index);
+    const QStyle* style = padded.widget->style();
+    style->drawPrimitive(QStyle::PE_PanelItemViewItem, &padded, painter, padded.widget);
+    padded.rect.adjust(kPaddingPx, 0, -kPaddingPx, 0);
+    style->drawControl(QStyle::CE_ItemViewItem, &padded, painter, padded.widget);
+  }
+
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                               const QModelIndex& index) const override {
+    QStyleOptionViewItem padded = option;
+    padded.rect.adjust(kPaddingPx, 0, -kPaddingPx, 0);
+    return QStyledItemDelegate::sizeHint(padded, index) + QSize(2 * kPaddingPx, 6);
+  }
+
+ private:
+  static constexpr int kPaddingPx = 5;
+};
+
+}  // namespace
+
 void styleTable(QTableView* table) {
+  table->setItemDelegate(new PaddedDelegate(table));
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -180,10 +180,10 @@ void ConnectionPanel::restyle() {
                                 themeColors(palette()).text));
   for (QLabel* label : {m_channelLabel, m_programStatusLabel, m_programNameLabel, m_alarmLabel,
                         m_messageLabel, m_endpointLabel, m_feedUnit}) {
-    setMuted(label);
+    setMuted(label, palette());
   }
   for (QLabel* unit : m_axisUnits) {
-    setMuted(unit);
+    setMuted(unit, palette());
   }
 }
 

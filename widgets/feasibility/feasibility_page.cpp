@@ -81,7 +81,7 @@ void FeasibilityPage::retranslate() {
 
 void FeasibilityPage::restyle() {
   for (RegionChart* chart : m_charts) {
-    chart->restyle();
+    chart->restyle(palette());
   }
   showLegend();
 }

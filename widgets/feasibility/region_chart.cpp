@@ -81,7 +81,7 @@ class RegionOverlay final : public QGraphicsItem {
   [[nodiscard]] QRectF area() const { return m_view->chart()->plotArea(); }
 
   void paintLabel(QPainter* painter, QRectF box, const QString& text, const QColor& color) const {
-    const ThemeColors& colors = themeColors(m_view->palette());
+    const ThemeColors& colors = themeColors(m_view->m_palette);
     QColor background = colors.surface;
     background.setAlpha(225);
     painter->setPen(Qt::NoPen);
@@ -97,7 +97,7 @@ class RegionOverlay final : public QGraphicsItem {
       return;
     }
     const double x = m_view->pixel(model.distances.pointDistanceMmMin, 0.0).x();
-    const ThemeColors& colors = themeColors(m_view->palette());
+    const ThemeColors& colors = themeColors(m_view->m_palette);
     painter->setPen(QPen(colors.mutedText, 1.4, Qt::DotLine));
     painter->drawLine(QPointF(x, area().top()), QPointF(x, area().bottom()));
     const QString text =
@@ -112,7 +112,7 @@ class RegionOverlay final : public QGraphicsItem {
 
   void paintNames(QPainter* painter) const {
     // Each border is named where it leaves the picture: at the right, or at the top.
-    const ThemeColors& colors = themeColors(m_view->palette());
+    const ThemeColors& colors = themeColors(m_view->m_palette);
     std::vector<QRectF> taken;
     for (const Border& border : m_view->m_borders) {
       if (!border.withSafety || border.points.empty()) {
@@ -152,7 +152,7 @@ class RegionOverlay final : public QGraphicsItem {
   }
 
   void paintOperatingPoint(QPainter* painter) const {
-    const ThemeColors& colors = themeColors(m_view->palette());
+    const ThemeColors& colors = themeColors(m_view->m_palette);
     const QPointF centre = m_view->operatingPixel();
     for (const auto& [color, width] :
          {std::pair(colors.surface, 6.0), std::pair(colors.text, 2.4)}) {
@@ -216,10 +216,10 @@ RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
     series->attachAxis(m_yAxis);
   }
   m_points->setMarkerShape(QScatterSeries::MarkerShapeCircle);
-  m_points->setMarkerSize(7.0);
+  m_points->setMarkerSize(5.0);
   connect(chart(), &QChart::plotAreaChanged, this, [this] { m_overlay->refresh(); });
   retranslate();
-  restyle();
+  restyle(palette());
 }
 
 void RegionChart::setModel(const FeasibilityModel& model) {
@@ -244,16 +244,17 @@ void RegionChart::retranslate() {
   m_overlay->refresh();
 }
 
-void RegionChart::restyle() {
-  const ThemeColors& colors = themeColors(palette());
-  styleChart(chart(), palette());
+void RegionChart::restyle(const QPalette& palette) {
+  m_palette = palette;
+  const ThemeColors& colors = themeColors(palette);
+  styleChart(chart(), palette);
   setBackgroundBrush(colors.surface);
   m_safeArea->setPen(Qt::NoPen);
   m_safeArea->setBrush(colors.feasibleFill);
   m_bandArea->setPen(Qt::NoPen);
   m_bandArea->setBrush(QBrush(colors.safetyFill));
   m_points->setColor(colors.mutedText);
-  m_points->setBorderColor(colors.surface);
+  m_points->setPen(Qt::NoPen);
   rebuild();
 }
 
@@ -298,17 +299,18 @@ void RegionChart::mouseReleaseEvent(QMouseEvent* /*event*/) {
 }
 
 void RegionChart::resizeEvent(QResizeEvent* event) {
-  QChartView::resizeEvent(event);
+  // The plot area first: the axes are laid out around it when the chart takes its new size.
   chart()->setPlotArea(QRectF(kLeftPx, kTopPx, std::max(width() - kLeftPx - kRightPx, 10.0),
                               std::max(height() - kTopPx - kBottomPx, 10.0)));
+  QChartView::resizeEvent(event);
+  divideAxes();
   m_overlay->refresh();
 }
 
 void RegionChart::rebuild() {
-  const ThemeColors& colors = themeColors(palette());
+  const ThemeColors& colors = themeColors(m_palette);
   if (!m_model) {
-    divideAxis(m_xAxis, 0.0, m_xMax, 6);
-    divideAxis(m_yAxis, 0.0, m_feedMmPerMinMax, 6);
+    divideAxes();
     return;
   }
   if (!m_dragging) {
@@ -403,10 +405,14 @@ void RegionChart::rebuild() {
     }
   }
   m_points->replace(marks);
-  divideAxis(m_xAxis, m_axis == SweepAxis::PointsPerLoop ? 2.0 : 0.0, m_xMax,
-             std::clamp(width() / 110, 3, 12));
-  divideAxis(m_yAxis, 0.0, m_feedMmPerMinMax, std::clamp(height() / 60, 3, 10));
+  divideAxes();
   m_overlay->refresh();
+}
+
+void RegionChart::divideAxes() {
+  divideAxis(m_xAxis, m_axis == SweepAxis::PointsPerLoop ? 2.0 : 0.0, m_xMax,
+             std::clamp(width() / 70, 3, 12));
+  divideAxis(m_yAxis, 0.0, m_feedMmPerMinMax, std::clamp(height() / 45, 3, 10));
 }
 
 void RegionChart::chooseRanges() {

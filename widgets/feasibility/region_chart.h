@@ -43,7 +43,8 @@ class RegionChart final : public QChartView {
   void setEditable(bool editable) { m_editable = editable; }
   /// Sets titles and numbers in the present language.
   void retranslate();
-  void restyle();
+  /// @param palette  of the page, which learns of a new theme before its children do
+  void restyle(const QPalette& palette);
 
   /// Where the operating point is, in pixels of the chart.
   [[nodiscard]] QPointF operatingPixel() const;
@@ -66,12 +67,14 @@ class RegionChart final : public QChartView {
   friend class RegionOverlay;
 
   void rebuild();
+  void divideAxes();
   void chooseRanges();
   [[nodiscard]] double abscissa() const;
   [[nodiscard]] QPointF pixel(double x, double feedMmPerMin) const;
   void dragTo(QPointF pixel);
 
   feasibility::SweepAxis m_axis;
+  QPalette m_palette;
   std::optional<FeasibilityModel> m_model;
   std::vector<feasibility::Border> m_borders;
   bool m_editable = true;

@@ -128,14 +128,14 @@ void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*opti
     const double textWidth = metrics.horizontalAdvance(label);
     painter->setPen(themeColors(m_palette).text);
     if (width >= textWidth + 6.0 && middle - textWidth / 2.0 > lastLabelRight) {
-      painter->drawText(QPointF(middle - textWidth / 2.0, m_area.top() + metrics.ascent() + 2.0),
-                        label);
+      painter->drawText(QPointF(middle - textWidth / 2.0, m_area.center().y()), label);
       lastLabelRight = middle + textWidth / 2.0 + 4.0;
     } else if (left - lineHeight - 1.0 > lastLabelRight - lineHeight &&
                left - lineHeight > m_area.left()) {
       // Upright beside its band: narrow bands stand close together.
       painter->save();
-      painter->translate(left - 3.0, m_area.top() + textWidth + 4.0);
+      // At half height, where neither full feed nor standstill draws its line.
+      painter->translate(left - 3.0, m_area.center().y() + textWidth / 2.0);
       painter->rotate(-90.0);
       painter->drawText(QPointF(0.0, 0.0), label);
       painter->restore();

@@ -59,6 +59,7 @@ TimePlot::TimePlot(TimeWindow* window, QWidget* parent)
   connect(&m_redraw, &QTimer::timeout, this, &TimePlot::redraw);
   connect(m_window, &TimeWindow::changed, this, &TimePlot::scheduleRedraw);
   connect(m_chart, &QChart::plotAreaChanged, this, &TimePlot::scheduleRedraw);
+  m_view->installEventFilter(this);
   m_view->viewport()->installEventFilter(this);
   setTimeLabels(false, {});
   restyle();
@@ -75,7 +76,8 @@ void TimePlot::setTimeLabels(bool visible, const QString& title) {
   m_timeAxis->setLabelsVisible(visible);
   m_timeAxis->setTitleText(title);
   m_timeAxis->setTitleVisible(visible);
-  layOut();
+  layOut(m_view->size());
+  m_chart->layout()->invalidate();
 }
 
 void TimePlot::append(double atS, double value) {
@@ -122,12 +124,15 @@ void TimePlot::restyle() {
   }
 }
 
-void TimePlot::resizeEvent(QResizeEvent* event) {
-  Page::resizeEvent(event);
-  layOut();
-}
-
 bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_view) {
+    if (event->type() == QEvent::Resize) {
+      // Before the view itself learns of it: the axes are laid out around the plot area when the
+      // chart takes its new size.
+      layOut(static_cast<QResizeEvent*>(event)->size());
+    }
+    return false;
+  }
   const QRectF area = m_chart->plotArea();
   const double secondsPerPixel =
       (m_window->toS() - m_window->fromS()) / std::max(area.width(), 1.0);
@@ -155,8 +160,7 @@ bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-void TimePlot::layOut() {
-  const QSizeF size = m_view->size();
+void TimePlot::layOut(QSizeF size) {
   const double bottom = m_timeLabels ? kBottomWithLabelsPx : kBottomPx;
   m_chart->setPlotArea(QRectF(kLeftPx, kTopPx, std::max(size.width() - kLeftPx - kRightPx, 10.0),
                               std::max(size.height() - kTopPx - bottom, 10.0)));
@@ -167,7 +171,7 @@ void TimePlot::redraw() {
   const double fromS = m_window->fromS();
   const double toS = m_window->toS();
   const QRectF area = m_chart->plotArea();
-  divideAxis(m_timeAxis, fromS, toS, std::clamp(static_cast<int>(area.width() / 110.0), 2, 15));
+  divideAxis(m_timeAxis, fromS, toS, std::clamp(static_cast<int>(area.width() / 75.0), 2, 20));
 
   double min = 0.0;
   double max = m_leastSpan;

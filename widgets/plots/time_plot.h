@@ -59,11 +59,10 @@ class TimePlot final : public Page {
  protected:
   void retranslate() override;
   void restyle() override;
-  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void layOut();
+  void layOut(QSizeF size);
   void redraw();
   [[nodiscard]] QLineSeries* lineSeries(std::size_t index);
   [[nodiscard]] double secondsAt(double x) const;

@@ -23,6 +23,7 @@ namespace {
 constexpr double kMarginPx = 44.0;               // room for scale bar, axes and legend
 constexpr double kThinningPx = 0.7;              // moves shorter than this on the screen are merged
 constexpr std::size_t kSmoothVertices = 20'000;  // above, smooth lines cost more than they show
+constexpr qsizetype kPieceVertices = 128;  // a wide line is filled as one shape: keep shapes small
 constexpr double kPixelsPerMmMin = 1e-3;
 constexpr double kPixelsPerMmMax = 1e5;
 
@@ -308,17 +309,25 @@ std::size_t PathCanvas::drawMoves(QPainter& painter, std::size_t from, std::size
         line.append(last);
       }
       line.append(next);
+      if (line.size() == kPieceVertices) {
+        finish();  // the next piece begins where this one ends
+      }
     }
     last = next;
   }
   finish();
-  painter.setRenderHint(QPainter::Antialiasing, vertices < kSmoothVertices);
+  const bool smooth = vertices < kSmoothVertices;
+  painter.setRenderHint(QPainter::Antialiasing, smooth);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(rapid);
   for (const QPolygonF& polygon : rapids) {
     painter.drawPolyline(polygon);
   }
-  painter.setPen(cut);
+  QPen cutPen = cut;
+  if (!smooth && cut.widthF() < 2.0) {
+    cutPen.setWidthF(1.0);  // thin lines are drawn, not filled: many times faster
+  }
+  painter.setPen(cutPen);
   for (const QPolygonF& polygon : cuts) {
     painter.drawPolyline(polygon);
   }
@@ -364,7 +373,9 @@ void PathCanvas::drawGrid(QPainter& painter) const {
 void PathCanvas::drawScaleBar(QPainter& painter) const {
   const ThemeColors& colors = themeColors(palette());
   const double lengthMm = gridStepMm();
-  const double lengthPx = lengthMm * m_pixelsPerMm;
+  // Seen isometrically, each axis is foreshortened: the bar is true along the axes.
+  const double foreshortening = m_view == View::Top ? 1.0 : std::sqrt(2.0 / 3.0);
+  const double lengthPx = lengthMm * m_pixelsPerMm * foreshortening;
   const QPointF right(width() - 14.0, height() - 14.0);
   const QPointF left = right - QPointF(lengthPx, 0.0);
   painter.setRenderHint(QPainter::Antialiasing, false);

@@ -9,6 +9,7 @@
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -59,7 +60,8 @@ ProgramPanel::ProgramPanel(QWidget* parent)
       m_figuresGroup(new QGroupBox(this)),
       m_findingsGroup(new QGroupBox(this)),
       m_findings(new DiagnosticModel(this)),
-      m_findingsTable(new QTableView(this)) {
+      m_findingsTable(new QTableView(this)),
+      m_finding(makeValueLabel(this)) {
   setAcceptDrops(true);
   setMinimumWidth(360);
   m_recent->setMenu(m_recentMenu);
@@ -92,12 +94,14 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   m_findingsTable->setModel(m_findings);
   styleTable(m_findingsTable);
   m_findingsTable->setMinimumHeight(120);
-  m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 100);
-  m_findingsTable->setColumnWidth(DiagnosticModel::Line, 64);
-  m_findingsTable->setColumnWidth(DiagnosticModel::ColumnInLine, 64);
+  m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 104);
+  m_findingsTable->setColumnWidth(DiagnosticModel::Line, 56);
+  m_findingsTable->setColumnWidth(DiagnosticModel::ColumnInLine, 60);
   m_findingsTable->horizontalHeader()->setStretchLastSection(true);
   auto* findings = new QVBoxLayout(m_findingsGroup);
-  findings->addWidget(m_findingsTable);
+  findings->addWidget(m_findingsTable, 1);
+  findings->addWidget(m_finding);
+  m_finding->setWordWrap(true);
 
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(buttons);
@@ -108,6 +112,8 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   layout->addWidget(m_findingsGroup, 1);
 
   connect(m_open, &QPushButton::clicked, this, &ProgramPanel::chooseFile);
+  connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &ProgramPanel::showFinding);
   retranslate();
   restyle();
 }
@@ -115,6 +121,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
 void ProgramPanel::setProgram(std::shared_ptr<const gcode::Program> program) {
   m_program = std::move(program);
   m_findings->setProgram(m_program);
+  m_findingsTable->selectRow(0);
   showProgram();
 }
 
@@ -164,12 +171,13 @@ void ProgramPanel::retranslate() {
   name(CutLength, tr("Cutting path"));
   name(RapidLength, tr("Rapid path"));
   name(Feeds, tr("Feeds"));
-  name(PointDistance, tr("d_min"));
-  name(WindowLength, tr("d_min^N"));
+  name(PointDistance, QStringLiteral("d<sub>min</sub>"));
+  name(WindowLength, QStringLiteral("d<sub>min</sub><sup>N</sup>"));
   m_figureNames[PointDistance]->setToolTip(tr("Smallest distance of neighbouring points"));
   m_figureNames[WindowLength]->setToolTip(
       tr("Smallest path length of half a loop (N/2 points, rounded down)"));
   m_findings->retranslate();
+  showFinding();
   fillRecentMenu();
   showProgram();
 }
@@ -177,9 +185,9 @@ void ProgramPanel::retranslate() {
 void ProgramPanel::restyle() {
   m_open->setIcon(themedIcon(QStringLiteral("open"), themeColors(palette()).text));
   m_findings->setColors(palette());
-  setMuted(m_hash);
+  setMuted(m_hash, palette());
   for (QLabel* name : m_figureNames) {
-    setMuted(name);
+    setMuted(name, palette());
   }
 }
 
@@ -252,15 +260,16 @@ void ProgramPanel::showProgram() {
       const double last = statistics.feedsMmPerMin.back();
       values[Feeds] = feedText(base::mmPerSFromMmPerMin(last));
       if (statistics.feedsMmPerMin.size() > 1) {
-        values[Feeds] = tr("%1 different, %2 … %3")
-                            .arg(countText(statistics.feedsMmPerMin.size()),
-                                 feedText(base::mmPerSFromMmPerMin(first)), values[Feeds]);
+        values[Feeds] = tr("%1 … %2 (%3 values)")
+                            .arg(numberText(first, first >= 10.0 ? 0 : 2), values[Feeds],
+                                 countText(statistics.feedsMmPerMin.size()));
       }
     }
   }
   for (std::size_t figure = 0; figure < PointDistance; ++figure) {
     m_figureValues[figure]->setText(values[figure]);
   }
+  showFinding();
   showDistances();
 }
 
@@ -280,6 +289,12 @@ void ProgramPanel::showDistances() {
       known && m_distances->windowSteps > 0
           ? text(m_distances->windowLengthMmMin, m_distances->windowPlace)
           : noValue());
+}
+
+void ProgramPanel::showFinding() {
+  const QModelIndex row = m_findingsTable->currentIndex();
+  m_finding->setText(row.isValid() ? row.siblingAtColumn(DiagnosticModel::Text).data().toString()
+                                   : (m_program ? tr("No findings") : QString()));
 }
 
 void ProgramPanel::fillRecentMenu() {

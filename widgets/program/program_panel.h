@@ -76,6 +76,7 @@ class ProgramPanel final : public Page {
   void showProgram();
   void showDistances();
   void fillRecentMenu();
+  void showFinding();
 
   std::shared_ptr<const gcode::Program> m_program;
   std::optional<feasibility::ProgramDistances> m_distances;
@@ -95,6 +96,7 @@ class ProgramPanel final : public Page {
   QGroupBox* m_findingsGroup;
   DiagnosticModel* m_findings;
   QTableView* m_findingsTable;
+  QLabel* m_finding;  ///< the whole sentence of the finding chosen in the table
 };
 
 }  // namespace rivulet::widgets

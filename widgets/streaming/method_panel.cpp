@@ -196,7 +196,7 @@ void MethodPanel::restyle() {
   m_useFeed->setIcon(themedIcon(QStringLiteral("apply"), color));
   m_useDelta->setIcon(themedIcon(QStringLiteral("apply"), color));
   for (QLabel* label : {m_marginLabel, m_limitLabel, m_placeLabel}) {
-    setMuted(label);
+    setMuted(label, palette());
   }
 }
 

@@ -74,7 +74,9 @@ void ReportPanel::retranslate() {
     m_names[static_cast<std::size_t>(row)]->setText(text);
   };
   name(Program, tr("Program"));
-  name(Settings, tr("Settings"));
+  name(Method, tr("Method"));
+  name(Feed, tr("Feed"));
+  name(Delta, QStringLiteral("δ"));
   name(Duration, tr("Duration"));
   name(Executed, tr("Executed"));
   name(Repeated, tr("Repeated"));
@@ -95,7 +97,7 @@ void ReportPanel::retranslate() {
 
 void ReportPanel::restyle() {
   for (QLabel* label : m_names) {
-    setMuted(label);
+    setMuted(label, palette());
   }
 }
 
@@ -135,14 +137,11 @@ void ReportPanel::showReport() {
   show(Program,
        report.programName.empty() ? noValue() : QString::fromStdString(report.programName));
   const bool position = report.settings.parameters.method == base::MethodKind::Position;
-  QString settings = QStringLiteral("%1, N = %2, F = %3")
-                         .arg(position ? tr("Position") : tr("Signal"),
-                              QString::number(report.settings.parameters.pointsPerLoop),
-                              feedText(report.settings.feedMmPerS));
-  if (position) {
-    settings += QStringLiteral(", δ = %1").arg(lengthText(report.settings.deltaMm));
-  }
-  show(Settings, settings);
+  show(Method, QStringLiteral("%1, N = %2")
+                   .arg(position ? tr("Position") : tr("Signal"),
+                        QString::number(report.settings.parameters.pointsPerLoop)));
+  show(Feed, feedText(report.settings.feedMmPerS));
+  show(Delta, position ? lengthText(report.settings.deltaMm) : noValue());
   show(Duration, secondsText(base::toSeconds(report.duration), 2));
   if (integrity.judged) {
     const auto fault = [](std::size_t count) { return count > 0 ? Status::Fault : Status::Good; };
@@ -189,7 +188,7 @@ void ReportPanel::showReport() {
   } else if (report.outcome == streaming::Outcome::Stopped) {
     show(StopConfirmed, tr("NOT confirmed: check the machine"), Status::Fault);
   } else {
-    show(StopConfirmed, noValue(), Status::Unknown);
+    show(StopConfirmed, noValue());
   }
 }
 

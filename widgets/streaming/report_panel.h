@@ -35,7 +35,9 @@ class ReportPanel final : public Page {
  private:
   enum Row {
     Program,
-    Settings,
+    Method,
+    Feed,
+    Delta,
     Duration,
     Executed,
     Repeated,

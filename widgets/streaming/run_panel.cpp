@@ -39,7 +39,6 @@ RunPanel::RunPanel(QWidget* parent)
       m_margin(new StatusLabel(this)),
       m_waitingName(new QLabel(this)),
       m_waiting(new QLabel(this)) {
-  setMinimumWidth(330);
   QFont buttonFont = font();
   buttonFont.setPointSizeF(14.0);
   buttonFont.setBold(true);
@@ -58,34 +57,41 @@ RunPanel::RunPanel(QWidget* parent)
   m_progress->setRange(0, kProgressSteps);
   m_progress->setMinimumHeight(24);
   m_progress->setAlignment(Qt::AlignCenter);
+  // One row of figures under the bar: the panel lies at the foot of the window and leaves the
+  // height to the pages.
   auto* progress = new QGridLayout(m_progressGroup);
-  progress->setHorizontalSpacing(16);
-  progress->setColumnStretch(1, 1);
-  progress->addWidget(m_progress, 0, 0, 1, 2);
+  progress->setHorizontalSpacing(10);
   QFont counterFont = font();
   counterFont.setPointSizeF(12.0);
   counterFont.setBold(true);
-  int row = 1;
-  for (std::size_t counter = 0; counter < m_counterNames.size(); ++counter, ++row) {
+  int column = 0;
+  const auto addFigure = [&](QLabel* name, QWidget* value, int stretch) {
+    progress->addWidget(name, 1, column++, Qt::AlignRight | Qt::AlignVCenter);
+    progress->setColumnStretch(column, stretch);
+    progress->addWidget(value, 1, column++, Qt::AlignLeft | Qt::AlignVCenter);
+  };
+  for (std::size_t counter = 0; counter < m_counterNames.size(); ++counter) {
     m_counterNames[counter] = new QLabel(this);
     m_counterValues[counter] = makeValueLabel(this);
     m_counterValues[counter]->setFont(counterFont);
-    progress->addWidget(m_counterNames[counter], row, 0);
-    progress->addWidget(m_counterValues[counter], row, 1);
+    addFigure(m_counterNames[counter], m_counterValues[counter], 1);
   }
-  m_waiting->setWordWrap(true);
-  progress->addWidget(m_marginName, row, 0);
-  progress->addWidget(m_margin, row, 1);
-  progress->addWidget(m_waitingName, row + 1, 0, Qt::AlignTop);
-  progress->addWidget(m_waiting, row + 1, 1);
+  addFigure(m_marginName, m_margin, 1);
+  addFigure(m_waitingName, m_waiting, 2);
+  progress->addWidget(m_progress, 0, 0, 1, column);
 
+  auto* orders = new QHBoxLayout;
+  orders->setSpacing(24);
+  orders->addWidget(m_strip, 5);
+  orders->addLayout(buttons, 4);
+  auto* states = new QHBoxLayout;
+  states->addWidget(m_startReason, 1);
+  states->addWidget(m_stopStatus, 1);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_strip);
-  layout->addLayout(buttons);
-  layout->addWidget(m_startReason);
-  layout->addWidget(m_stopStatus);
+  layout->setContentsMargins(8, 4, 8, 4);
+  layout->addLayout(orders);
+  layout->addLayout(states);
   layout->addWidget(m_progressGroup);
-  layout->addStretch();
 
   connect(m_start, &QPushButton::clicked, this, &RunPanel::startRequested);
   connect(m_stop, &QPushButton::clicked, this, [this] {
@@ -156,10 +162,10 @@ void RunPanel::restyle() {
   m_start->setIcon(themedIcon(QStringLiteral("play"), color));
   m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
   for (QLabel* label : m_counterNames) {
-    setMuted(label);
+    setMuted(label, palette());
   }
-  setMuted(m_marginName);
-  setMuted(m_waitingName);
+  setMuted(m_marginName, palette());
+  setMuted(m_waitingName, palette());
 }
 
 bool RunPanel::isActive() const {
@@ -233,7 +239,7 @@ void RunPanel::showAll() {
                         millisecondsText(*m_update.margin) +
                             (late ? QStringLiteral(" ") + tr("(too late)") : QString()));
   } else {
-    m_margin->setStatus(Status::Unknown, noValue());
+    m_margin->setStatus(Status::Plain, noValue());
   }
   m_waiting->setText(active ? waitingText() : noValue());
 }

@@ -128,9 +128,9 @@ void StateStrip::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(isCurrent ? bold : font());
     painter.setPen(textColor);
     if (isCurrent) {
-      const QString mark =
-          isFault ? QStringLiteral("dismiss")
-                  : (m_state == RunState::Done ? QStringLiteral("apply") : QStringLiteral("play"));
+      const QString mark = isFault ? QStringLiteral("dismiss")
+                                   : (m_state == RunState::Done ? QStringLiteral("apply")
+                                                                : QStringLiteral("current"));
       constexpr int kMarkPx = 14;
       const double textWidth = boldMetrics.horizontalAdvance(texts[index]);
       const double markLeft = box.center().x() - (textWidth + kMarkPx + 5.0) / 2.0;

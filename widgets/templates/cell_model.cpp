@@ -60,7 +60,7 @@ QVariant CellModel::headerData(int section, Qt::Orientation orientation, int rol
     case Parameters:
       return tr("R-parameters");
     case Writer:
-      return tr("Written by");
+      return tr("Writer");
     default:
       return {};
   }
@@ -89,7 +89,7 @@ QString CellModel::text(int row, int column) const {
     return tr("Client");
   }
   const QString client = tr("Client");
-  const QString both = tr("Client and NC");
+  const QString both = tr("Client, NC");
   const QString nc = tr("NC");
   switch (row) {
     case Signal:
@@ -99,7 +99,7 @@ QString CellModel::text(int row, int column) const {
     case Stop:
       return column == Role ? tr("Stop") : (column == Parameters ? cell(m_cells->stop) : client);
     case Feed:
-      return column == Role ? tr("Feed, mm/min")
+      return column == Role ? tr("Feed (mm/min)")
                             : (column == Parameters ? cell(m_cells->feed) : client);
     case LayoutNumber:
       return column == Role ? tr("Layout number")

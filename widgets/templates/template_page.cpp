@@ -45,11 +45,12 @@ TemplatePage::TemplatePage(QWidget* parent)
   m_table->horizontalHeader()->setStretchLastSection(true);
 
   auto* top = new QHBoxLayout;
-  top->addWidget(m_state, 1);
+  top->addWidget(m_state, 1, Qt::AlignVCenter);
   top->addWidget(m_copy);
   top->addWidget(m_save);
   auto* cells = new QVBoxLayout(m_cellsGroup);
   cells->addWidget(m_table);
+  m_cellsGroup->setMinimumWidth(400);
   auto* body = new QHBoxLayout;
   body->addWidget(m_text, 3);
   body->addWidget(m_cellsGroup, 2);

@@ -40,7 +40,7 @@ TracePage::TracePage(QWidget* parent)
   m_live->setCheckable(true);
   m_live->setChecked(true);
   auto* top = new QHBoxLayout;
-  top->addWidget(m_sourceNote, 1);
+  top->addWidget(m_sourceNote, 1, Qt::AlignVCenter);
   top->addWidget(m_live);
   top->addWidget(m_all);
 
@@ -189,7 +189,7 @@ void TracePage::retranslate() {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     m_plots[axis]->setTitle(QStringLiteral("%1, mm").arg(QLatin1Char(base::kAxisNames[axis])));
   }
-  m_plots[kFeedPlot]->setTitle(tr("Feed, mm/min"));
+  m_plots[kFeedPlot]->setTitle(tr("F, mm/min"));
   m_plots[kFeedPlot]->setTimeLabels(true, tr("Time, s"));
   m_live->setText(tr("Live"));
   m_live->setToolTip(tr("Follow the newest samples"));
@@ -210,7 +210,7 @@ void TracePage::restyle() {
   m_live->setIcon(themedIcon(QStringLiteral("live"), color));
   m_all->setIcon(themedIcon(QStringLiteral("fit"), color));
   for (QLabel* label : m_summaryNames) {
-    setMuted(label);
+    setMuted(label, palette());
   }
   showLegend();
 }

@@ -107,7 +107,7 @@ QStringList cutTexts(const QWidget& widget) {
     const QFontMetrics metrics = child->fontMetrics();
     if (const auto* label = qobject_cast<const QLabel*>(child)) {
       if (!label->wordWrap() && !label->text().isEmpty() &&
-          metrics.horizontalAdvance(label->text()) > label->width()) {
+          label->sizeHint().width() > label->width()) {
         cut.append(label->text());
       }
       if (label->wordWrap() && label->heightForWidth(label->width()) > label->height()) {

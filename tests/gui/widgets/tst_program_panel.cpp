@@ -12,6 +12,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "widgets/common/diagnostic_text.h"
 #include "widgets/program/diagnostic_model.h"
 #include "widgets/program/program_panel.h"
 
@@ -37,7 +38,7 @@ class TestProgramPanel : public QObject {
     QVERIFY(text.contains(QString::fromStdString(program->hash)));
     QVERIFY(text.contains("G3 2"));
     QVERIFY(text.contains(QString("-30.000 … 30.000") + QChar(0x00A0) + "mm"));
-    QVERIFY(text.contains("3 different"));
+    QVERIFY(text.contains("(3 values)"));
     QVERIFY(text.contains("(lines "));
     QVERIFY(!text.contains("Cannot be streamed"));
     panel.setProgram(nullptr);
@@ -60,9 +61,12 @@ class TestProgramPanel : public QObject {
     ProgramPanel panel;
     panel.setProgram(program);
     QVERIFY(test::visibleText(panel).contains("Cannot be streamed"));
+    // The sentence of the first finding stands there in full, and in the present language.
+    QVERIFY(test::visibleText(panel).contains(diagnosticText(program->diagnostics.front())));
     language.german();
     QCOMPARE(model.index(0, DiagnosticModel::SeverityColumn).data().toString(), QString("Fehler"));
     QVERIFY(test::visibleText(panel).contains("Nicht streambar"));
+    QVERIFY(test::visibleText(panel).contains(diagnosticText(program->diagnostics.front())));
     model.setProgram(nullptr);
     QCOMPARE(model.rowCount(), 0);
   }
