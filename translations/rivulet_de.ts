@@ -340,14 +340,14 @@
     <name>rivulet::hmi::Demo</name>
     <message>
         <source>The picture or the report cannot be written to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild oder Bericht können nicht nach %1 geschrieben werden.</translation>
     </message>
 </context>
 <context>
     <name>rivulet::hmi::MainWindow</name>
     <message>
         <source>About Rivulet</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Rivulet</translation>
     </message>
     <message>
         <source>Rivulet %1
@@ -356,15 +356,20 @@ Streams a CNC machine&apos;s trajectory over OPC UA while it moves.
 Stop ends the program at the end of its loop. It is no emergency stop.
 
 GPL-3.0-or-later</source>
-        <translation type="unfinished"></translation>
+        <translation>Rivulet %1
+Streamt die Bahn einer CNC-Maschine über OPC UA, während sie fährt.
+
+Stopp beendet das Programm am Ende seiner Schleife. Er ist kein Not-Halt.
+
+GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>%1 – Rivulet</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – Rivulet</translation>
     </message>
     <message>
         <source>Rivulet</source>
-        <translation type="unfinished"></translation>
+        <translation>Rivulet</translation>
     </message>
     <message>
         <source>Program</source>
@@ -372,155 +377,155 @@ GPL-3.0-or-later</source>
     </message>
     <message>
         <source>Feasibility</source>
-        <translation type="unfinished"></translation>
+        <translation>Machbarkeit</translation>
     </message>
     <message>
         <source>Traces</source>
-        <translation type="unfinished"></translation>
+        <translation>Verläufe</translation>
     </message>
     <message>
         <source>Template</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlage</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Open program …</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm &amp;öffnen …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sprache</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Farben</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;About Rivulet</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Über Rivulet</translation>
     </message>
     <message>
         <source>A run lasts. Open another program when it has ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lauf ist im Gang. Ein anderes Programm erst nach seinem Ende öffnen.</translation>
     </message>
     <message>
         <source>Opened %1 (%2), %3 points.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geöffnet (%2), %3 Punkte.</translation>
     </message>
     <message>
         <source>The path of %1 is not known everywhere: see the findings. It cannot be streamed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahn von %1 ist nicht überall bekannt: siehe die Befunde. Das Programm ist nicht streambar.</translation>
     </message>
     <message>
         <source>Connected to the virtual machine at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbunden mit der virtuellen Maschine an %1.</translation>
     </message>
     <message>
         <source>Connected to the control at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbunden mit der Steuerung an %1.</translation>
     </message>
     <message>
         <source>No program is loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Programm geladen.</translation>
     </message>
     <message>
         <source>The program has fewer than two points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm hat weniger als zwei Punkte.</translation>
     </message>
     <message>
         <source>A run lasts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lauf ist im Gang.</translation>
     </message>
     <message>
         <source>Connect to a control first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst mit einer Steuerung verbinden.</translation>
     </message>
     <message>
         <source>Open a program first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst ein Programm öffnen.</translation>
     </message>
     <message>
         <source>The path of the program is not known everywhere: see the findings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahn des Programms ist nicht überall bekannt: siehe die Befunde.</translation>
     </message>
     <message>
         <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht machbar: Die Steuerung würde Punkte wiederholen. F, N oder δ ändern.</translation>
     </message>
     <message>
         <source>A program runs on the control.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Steuerung läuft ein Programm.</translation>
     </message>
     <message>
         <source>The control reports an alarm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung meldet einen Alarm.</translation>
     </message>
     <message>
         <source>Start. The tool first moves %1 in a straight line to the first point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Start. Das Werkzeug fährt zuerst %1 geradlinig zum ersten Punkt.</translation>
     </message>
     <message>
         <source>Stop ordered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp angefordert.</translation>
     </message>
     <message>
         <source>Wrong motion: the control&apos;s trace shows repeated or skipped points. See the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Falsche Bewegung: Die Aufzeichnung der Steuerung zeigt wiederholte oder ausgelassene Punkte. Siehe den Bericht.</translation>
     </message>
     <message>
         <source>Run ended: %1 of %2 points executed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf beendet: %1 von %2 Punkten ausgeführt.</translation>
     </message>
     <message>
         <source>Recording: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung: %1</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gespeichert.</translation>
     </message>
     <message>
         <source>The run is not recorded: the folder %1 cannot be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Lauf wird nicht aufgezeichnet: Der Ordner %1 kann nicht angelegt werden.</translation>
     </message>
     <message>
         <source>A run lasts. Press Stop and wait for its end, then close.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lauf ist im Gang. Stopp drücken, sein Ende abwarten, dann schließen.</translation>
     </message>
 </context>
 <context>

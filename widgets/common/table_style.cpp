@@ -65,7 +65,14 @@ QIcon severityIcon(gcode::Severity severity, const QPalette& palette) {
       severity == gcode::Severity::Error
           ? colors.fault
           : (severity == gcode::Severity::Warning ? colors.attention : colors.mutedText);
-  return themedIcon(severityIconName(severity), color);
+  QIcon icon = themedIcon(severityIconName(severity), color);
+  for (const int size : {16, 20, 24, 32}) {
+    // In a selected row the icon stands on the colour of the selection, as its text does.
+    icon.addPixmap(
+        iconPixmap(severityIconName(severity), palette.color(QPalette::HighlightedText), size),
+        QIcon::Selected);
+  }
+  return icon;
 }
 
 }  // namespace rivulet::widgets
