@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The main job on the real window: the virtual machine runs in a process of its own, the window
+/// talks to it over OPC UA, in real time. Pictures of every page stay in the build folder.
+
+#include <QApplication>
+#include <QDir>
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "base/units.h"
+#include "hmi/main_window.h"
+#include "opcua/error.h"
+#include "trace/file.h"
+#include "trace/recording.h"
+#include "widgets/common/message_area.h"
+#include "widgets/streaming/run_panel.h"
+#include "widgets/trace/trace_page.h"
+
+using namespace rivulet;
+using hmi::MainWindow;
+using streaming::Outcome;
+using streaming::RunReport;
+
+namespace {
+
+constexpr int kSoonMs = 20000;
+/// Bound of a run of the scorpion at the slowest feed used here, about 130 s of motion.
+constexpr int kRunMs = 300000;
+constexpr std::size_t kScorpionPoints = 270;
+
+const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
+
+/// rivulet-machine on a free port, ended with the object.
+class MachineProcess {
+ public:
+  MachineProcess() {
+    m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    m_process.start(QStringLiteral(RIVULET_MACHINE),
+                    {QStringLiteral("--port"), QStringLiteral("0"), QStringLiteral("--seed"),
+                     QStringLiteral("1")});
+    while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
+      m_process.waitForReadyRead(kSoonMs);
+    }
+    const QString line = QString::fromUtf8(m_process.readLine());
+    const qsizetype at = line.indexOf(QStringLiteral("opc.tcp://"));
+    m_endpoint = at < 0 ? QString() : line.mid(at).section(QLatin1Char(' '), 0, 0).trimmed();
+  }
+  ~MachineProcess() {
+    m_process.terminate();
+    if (!m_process.waitForFinished(kSoonMs)) {
+      m_process.kill();
+      m_process.waitForFinished(kSoonMs);
+    }
+  }
+  [[nodiscard]] QString endpoint() const { return m_endpoint; }
+  void kill() {
+    m_process.kill();
+    m_process.waitForFinished(kSoonMs);
+  }
+
+ private:
+  QProcess m_process;
+  QString m_endpoint;
+};
+
+hmi::Settings settings() {
+  hmi::Settings settings;
+  settings.language = QStringLiteral("en");
+  settings.theme = widgets::Theme::Light;
+  return settings;
+}
+
+widgets::StreamSettings streamSettings(base::MethodKind method, int points, double deltaMm,
+                                       double feedMmPerMin) {
+  widgets::StreamSettings stream;
+  stream.parameters.method = method;
+  stream.parameters.pointsPerLoop = points;
+  stream.deltaMm = deltaMm;
+  stream.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  return stream;
+}
+
+/// A picture of the whole window on every page; blank ones fail.
+void picturePages(MainWindow& window, const QString& prefix) {
+  QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+  const QStringList names{QStringLiteral("program"), QStringLiteral("feasibility"),
+                          QStringLiteral("traces"),  QStringLiteral("template"),
+                          QStringLiteral("report"),  QStringLiteral("log")};
+  const int present = window.pages()->currentIndex();
+  for (int page = 0; page < window.pages()->count(); ++page) {
+    window.pages()->setCurrentIndex(page);
+    window.tracePage()->redrawNow();
+    QCoreApplication::processEvents();
+    const QImage image = window.grab().toImage();
+    QSet<QRgb> colours;
+    for (int y = 0; y < image.height() && colours.size() < 20; y += 3) {
+      for (int x = 0; x < image.width(); x += 3) {
+        colours.insert(image.pixel(x, y));
+      }
+    }
+    QVERIFY2(colours.size() >= 20, qPrintable(names[page]));
+    QVERIFY(image.save(QStringLiteral(RIVULET_SCREENSHOTS "/%1-%2.png").arg(prefix, names[page])));
+  }
+  window.pages()->setCurrentIndex(present);
+}
+
+}  // namespace
+
+class TestMainWindow : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<MachineProcess> m_machine;
+  std::unique_ptr<MainWindow> m_window;
+
+  void open(const widgets::StreamSettings& stream) {
+    m_window->setStreamSettings(stream);
+    m_window->openProgram(kScorpion);
+    m_window->connectTo(m_machine->endpoint());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+
+  std::shared_ptr<const RunReport> runToEnd() {
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    if (!m_window->start() || (finished.isEmpty() && !finished.wait(kRunMs))) {
+      return nullptr;
+    }
+    return m_window->lastReport();
+  }
+
+  [[nodiscard]] QPushButton* button(const QString& text) const {
+    for (QPushButton* candidate : m_window->findChildren<QPushButton*>()) {
+      if (candidate->text() == text) {
+        return candidate;
+      }
+    }
+    return nullptr;
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
+  }
+
+  void init() {
+    m_machine = std::make_unique<MachineProcess>();
+    QVERIFY(m_machine->endpoint().startsWith(QStringLiteral("opc.tcp://127.0.0.1:")));
+    m_window = std::make_unique<MainWindow>(settings(), false);
+    m_window->resize(1366, 820);
+    m_window->show();
+  }
+
+  void cleanup() {
+    m_window.reset();
+    m_machine.reset();
+  }
+
+  void startIsGuarded() {
+    QVERIFY(!m_window->startBlockedReason().isEmpty());  // no connection
+    QVERIFY(!m_window->start());
+    open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0));
+    QVERIFY(m_window->verdict()->feasible);
+    // Outside the region, and with a number of points that does not fit: no start.
+    m_window->setStreamSettings(streamSettings(base::MethodKind::Position, 7, 0.3, 20000.0));
+    QVERIFY(!m_window->verdict()->feasible);
+    QVERIFY(!m_window->start());
+    m_window->setStreamSettings(streamSettings(base::MethodKind::Signal, 40, 0.3, 500.0));
+    QVERIFY(!m_window->startBlockedReason().isEmpty());
+    QVERIFY(!m_window->start());
+  }
+
+  void badFileKeepsTheProgram() {
+    open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0));
+    QTemporaryDir folder;
+    QFile empty(folder.filePath(QStringLiteral("empty.nc")));
+    QVERIFY(empty.open(QIODevice::WriteOnly));
+    empty.close();
+    auto* messages = m_window->findChild<widgets::MessageArea*>();
+    for (const QString& path : {folder.filePath(QStringLiteral("missing.nc")), empty.fileName()}) {
+      messages->clear();
+      m_window->openProgram(path);
+      QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
+      QCOMPARE(m_window->startBlockedReason(), QString());
+    }
+  }
+
+  void wrongAddressIsSaid() {
+    auto* messages = m_window->findChild<widgets::MessageArea*>();
+    m_window->connectTo(QStringLiteral("opc.tcp://127.0.0.1:1"));
+    QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
+    QVERIFY(!m_window->startBlockedReason().isEmpty());
+  }
+
+  /// Every point once, a pause for every STOPRE with motion behind it: two in each of the 39
+  /// loops, but for the last of all.
+  void streamsBySignal() {
+    open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0));
+    QVERIFY(m_window->verdict()->feasible);
+    const auto report = runToEnd();
+    QVERIFY(report);
+    QVERIFY2(report->outcome == Outcome::Completed, report->error.text().c_str());
+    QCOMPARE(report->counters.total, kScorpionPoints);
+    QVERIFY(report->integrity.isFaultless());
+    QCOMPARE(report->integrity.executed, kScorpionPoints);
+    const std::size_t loops = (kScorpionPoints + 6) / 7;
+    QCOMPARE(report->pauses.size(), 2 * loops - 1);
+    for (const trace::Pause& pause : report->pauses) {
+      QVERIFY(pause.origin == trace::PauseOrigin::Measured);
+    }
+    picturePages(*m_window, QStringLiteral("light-en"));
+    m_window->setLanguage(QStringLiteral("de"));
+    m_window->setTheme(widgets::Theme::Dark);
+    QCOMPARE(m_window->pages()->tabText(0), QStringLiteral("Programm"));
+    picturePages(*m_window, QStringLiteral("dark-de"));
+    m_window->setLanguage(QStringLiteral("en"));
+    QCOMPARE(m_window->pages()->tabText(0), QStringLiteral("Program"));
+    picturePages(*m_window, QStringLiteral("dark-en"));
+    m_window->setTheme(widgets::Theme::Light);
+  }
+
+  void streamsByPosition() {
+    open(streamSettings(base::MethodKind::Position, 9, 0.75, 1400.0));
+    QVERIFY(m_window->verdict()->feasible);
+    const auto report = runToEnd();
+    QVERIFY(report);
+    QVERIFY2(report->outcome == Outcome::Completed, report->error.text().c_str());
+    QVERIFY(report->integrity.isFaultless());
+    QCOMPARE(report->integrity.executed, kScorpionPoints);
+    QCOMPARE(report->pauses.size(), (kScorpionPoints + 8) / 9 - 1);
+  }
+
+  /// Stop in the middle by the button: confirmed, nothing repeated, the recording whole.
+  void stopsInTheMiddle() {
+    open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0));
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QTest::mouseClick(button(QStringLiteral("Start")), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
+    QVERIFY(m_window->lastUpdate().state == streaming::RunState::Running);
+    QTest::mouseClick(button(QStringLiteral("Stop")), Qt::LeftButton);
+    QVERIFY(finished.wait(kRunMs));
+    const auto report = m_window->lastReport();
+    QVERIFY2(report->outcome == Outcome::Stopped, report->error.text().c_str());
+    QVERIFY(report->stopConfirmedAfter.has_value());
+    QVERIFY(report->integrity.isFaultless());
+    QVERIFY(report->integrity.executed >= 14);
+    QVERIFY(report->integrity.executed < kScorpionPoints);
+    picturePages(*m_window, QStringLiteral("stopped"));
+
+    const QDir runs(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                    QStringLiteral("/runs"));
+    const QStringList files = runs.entryList(QDir::Files, QDir::Name);
+    QVERIFY(!files.isEmpty());
+    const auto text = trace::readFile(runs.filePath(files.last()).toStdString());
+    QVERIFY(text);
+    const auto recording = trace::parseRecording(*text);
+    QVERIFY(recording);
+    QVERIFY(recording->complete);
+    QCOMPARE(recording->end->outcome, std::string("stopped"));
+    // The next start finds the machine ready again.
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+
+  /// The network cable is pulled: one clear sentence, nothing goes on by itself.
+  void lostMachineIsSaid() {
+    open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0));
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 3, kRunMs);
+    m_machine->kill();
+    QVERIFY(finished.wait(kRunMs));
+    const auto report = m_window->lastReport();
+    QVERIFY(report->outcome == Outcome::Failed);
+    QVERIFY(report->error.code == opcua::LinkError::ConnectionLost);
+    QVERIFY(!report->isFaultless());
+    QVERIFY(!m_window->findChild<widgets::MessageArea*>()->text().isEmpty());
+    QVERIFY(!m_window->isRunning());
+    QVERIFY(!m_window->startBlockedReason().isEmpty());
+  }
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"
