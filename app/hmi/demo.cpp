@@ -20,6 +20,7 @@ constexpr int kAttemptIntervalMs = 100;
 constexpr int kAttemptsMax = 300;  // 30 s for the connection, the program and the machine's state
 constexpr std::size_t kLivePictureShare = 2;  // when one part in so many has been executed
 
+constexpr int kAfterRunMs = 1000;
 constexpr int kTracesTab = 2;
 
 }  // namespace
@@ -59,6 +60,11 @@ void Demo::takeLivePicture() {
 
 void Demo::finish(const std::shared_ptr<const streaming::RunReport>& report) {
   m_timer.stop();
+  // The picture is to show the machine as it stands after the run: it is looked at again soon.
+  QTimer::singleShot(kAfterRunMs, this, [this, report] { leave(report); });
+}
+
+void Demo::leave(const std::shared_ptr<const streaming::RunReport>& report) {
   m_window.pages()->setCurrentIndex(kTracesTab);
   m_window.tracePage()->redrawNow();
   const bool pictured = savePicture(QStringLiteral("run.png"));

@@ -25,6 +25,7 @@ class Demo final : public QObject {
   void tryStart();
   void takeLivePicture();
   void finish(const std::shared_ptr<const streaming::RunReport>& report);
+  void leave(const std::shared_ptr<const streaming::RunReport>& report);
   void fail(const QString& sentence);
   bool savePicture(const QString& name);
 

@@ -17,6 +17,7 @@
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStandardPaths>
+#include <QStyle>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -81,6 +82,9 @@ QScrollArea* makeColumn(QWidget* parent, QWidget* page) {
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setWidget(page);
+  // Never narrower than what it holds: a cut button cannot be pressed.
+  area->setMinimumWidth(page->minimumSizeHint().width() +
+                        area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
   return area;
 }
 
@@ -501,6 +505,14 @@ void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
     m_runBegan = update.at;
   }
   const base::Instant origin = m_runBegan.value_or(update.at);
+  if (stateChanged && update.state == streaming::RunState::Running) {
+    // The stream leaves no slot to ask for these; that the program runs is what it lives on.
+    m_machine.channelStatus = 1;
+    m_machine.programStatus = 3;
+    m_machine.programName =
+        QString::fromStdString(templates::templateFileName(m_settings.stream.parameters));
+    m_connection->setMachineState(m_machine);
+  }
   if (update.sample) {
     widgets::TraceSample sample;
     sample.atS = base::toSeconds(update.sample->at - origin);

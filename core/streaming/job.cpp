@@ -322,7 +322,7 @@ class Job {
     if (!m_control.isVirtualMachine() || m_report.error.code == opcua::LinkError::ConnectionLost) {
       return;
     }
-    publish(RunState::Stopping, "trace");
+    publish(m_report.outcome == Outcome::Stopped ? RunState::Stopping : RunState::Running, "trace");
     const Result<std::string> text = m_control.fetchTrace();
     Result<trace::ControlTrace> trace =
         text ? trace::parseControlTrace(*text) : base::fail(text.error());

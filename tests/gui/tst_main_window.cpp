@@ -219,10 +219,10 @@ class TestMainWindow : public QObject {
     picturePages(*m_window, QStringLiteral("light-en"));
     m_window->setLanguage(QStringLiteral("de"));
     m_window->setTheme(widgets::Theme::Dark);
-    QCOMPARE(m_window->pages()->tabText(0), QStringLiteral("Programm"));
+    QTRY_COMPARE(m_window->pages()->tabText(0), QStringLiteral("Programm"));
     picturePages(*m_window, QStringLiteral("dark-de"));
     m_window->setLanguage(QStringLiteral("en"));
-    QCOMPARE(m_window->pages()->tabText(0), QStringLiteral("Program"));
+    QTRY_COMPARE(m_window->pages()->tabText(0), QStringLiteral("Program"));
     picturePages(*m_window, QStringLiteral("dark-en"));
     m_window->setTheme(widgets::Theme::Light);
   }
