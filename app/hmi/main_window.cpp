@@ -75,18 +75,26 @@ std::vector<double> smallestDistances(const std::vector<gcode::StreamPoint>& poi
   return distances;
 }
 
-/// A column that scrolls when the window is lower than its pages.
-QScrollArea* makeColumn(QWidget* parent, QWidget* page) {
-  auto* area = new QScrollArea(parent);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(page);
-  // Never narrower than what it holds: a cut button cannot be pressed.
-  area->setMinimumWidth(page->minimumSizeHint().width() +
-                        area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-  return area;
-}
+/// A column that scrolls when the window is lower than its page, and is never narrower than the
+/// page: a cut button cannot be pressed.
+class Column final : public QScrollArea {
+ public:
+  Column(QWidget* page, QWidget* parent) : QScrollArea(parent) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWidget(page);
+  }
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override {
+    if (object == widget() && event->type() == QEvent::LayoutRequest) {
+      setMinimumWidth(widget()->minimumSizeHint().width() +
+                      style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    }
+    return QScrollArea::eventFilter(object, event);
+  }
+};
 
 }  // namespace
 
@@ -103,7 +111,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, QWidget* parent)
   m_method->setSettings(m_settings.stream);
   retranslate();
   judge();
-  resize(1366, 820);
+  resize(1440, 900);
   if (!m_settings.geometry.isEmpty()) {
     restoreGeometry(m_settings.geometry);
   }
@@ -119,14 +127,14 @@ void MainWindow::buildPages() {
 
   auto* columns = new QSplitter(Qt::Horizontal, central);
   m_connection = new widgets::ConnectionPanel;
-  columns->addWidget(makeColumn(columns, m_connection));
+  columns->addWidget(new Column(m_connection, columns));
 
   m_tabs = new QTabWidget(columns);
   auto* programPage = new QSplitter(Qt::Horizontal, m_tabs);
   m_path = new widgets::PathView(programPage);
-  m_programPanel = new widgets::ProgramPanel(programPage);
+  m_programPanel = new widgets::ProgramPanel;
   programPage->addWidget(m_path);
-  programPage->addWidget(m_programPanel);
+  programPage->addWidget(new Column(m_programPanel, programPage));
   programPage->setStretchFactor(0, 3);
   programPage->setStretchFactor(1, 2);
   m_feasibility = new widgets::FeasibilityPage(m_tabs);
@@ -142,7 +150,7 @@ void MainWindow::buildPages() {
   columns->addWidget(m_tabs);
 
   m_method = new widgets::MethodPanel;
-  columns->addWidget(makeColumn(columns, m_method));
+  columns->addWidget(new Column(m_method, columns));
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
   columns->setStretchFactor(2, 0);

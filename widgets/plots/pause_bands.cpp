@@ -105,6 +105,18 @@ void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*opti
   const QFontMetricsF metrics(painter->font());
   const double lineHeight = metrics.height();
   painter->setClipRect(m_area);
+  // All bands in sight are labelled or none: a chance selection would only look like one. Zooming
+  // in makes room; the table beside the plots always has every duration.
+  bool hasRoom = true;
+  for (auto pause = first; pause != m_pauses->end(); ++pause) {
+    const double left = xOf(base::toSeconds(pause->start));
+    if (left > m_area.right()) {
+      break;
+    }
+    const bool isCrowded =
+        pause != first && left - xOf(base::toSeconds((pause - 1)->start)) < lineHeight + 2.0;
+    hasRoom = hasRoom && !isCrowded;
+  }
   double lastBandRight = m_area.left() - 1.0;
   double lastLabelRight = m_area.left() - 1.0;
   for (auto pause = first; pause != m_pauses->end(); ++pause) {
@@ -119,7 +131,7 @@ void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*opti
     lastBandRight = left + width;
     painter->fillRect(QRectF(left, m_area.top(), width, m_area.height()),
                       pauseBrush(pause->origin, m_palette));
-    if (!m_labels) {
+    if (!m_labels || !hasRoom) {
       continue;
     }
     const QString label =
