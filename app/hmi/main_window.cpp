@@ -75,25 +75,28 @@ std::vector<double> smallestDistances(const std::vector<gcode::StreamPoint>& poi
   return distances;
 }
 
-/// A column that scrolls when the window is lower than its page, and is never narrower than the
-/// page: a cut button cannot be pressed.
+/// A column that scrolls when the window is smaller than its page. A rigid one is never narrower
+/// than its page: a cut button cannot be pressed.
 class Column final : public QScrollArea {
  public:
-  Column(QWidget* page, QWidget* parent) : QScrollArea(parent) {
+  enum class Width { Rigid, Flexible };
+  Column(QWidget* page, Width width, QWidget* parent) : QScrollArea(parent), m_width(width) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(page);
   }
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override {
-    if (object == widget() && event->type() == QEvent::LayoutRequest) {
-      setMinimumWidth(widget()->minimumSizeHint().width() +
+    if (m_width == Width::Rigid && object == widget() && event->type() == QEvent::LayoutRequest) {
+      setMinimumWidth(widget()->sizeHint().width() +
                       style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     }
     return QScrollArea::eventFilter(object, event);
   }
+
+ private:
+  Width m_width;
 };
 
 }  // namespace
@@ -127,16 +130,17 @@ void MainWindow::buildPages() {
 
   auto* columns = new QSplitter(Qt::Horizontal, central);
   m_connection = new widgets::ConnectionPanel;
-  columns->addWidget(new Column(m_connection, columns));
+  columns->addWidget(new Column(m_connection, Column::Width::Rigid, columns));
 
   m_tabs = new QTabWidget(columns);
   auto* programPage = new QSplitter(Qt::Horizontal, m_tabs);
   m_path = new widgets::PathView(programPage);
   m_programPanel = new widgets::ProgramPanel;
   programPage->addWidget(m_path);
-  programPage->addWidget(new Column(m_programPanel, programPage));
-  programPage->setStretchFactor(0, 3);
-  programPage->setStretchFactor(1, 2);
+  programPage->addWidget(new Column(m_programPanel, Column::Width::Flexible, programPage));
+  programPage->setStretchFactor(0, 1);
+  programPage->setStretchFactor(1, 0);
+  programPage->setSizes({380, 360});
   m_feasibility = new widgets::FeasibilityPage(m_tabs);
   m_trace = new widgets::TracePage(m_tabs);
   m_template = new widgets::TemplatePage(m_tabs);
@@ -150,7 +154,7 @@ void MainWindow::buildPages() {
   columns->addWidget(m_tabs);
 
   m_method = new widgets::MethodPanel;
-  columns->addWidget(new Column(m_method, columns));
+  columns->addWidget(new Column(m_method, Column::Width::Rigid, columns));
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
   columns->setStretchFactor(2, 0);

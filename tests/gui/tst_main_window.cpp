@@ -155,7 +155,7 @@ class TestMainWindow : public QObject {
     m_machine = std::make_unique<MachineProcess>();
     QVERIFY(m_machine->endpoint().startsWith(QStringLiteral("opc.tcp://127.0.0.1:")));
     m_window = std::make_unique<MainWindow>(settings(), false);
-    m_window->resize(1366, 820);
+    m_window->resize(1440, 900);
     m_window->show();
   }
 
