@@ -37,8 +37,9 @@ std::optional<Action> PositionMethod::poll(base::Instant) {
     m_plan.addCell(m_plan.cells().run, 1.0);
     return write(Phase::Run, 0);
   }
-  const bool lastLoopRuns =
-      m_plan.lastLoop() == 0 || m_due > m_plan.lastLoop() * m_plan.slotCount();
+  // Not before the first point of the last loop: a program that still waits for its start would
+  // take the stop for an end.
+  const bool lastLoopRuns = m_due > m_plan.lastLoop() * m_plan.slotCount();
   if (!m_progress.stopWritten && (m_stopWanted || lastLoopRuns)) {
     m_progress.stopWritten = true;
     m_plan.addCell(m_plan.cells().stop, 1.0);

@@ -50,7 +50,7 @@ std::optional<Action> SignalMethod::poll(base::Instant) {
   }
   // The stop is read at the end of a loop: written while the second window of the last loop
   // runs, that is once its first window has been signalled.
-  const bool lastLoopRuns = m_plan.lastLoop() == 0 || m_passed > 2 * m_plan.lastLoop();
+  const bool lastLoopRuns = m_passed > 2 * m_plan.lastLoop();
   if (!m_progress.stopWritten && (m_stopWanted || lastLoopRuns)) {
     m_progress.stopWritten = true;
     m_plan.addCell(m_plan.cells().stop, 1.0);

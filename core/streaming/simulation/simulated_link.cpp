@@ -16,6 +16,14 @@ using opcua::Event;
 using opcua::EventKind;
 using opcua::LinkError;
 
+namespace {
+
+/// No answer arrives in the moment of the question, however free the access is: a client that
+/// polls would never let the time go on.
+constexpr base::Duration kRoundTripMin = std::chrono::microseconds{100};
+
+}  // namespace
+
 base::RequestId SimulatedLink::read(std::span<const opcua::Variable> variables,
                                     base::Duration deadline, opcua::Grouping grouping) {
   Request request;
@@ -76,6 +84,11 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
       return finish();
     }
     if (request.next == request.variables.size()) {
+      const Instant answerAt = std::max(now(), request.sent + kRoundTripMin);
+      if (answerAt > until) {
+        break;
+      }
+      m_machine.advance(answerAt);
       if (std::optional<Event> event = finish()) {
         return event;
       }
