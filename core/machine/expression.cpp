@@ -96,11 +96,14 @@ class ExpressionParser {
   }
 
   bool takeWord(std::string_view word) {
-    skipBlanks();
-    if (m_text.substr(m_at, word.size()) != word) {
-      return false;
+    std::size_t begin = m_at;
+    while (begin < m_text.size() && (m_text[begin] == ' ' || m_text[begin] == '\t')) {
+      ++begin;
     }
-    const std::size_t end = m_at + word.size();
+    if (m_text.substr(begin, word.size()) != word) {
+      return false;  // blanks in front of what is not ours stay unread
+    }
+    const std::size_t end = begin + word.size();
     if (isLetter(word.back()) && end < m_text.size() &&
         (isLetter(m_text[end]) || isDigit(m_text[end]))) {
       return false;  // the front of a longer name

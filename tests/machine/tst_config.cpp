@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QFile>
+#include <QtTest>
+
+#include "machine/config.h"
+
+using namespace rivulet::machine;
+
+class TestConfig : public QObject {
+  Q_OBJECT
+
+  static std::string preset() {
+    QFile file(QStringLiteral(RIVULET_SOURCE_DIR "/resources/presets/dmu75.toml"));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+  }
+
+ private Q_SLOTS:
+  void everyBuiltInPresetLoads() {
+    QVERIFY(presetNames().size() >= 3);
+    for (const std::string& name : presetNames()) {
+      const auto config = loadPreset(name);
+      QVERIFY2(config.has_value(), name.c_str());
+      QCOMPARE(config->name, name);
+    }
+    QCOMPARE(loadPreset("dmu75")->interpolationCycle, rivulet::base::fromMilliseconds(4.0));
+  }
+
+  /// Leaving out any line that holds a value is an error that names the setting.
+  void everySettingIsRequired() {
+    const QStringList lines = QString::fromStdString(preset()).split(QLatin1Char('\n'));
+    int tried = 0;
+    for (const QString& line : lines) {
+      if (!line.contains(QLatin1Char('=')) || line.startsWith(QLatin1Char('#'))) {
+        continue;
+      }
+      QString text = lines.join(QLatin1Char('\n'));
+      text.remove(text.indexOf(line), line.size());
+      const auto config = parsePreset(text.toStdString(), "test");
+      QVERIFY2(!config, qPrintable(line));
+      QVERIFY(config.error().code == MachineError::PresetMalformed);
+      const QString key = line.section(QLatin1Char('='), 0, 0).trimmed();
+      QVERIFY2(QString::fromStdString(config.error().message).contains(key), qPrintable(line));
+      ++tried;
+    }
+    QVERIFY(tried >= 20);
+  }
+
+  void badValuesAreNamed_data() {
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    QTest::addColumn<QString>("named");
+    QTest::newRow("unknown key") << "[access]"
+                                 << "[access]\nspeed = 3"
+                                 << "speed";
+    QTest::newRow("wrong type") << "relatchMs = 30.0"
+                                << "relatchMs = \"30\""
+                                << "relatchMs";
+    QTest::newRow("out of range") << "bufferedBlocks = 100"
+                                  << "bufferedBlocks = 0"
+                                  << "bufferedBlocks";
+    QTest::newRow("word") << "\"atInterpretation\""
+                          << "\"sometimes\""
+                          << "rRead";
+    QTest::newRow("syntax") << "[access]"
+                            << "[access"
+                            << "line";
+  }
+  void badValuesAreNamed() {
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    QFETCH(QString, named);
+    QString text = QString::fromStdString(preset());
+    QVERIFY(text.contains(from));
+    text.replace(from, to);
+    const auto config = parsePreset(text.toStdString(), "test");
+    QVERIFY(!config);
+    QVERIFY(QString::fromStdString(config.error().message).contains(named));
+  }
+
+  void missingPresetListsTheOthers() {
+    const auto config = loadPreset("dmu76");
+    QVERIFY(!config);
+    QVERIFY(config.error().code == MachineError::PresetMissing);
+    QVERIFY(config.error().message.find("dmu75") != std::string::npos);
+    QVERIFY(!loadPreset("/nowhere/x.toml"));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestConfig)
+#include "tst_config.moc"
