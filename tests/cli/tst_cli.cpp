@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The program itself: exit codes, JSON, and one clear sentence for bad input.
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+using nlohmann::json;
+
+namespace {
+
+const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
+
+struct Outcome {
+  int exit = -1;
+  QString output;
+  QString errors;
+  [[nodiscard]] json parsed() const { return json::parse(output.toStdString(), nullptr, false); }
+};
+
+Outcome run(const QStringList& arguments) {
+  QProcess process;
+  process.start(QStringLiteral(RIVULET_CLI), arguments);
+  Outcome outcome;
+  if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit) {
+    outcome.exit = process.exitCode();
+  }
+  outcome.output = QString::fromUtf8(process.readAllStandardOutput());
+  outcome.errors = QString::fromUtf8(process.readAllStandardError());
+  return outcome;
+}
+
+QStringList words(const char* text) {
+  return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+}  // namespace
+
+class TestCli : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+
+  QString file(const char* name, const char* text) {
+    QFile out(m_folder.filePath(QString::fromUtf8(name)));
+    if (!out.open(QIODevice::WriteOnly) || out.write(text) < 0) {
+      qFatal("the test's folder cannot be written");
+    }
+    return out.fileName();
+  }
+
+ private Q_SLOTS:
+  void checks() {
+    const Outcome outcome = run({QStringLiteral("check"), kScorpion, QStringLiteral("--json")});
+    QCOMPARE(outcome.exit, 0);
+    const json result = outcome.parsed();
+    QCOMPARE(result["motions"]["g0"].get<int>(), 7);
+    QCOMPARE(result["motions"]["g1"].get<int>(), 266);
+    QCOMPARE(result["streamable"].get<bool>(), true);
+    QCOMPARE(run({QStringLiteral("check"), file("bad.nc", "G1 X1 F100\nG87 X2\n")}).exit, 1);
+  }
+
+  void judges() {
+    const auto judge = [](const char* point) {
+      return run(words(point) << QStringLiteral("--program") << kScorpion
+                              << QStringLiteral("--json"));
+    };
+    const Outcome yes = judge("feasibility --method signal --points 7 --delta 0.3 --feed 3000");
+    QCOMPARE(yes.exit, 0);
+    QCOMPARE(yes.parsed()["feasible"].get<bool>(), true);
+    const Outcome no = judge("feasibility --method position --points 7 --delta 0.75 --feed 20000");
+    QCOMPARE(no.exit, 1);
+    const json verdict = no.parsed();
+    QCOMPARE(verdict["feasible"].get<bool>(), false);
+    QVERIFY(verdict["limiting"]["margin"].get<double>() < 1.0);
+    QVERIFY(verdict["feed_mm_per_min_max"].get<double>() < 20000.0);
+  }
+
+  void generates() {
+    const QString path = m_folder.filePath(QStringLiteral("t.mpf"));
+    QCOMPARE(run(words("template --method position --points 9 -o") << path).exit, 0);
+    QFile written(path);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(QString::fromUtf8(written.readAll()),
+             run(words("template --method position --points 9")).output);
+  }
+
+  void streamsAndAnalyses() {
+    const QString path = m_folder.filePath(QStringLiteral("run.rivulet"));
+    const Outcome stream = run(QStringList{QStringLiteral("stream"), kScorpion}
+                               << words("--method signal --points 7 --delta 0.3 --feed 3000 "
+                                        "--simulate --seed 2 --json --record")
+                               << path);
+    QCOMPARE(stream.exit, 0);
+    const json report = stream.parsed();
+    QCOMPARE(report["outcome"].get<std::string>(), std::string("completed"));
+    QCOMPARE(report["points"].get<int>(), 270);
+    QCOMPARE(report["executed"].get<int>(), 270);
+    QCOMPARE(report["repeated"].get<int>() + report["skipped"].get<int>(), 0);
+    QCOMPARE(report["pauses"].size(), std::size_t{77});
+    for (const char* key : {"mean", "p50", "p95", "p99", "max"}) {
+      QVERIFY(report["access_ms"][key].get<double>() > 0.0);
+    }
+    const Outcome analyse = run({QStringLiteral("analyse"), path, QStringLiteral("--json")});
+    QCOMPARE(analyse.exit, 0);
+    QCOMPARE(analyse.parsed()["executed"].get<int>(), 270);
+    QCOMPARE(analyse.parsed()["pauses"].size(), std::size_t{77});
+    QVERIFY(analyse.parsed()["complete"].get<bool>());
+  }
+
+  void wrongMotionIsExitOne() {
+    const Outcome outcome = run(QStringList{QStringLiteral("stream"), kScorpion}
+                                << words("--method position --points 7 --delta 0.75 --feed 20000 "
+                                         "--simulate --json"));
+    QCOMPARE(outcome.exit, 1);
+    QVERIFY(outcome.parsed()["repeated"].get<int>() > 0);
+    QCOMPARE(outcome.parsed()["feasible"].get<bool>(), false);
+  }
+
+  void badInput_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("exit");
+    const QString empty = file("empty.nc", "");
+    const QString still = file("still.nc", "(nothing)\nM30\n");
+    const QStringList point = words("--points 7 --delta 0.3 --feed 500 --simulate");
+    const auto stream = [](const QString& program) {
+      return QStringList{QStringLiteral("stream"), program};
+    };
+    QTest::newRow("no command") << QStringList() << 2;
+    QTest::newRow("missing file") << stream(QStringLiteral("/nowhere.nc")) + point << 2;
+    QTest::newRow("folder") << stream(m_folder.path()) + point << 2;
+    QTest::newRow("empty") << stream(empty) + point << 2;
+    QTest::newRow("no motion") << stream(still) + point << 2;
+    QTest::newRow("N does not fit")
+        << stream(kScorpion) + words("--points 60 --delta 0.3 --feed 500 --simulate") << 2;
+    QTest::newRow("feed negative")
+        << stream(kScorpion) + words("--points 7 --delta 0.3 --feed -5 --simulate") << 2;
+    QTest::newRow("delta zero") << stream(kScorpion) +
+                                       words("--points 7 --delta 0 --feed 500 --simulate")
+                                << 2;
+    QTest::newRow("unknown preset") << stream(kScorpion) + point + words("--preset dmu76") << 2;
+    QTest::newRow("unknown method") << stream(kScorpion) + point + words("--method fast") << 2;
+    QTest::newRow("neither endpoint nor simulation")
+        << stream(kScorpion) + words("--feed 500") << 2;
+    QTest::newRow("not reachable")
+        << stream(kScorpion) + words("--feed 500 --endpoint opc.tcp://127.0.0.1:1") << 3;
+    QTest::newRow("no recording") << QStringList{QStringLiteral("analyse"), kScorpion} << 2;
+    QTest::newRow("template does not fit") << words("template --method signal --points 60") << 2;
+    QTest::newRow("recording not writable")
+        << stream(kScorpion) + point + words("--record /nowhere/run.rivulet") << 2;
+  }
+  void badInput() {
+    QFETCH(QStringList, arguments);
+    QFETCH(int, exit);
+    const Outcome outcome = run(arguments);
+    QCOMPARE(outcome.exit, exit);
+    QVERIFY2(outcome.errors.trimmed().size() > 20, "a sentence is expected");
+    QVERIFY(outcome.output.isEmpty());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "tst_cli.moc"
