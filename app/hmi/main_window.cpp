@@ -83,6 +83,9 @@ class Column final : public QScrollArea {
   Column(QWidget* page, Width width, QWidget* parent) : QScrollArea(parent), m_width(width) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
+    if (width == Width::Rigid) {
+      setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    }
     setWidget(page);
   }
 
@@ -140,7 +143,7 @@ void MainWindow::buildPages() {
   programPage->addWidget(new Column(m_programPanel, Column::Width::Flexible, programPage));
   programPage->setStretchFactor(0, 1);
   programPage->setStretchFactor(1, 0);
-  programPage->setSizes({380, 360});
+  programPage->setSizes({250, 450});
   m_feasibility = new widgets::FeasibilityPage(m_tabs);
   m_trace = new widgets::TracePage(m_tabs);
   m_template = new widgets::TemplatePage(m_tabs);

@@ -84,6 +84,13 @@ RunPanel::RunPanel(QWidget* parent)
   orders->setSpacing(24);
   orders->addWidget(m_strip, 5);
   orders->addLayout(buttons, 4);
+  // The buttons stay where they are, whatever is said below them: a finger that goes for Stop must
+  // not meet a row that has moved.
+  for (StatusLabel* label : {m_startReason, m_stopStatus}) {
+    QSizePolicy policy = label->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    label->setSizePolicy(policy);
+  }
   auto* states = new QHBoxLayout;
   states->addWidget(m_startReason, 1);
   states->addWidget(m_stopStatus, 1);
