@@ -173,6 +173,7 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
     limits.speedMmPerSMax =
         base::mmPerSFromMmPerMin(reader.number(prefix + "speedMmPerMin", 1.0, 1e6));
     limits.accelerationMmPerS2Max = reader.number(prefix + "accelerationMmPerS2", 1.0, 1e6);
+    limits.jerkMmPerS3Max = reader.number(prefix + "jerkMmPerS3", 1.0, 1e9);
     limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
     limits.startMm = reader.number(prefix + "startMm", position[0], position[1]);
   }
@@ -193,6 +194,7 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
   }
   config.jumpStops = reader.flag("control.jumpStops");
   config.accelerationOverload = reader.number("control.accelerationOverload", 0.01, 10.0);
+  config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
   config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
   config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));
   config.traceLimit = base::fromSeconds(reader.number("control.traceMinutes", 0.0, 1440.0) * 60.0);

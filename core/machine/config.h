@@ -43,6 +43,7 @@ struct AxisLimits {
   double positionMmMax = 0.0;
   double speedMmPerSMax = 0.0;
   double accelerationMmPerS2Max = 0.0;
+  double jerkMmPerS3Max = 0.0;      ///< with SOFT
   double servoTimeConstantS = 0.0;  ///< first-order lag of the position loop
   double startMm = 0.0;             ///< where the axis stands when the machine is switched on
 };
@@ -69,6 +70,7 @@ struct MachineConfig {
   RRead rRead = RRead::AtInterpretation;
   bool jumpStops = false;             ///< jumps stop the pre-run as STOPRE does
   double accelerationOverload = 1.0;  ///< speed step at a block transition, in a·IPO cycles
+  double roundingMm = 0.0;            ///< deviation at corners that G64 and G642 allow
   int rParameterCount = 0;            ///< MD28050
   double rapidMmPerS = 0.0;           ///< path speed of G0
   base::Duration traceLimit{};        ///< longest recording of the control's own trace

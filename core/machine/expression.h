@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "machine/alarm.h"
+
 namespace rivulet::machine {
 
 /// Gives the value of R[index] during an evaluation; nothing if there is no such parameter.
@@ -21,12 +23,6 @@ class RSource {
  public:
   virtual ~RSource() = default;
   [[nodiscard]] virtual std::optional<double> value(int index) const = 0;
-};
-
-/// Why an evaluation or a block stopped the program; numbers as on the control.
-struct Alarm {
-  int number = 0;  ///< 0: none
-  std::string text;
 };
 
 /// A compiled expression: instructions for a small stack machine.

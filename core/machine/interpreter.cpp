@@ -24,12 +24,13 @@ Overload(Callables...) -> Overload<Callables...>;
 }  // namespace
 
 Interpreter::Interpreter(std::shared_ptr<const NcProgram> program, RParameters& parameters,
-                         base::Vec3 startMm, double rapidMmPerS, bool cacheUntilStopre)
+                         const InterpreterOptions& options)
     : m_program(std::move(program)),
       m_parameters(parameters),
-      m_endMm(startMm),
-      m_rapidMmPerS(rapidMmPerS) {
-  if (cacheUntilStopre) {
+      m_endMm(options.startMm),
+      m_rapidMmPerS(options.rapidMmPerS),
+      m_roundingMm(options.roundingMm) {
+  if (options.cacheUntilStopre) {
     m_cache = m_parameters.values();
   }
 }
@@ -142,8 +143,13 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
   if (!m_rapid && m_feedMmPerS <= 0.0) {
     return Alarm{10860, "No feed is programmed."};
   }
-  return PreparedMotion{line, m_endMm, m_rapid ? m_rapidMmPerS : m_feedMmPerS,
-                        m_exactStop || statement.exactStopOnce};
+  PreparedMotion motion;
+  motion.line = line;
+  motion.targetMm = m_endMm;
+  motion.feedMmPerS = m_rapid ? m_rapidMmPerS : m_feedMmPerS;
+  motion.end = m_exactStop || statement.exactStopOnce ? BlockEnd::ExactStop : BlockEnd::Rounded;
+  motion.roundingMm = m_roundingMm;
+  return motion;
 }
 
 Prepared Interpreter::jump(const JumpStatement& statement) {

@@ -13,43 +13,23 @@
 
 #include "base/instant.h"
 #include "machine/nc_program.h"
+#include "machine/prepared.h"
 #include "machine/r_parameters.h"
 
 namespace rivulet::machine {
 
-/// A motion block ready for the main run.
-struct PreparedMotion {
-  base::LineNumber line;
-  base::Vec3 targetMm;
-  double feedMmPerS = 0.0;  ///< path speed: the programmed feed, or the rapid speed
-  bool exactStop = false;   ///< stand at its end
+struct InterpreterOptions {
+  base::Vec3 startMm;             ///< where the axes stand: end of the "block before the first"
+  double rapidMmPerS = 0.0;       ///< path speed of G0
+  double roundingMm = 0.0;        ///< deviation at corners that G64 allows
+  bool cacheUntilStopre = false;  ///< R values from outside are seen only after a STOPRE
 };
-
-struct PreparedDwell {
-  base::LineNumber line;
-  base::Duration duration{};
-};
-
-struct PreparedMessage {
-  std::string text;
-};
-
-struct PreparedNothing {
-  bool jumped = false;
-};
-struct PreparedStopre {};
-struct PreparedEnd {};
-
-/// What one block came to.
-using Prepared = std::variant<PreparedNothing, PreparedMotion, PreparedDwell, PreparedMessage,
-                              PreparedStopre, PreparedEnd, Alarm>;
 
 class Interpreter {
  public:
-  /// @param startMm    where the axes stand: end point of the "block before the first"
-  /// @param rapidMmPerS path speed of G0
-  Interpreter(std::shared_ptr<const NcProgram> program, RParameters& parameters, base::Vec3 startMm,
-              double rapidMmPerS, bool cacheUntilStopre);
+  /// @param parameters  must outlive the interpreter
+  Interpreter(std::shared_ptr<const NcProgram> program, RParameters& parameters,
+              const InterpreterOptions& options);
 
   /// Interprets the next block. After an alarm or the end it must not be called again.
   [[nodiscard]] Prepared next();
@@ -81,6 +61,7 @@ class Interpreter {
   base::Vec3 m_endMm;
   double m_feedMmPerS = 0.0;
   double m_rapidMmPerS;
+  double m_roundingMm;
   bool m_rapid = false;  // reset default G1
   bool m_absolute = true;
   bool m_exactStop = true;  // reset default G60

@@ -158,11 +158,15 @@ class Machine::Impl {
     m_recording = false;
     m_moved = false;
     m_holdUntil = m_now;
-    m_prerun.start(
-        std::make_unique<Interpreter>(
-            std::make_shared<const NcProgram>(NcProgram::compile(program->second)), m_parameters,
-            m_planner.endMm(), m_config.rapidMmPerS, m_config.rRead == RRead::CachedUntilStopre),
-        m_now);
+    InterpreterOptions options;
+    options.startMm = m_planner.endMm();
+    options.rapidMmPerS = m_config.rapidMmPerS;
+    options.roundingMm = m_config.roundingMm;
+    options.cacheUntilStopre = m_config.rRead == RRead::CachedUntilStopre;
+    m_prerun.start(std::make_unique<Interpreter>(
+                       std::make_shared<const NcProgram>(NcProgram::compile(program->second)),
+                       m_parameters, options),
+                   m_now);
     return {};
   }
 

@@ -32,7 +32,7 @@ void PathPlanner::append(const PreparedMotion& motion) {
   block.fromMm = m_endMm;
   block.toMm = motion.targetMm;
   block.lengthMm = base::distance(block.fromMm, block.toMm);
-  block.exactStop = motion.exactStop;
+  block.exactStop = motion.end == BlockEnd::ExactStop;
   m_endMm = motion.targetMm;
   if (block.lengthMm > kLengthMmMin) {
     block.direction = (1.0 / block.lengthMm) * (block.toMm - block.fromMm);

@@ -23,7 +23,7 @@
 
 #include "base/instant.h"
 #include "machine/config.h"
-#include "machine/interpreter.h"
+#include "machine/prepared.h"
 #include "trace/control_trace.h"
 
 namespace rivulet::machine {

@@ -35,6 +35,17 @@ Run drive(PathPlanner& planner, base::Duration cycle, int cyclesMax = 200000) {
   return run;
 }
 
+/// A straight block that goes on in the next one.
+machine::PreparedMotion straight(unsigned line, base::Vec3 targetMm, double feedMmPerS) {
+  machine::PreparedMotion motion;
+  motion.line = {line};
+  motion.targetMm = targetMm;
+  motion.feedMmPerS = feedMmPerS;
+  motion.end = machine::BlockEnd::Rounded;
+  motion.roundingMm = 0.01;
+  return motion;
+}
+
 }  // namespace
 
 class TestPathPlanner : public QObject {
@@ -45,7 +56,7 @@ class TestPathPlanner : public QObject {
   void straightLineTakesTheTextbookTime() {
     const machine::MachineConfig machine = config();
     PathPlanner planner(machine, {});
-    planner.append(machine::PreparedMotion{{1}, {100.0, 0.0, 0.0}, 50.0, false});
+    planner.append(straight(1, {100.0, 0.0, 0.0}, 50.0));
     const Run run = drive(planner, machine.interpolationCycle);
     const double a = machine.axes[0].accelerationMmPerS2Max;
     const double expectedS = 100.0 / 50.0 + 50.0 / a;
@@ -71,7 +82,7 @@ class TestPathPlanner : public QObject {
         const double step = i % 3 == 0 ? 20.0 * random.uniform() : 0.5 + random.uniform();
         at = at + step * base::Vec3{random.normal(), random.normal(), 0.2 * random.normal()};
         targets.push_back(at);
-        planner.append(machine::PreparedMotion{{static_cast<unsigned>(i + 1)}, at, feed, false});
+        planner.append(straight(static_cast<unsigned>(i + 1), at, feed));
       }
       const Run run = drive(planner, machine.interpolationCycle);
       QCOMPARE(run.executed.size(), targets.size());
@@ -96,8 +107,9 @@ class TestPathPlanner : public QObject {
     const auto timeOf = [&](bool exactStop) {
       PathPlanner planner(machine, {});
       for (int i = 1; i <= 10; ++i) {
-        planner.append(machine::PreparedMotion{
-            {static_cast<unsigned>(i)}, {static_cast<double>(i), 0.0, 0.0}, 50.0, exactStop});
+        auto motion = straight(static_cast<unsigned>(i), {static_cast<double>(i), 0.0, 0.0}, 50.0);
+        motion.end = exactStop ? machine::BlockEnd::ExactStop : machine::BlockEnd::Rounded;
+        planner.append(motion);
       }
       return base::toSeconds(drive(planner, machine.interpolationCycle).executed.back().to);
     };
@@ -109,8 +121,8 @@ class TestPathPlanner : public QObject {
   void abortBrakesAndForgets() {
     const machine::MachineConfig machine = config();
     PathPlanner planner(machine, {});
-    planner.append(machine::PreparedMotion{{1}, {100.0, 0.0, 0.0}, 50.0, false});
-    planner.append(machine::PreparedMotion{{2}, {200.0, 0.0, 0.0}, 50.0, false});
+    planner.append(straight(1, {100.0, 0.0, 0.0}, 50.0));
+    planner.append(straight(2, {200.0, 0.0, 0.0}, 50.0));
     std::vector<trace::ExecutedBlock> executed;
     base::Instant now{};
     for (int i = 0; i < 100; ++i) {

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the interpreter hands on when it has prepared a block: everything the main run needs,
+/// as numbers. Rewriting an R-parameter changes nothing in here any more.
+/// @threadsafety plain values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "base/id.h"
+#include "base/instant.h"
+#include "base/vec3.h"
+#include "machine/alarm.h"
+
+namespace rivulet::machine {
+
+/// A circle or helix from the end of the block before to the block's target: the start point
+/// turns by `sweepRad` about the axis and rises evenly along it. Workpiece frame.
+struct ArcPath {
+  base::Vec3 centreMm;    ///< any point on the axis
+  base::Vec3 axis;        ///< unit vector; the turn is counterclockwise seen against it
+  double sweepRad = 0.0;  ///< > 0; more than a full circle with TURN=
+};
+
+/// How the path goes on behind the block.
+enum class BlockEnd {
+  ExactStop,  ///< G60, G9: the axes stand
+  Rounded,    ///< G64 and G641 to G645: the corner is rounded within `roundingMm`
+};
+
+/// What `roundingMm` bounds.
+enum class RoundingKind {
+  Deviation,  ///< G64, G642: how far the rounded path may pass from the corner
+  Distance,   ///< G641 ADIS=, ADISPOS=: path length before the corner at which rounding may begin
+};
+
+/// How the path speed changes.
+enum class Dynamics {
+  Brisk,  ///< BRISK: with the axes' acceleration
+  Soft,   ///< SOFT: with the axes' acceleration and jerk
+};
+
+/// A motion block ready for the main run.
+struct PreparedMotion {
+  base::LineNumber line;
+  base::Vec3 targetMm;
+  double feedMmPerS = 0.0;  ///< path speed: the programmed feed, or the rapid speed
+  BlockEnd end = BlockEnd::ExactStop;
+  RoundingKind rounding = RoundingKind::Deviation;
+  double roundingMm = 0.0;  ///< >= 0
+  Dynamics dynamics = Dynamics::Brisk;
+  std::optional<ArcPath> arc;  ///< none: a straight line
+};
+
+struct PreparedDwell {
+  base::LineNumber line;
+  base::Duration duration{};
+};
+
+struct PreparedMessage {
+  std::string text;
+};
+
+struct PreparedNothing {
+  bool jumped = false;
+};
+struct PreparedStopre {};
+struct PreparedEnd {};
+
+/// What one block came to.
+using Prepared = std::variant<PreparedNothing, PreparedMotion, PreparedDwell, PreparedMessage,
+                              PreparedStopre, PreparedEnd, Alarm>;
+
+}  // namespace rivulet::machine

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// One run in virtual time, as a value: everything that decides it is in the scenario, and the
+/// same scenario gives the same run to the bit. The production job, driver and methods do it.
+/// @threadsafety pure; runs on the calling thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/random.h"
+#include "gcode/program.h"
+#include "machine/config.h"
+#include "streaming/run.h"
+
+namespace rivulet::streaming {
+
+struct Scenario {
+  machine::MachineConfig machine;
+  std::shared_ptr<const gcode::Program> program;
+  RunSettings settings;
+  std::uint64_t seed = 1;
+  /// A run that gets nowhere repeats its loop for ever: it is stopped after this much machine
+  /// time.
+  base::Duration limit = std::chrono::hours{2};
+};
+
+/// Runs it from preflight to the oracle's judgement.
+[[nodiscard]] RunReport simulate(const Scenario& scenario);
+
+/// Program whose points are streamed as they are.
+[[nodiscard]] std::shared_ptr<const gcode::Program> programOf(
+    const std::vector<base::Vec3>& pointsMm);
+
+/// A contour as [P1] describes its own: thinned, so that no two neighbours are closer than d_min
+/// and most are further apart. Steps are d_min plus an exponential rest; the direction wanders, in
+/// the plane Z = 0, within the working area.
+struct ContourOptions {
+  std::size_t points = 200;
+  double pointDistanceMmMin = 0.15;  ///< d_min
+  double restMmMean = 0.15;          ///< 0: evenly spaced
+};
+[[nodiscard]] std::vector<base::Vec3> drawContour(const ContourOptions& options,
+                                                  base::Random& random);
+
+}  // namespace rivulet::streaming
