@@ -34,6 +34,9 @@ inline constexpr std::array<char, kAxisCount> kAxisNames{'X', 'Y', 'Z'};
 [[nodiscard]] constexpr double dot(Vec3 a, Vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+[[nodiscard]] constexpr Vec3 cross(Vec3 a, Vec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 [[nodiscard]] inline double norm(Vec3 a) {
   return std::sqrt(dot(a, a));
 }

@@ -193,7 +193,6 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
                    nullptr);
   }
   config.jumpStops = reader.flag("control.jumpStops");
-  config.accelerationOverload = reader.number("control.accelerationOverload", 0.01, 10.0);
   config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
   config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
   config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));

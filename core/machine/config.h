@@ -68,12 +68,11 @@ struct MachineConfig {
   base::Duration standstillDeviation{};
   base::Duration relatch{};  ///< from standstill to the pre-run going on
   RRead rRead = RRead::AtInterpretation;
-  bool jumpStops = false;             ///< jumps stop the pre-run as STOPRE does
-  double accelerationOverload = 1.0;  ///< speed step at a block transition, in a·IPO cycles
-  double roundingMm = 0.0;            ///< deviation at corners that G64 and G642 allow
-  int rParameterCount = 0;            ///< MD28050
-  double rapidMmPerS = 0.0;           ///< path speed of G0
-  base::Duration traceLimit{};        ///< longest recording of the control's own trace
+  bool jumpStops = false;       ///< jumps stop the pre-run as STOPRE does
+  double roundingMm = 0.0;      ///< deviation at corners that G64 and G642 allow
+  int rParameterCount = 0;      ///< MD28050
+  double rapidMmPerS = 0.0;     ///< path speed of G0
+  base::Duration traceLimit{};  ///< longest recording of the control's own trace
   AccessCost access;
 };
 

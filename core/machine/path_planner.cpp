@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/contract.h"
 
@@ -12,10 +13,60 @@ namespace rivulet::machine {
 
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// A path shorter than this is no motion; far below the resolution of any control.
 constexpr double kLengthMmMin = 1e-9;
 /// Time below this is rounding, not motion.
 constexpr double kTimeSMin = 1e-12;
+/// Room for rounding where a braking length is compared with what is left.
+constexpr double kRoundingMm = 1e-9;
+/// Speeds that differ by less are the same.
+constexpr double kSameMmPerS = 1e-9;
+/// Highest path override.
+constexpr double kOverrideMax = 2.0;
+/// Exit speeds tried where the obvious ones cannot be reached.
+constexpr int kExitsTried = 32;
+
+// Shares of an arc. Along and across are at right angles: 0.5² + 0.866² = 1.
+constexpr double kAlongArc = 0.5;
+constexpr double kAcrossArc = 0.866;
+
+// Shares of the jerk with SOFT. On a line: half along the path. On an arc: the change of the
+// centripetal acceleration has a part along the path, speed³·curvature², and one across it,
+// 3·speed·acceleration·curvature; hypot(0.3 + 0.1, 0.3) = 0.5. At the ends of an arc the
+// acceleration steps: 0.4 of the jerk times one cycle. Where the course steps: 0.05.
+constexpr double kJerkAlongLine = 0.5;
+constexpr double kJerkAlongArc = 0.3;
+constexpr double kJerkOfTurning = 0.1;
+constexpr double kJerkAcrossArc = 0.3;
+constexpr double kJerkOfCurvatureStep = 0.4;
+constexpr double kJerkOfCourseStep = 0.05;
+
+/// A change of course by less than this is rounding of coordinates: it counts as none.
+constexpr double kTurnMin = 1e-7;
+/// Greatest step of the course that is passed without rounding, rad; and the share of the axes'
+/// acceleration that is kept for it.
+constexpr double kCourseStepMax = 0.1;
+constexpr double kCourseStepShare = 0.1;
+
+/// Smallest of limit/share over the axes that take part.
+template <class LimitOf, class ShareOf>
+double weakestAxis(LimitOf limitOf, ShareOf shareOf) {
+  double smallest = kInfinity;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const double share = std::abs(shareOf(axis));
+    if (share > 1e-12) {
+      smallest = std::min(smallest, limitOf(axis) / share);
+    }
+  }
+  return smallest;
+}
+
+SpeedLimits weaker(const SpeedLimits& a, const SpeedLimits& b) {
+  return {std::min(a.accelerationMmPerS2, b.accelerationMmPerS2),
+          std::min(a.jerkMmPerS3, b.jerkMmPerS3)};
+}
 
 }  // namespace
 
@@ -29,138 +80,432 @@ PathPlanner::PathPlanner(const MachineConfig& config, base::Vec3 startMm)
 void PathPlanner::append(const PreparedMotion& motion) {
   Block block;
   block.line = motion.line;
-  block.fromMm = m_endMm;
   block.toMm = motion.targetMm;
-  block.lengthMm = base::distance(block.fromMm, block.toMm);
-  block.exactStop = motion.end == BlockEnd::ExactStop;
+  block.end = motion.end;
+  block.rounding = motion.rounding;
+  block.roundingMm = motion.roundingMm;
+  block.dynamics = motion.dynamics;
+  block.isStraight = !motion.arc;
+  const base::Vec3 fromMm = m_endMm;
   m_endMm = motion.targetMm;
-  if (block.lengthMm > kLengthMmMin) {
-    block.direction = (1.0 / block.lengthMm) * (block.toMm - block.fromMm);
-    block.speedMmPerSMax = motion.feedMmPerS;
-    block.accelerationMmPerS2 = 1e12;
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      const double share = std::abs(block.direction[axis]);
-      if (share > 1e-12) {
-        const AxisLimits& limits = m_config.axes[axis];
-        block.speedMmPerSMax = std::min(block.speedMmPerSMax, limits.speedMmPerSMax / share);
-        block.accelerationMmPerS2 =
-            std::min(block.accelerationMmPerS2, limits.accelerationMmPerS2Max / share);
+  if (!motion.arc && base::distance(fromMm, motion.targetMm) <= kLengthMmMin) {
+    m_blocks.push_back(block);
+    return;
+  }
+  const PathPiece path = motion.arc ? PathPiece::arc(fromMm, motion.targetMm, *motion.arc)
+                                    : PathPiece::line(fromMm, motion.targetMm);
+  block.lengthMm = path.lengthMm();
+  Piece piece = makePiece(path, motion.feedMmPerS, motion.dynamics);
+  piece.endsBlock = true;
+  boundToCycle(piece);
+
+  const bool mayRunOn = !m_blocks.empty() && m_blocks.back().pieces > 0 &&
+                        m_blocks.back().end == BlockEnd::Rounded &&
+                        m_blocks.back().dynamics == motion.dynamics && !m_aborting;
+  if (mayRunOn) {
+    const Undo undo{m_pieces.back(), m_blocks.back(), m_pieces.size() - 1};
+    Block openBlock = block;
+    Piece openPiece = piece;
+    if (connect(openBlock, openPiece)) {
+      push(openBlock, openPiece);
+      m_blocks.push_back(openBlock);
+      planBackwards(false);
+      if (isStanding() || reachableExit(stretch())) {
+        return;
       }
+      m_blocks.pop_back();
     }
-  } else {
-    block.lengthMm = 0.0;
+    m_pieces.resize(undo.pieces);
+    m_pieces.push_back(undo.piece);
+    m_blocks.back() = undo.block;
   }
-  if (!m_blocks.empty()) {
-    block.cornerMmPerSMax = cornerSpeed(m_blocks.back(), block);
-  }
+  push(block, piece);
   m_blocks.push_back(block);
-  planBackwards();
+  planBackwards(mayRunOn);
 }
 
 void PathPlanner::append(const PreparedDwell& dwell) {
   Block block;
   block.line = dwell.line;
-  block.fromMm = m_endMm;
   block.toMm = m_endMm;
   block.dwellS = base::toSeconds(dwell.duration);
-  block.exactStop = true;
   m_blocks.push_back(block);
 }
 
-double PathPlanner::cornerSpeed(const Block& before, const Block& after) const {
-  // A block without length has no direction: the path stands there.
-  if (before.exactStop || before.lengthMm == 0.0 || after.lengthMm == 0.0) {
-    return 0.0;
+PathPlanner::Piece PathPlanner::makePiece(const PathPiece& path, double feedMmPerS,
+                                          Dynamics dynamics) const {
+  const auto weakest = [&](auto limit) {
+    return weakestAxis([&](std::size_t axis) { return m_config.axes[axis].*limit; },
+                       [&](std::size_t axis) { return path.axisShare(axis); });
+  };
+  const double acceleration = weakest(&AxisLimits::accelerationMmPerS2Max);
+  const double jerk = weakest(&AxisLimits::jerkMmPerS3Max);
+  const bool soft = dynamics == Dynamics::Soft;
+  Piece piece;
+  piece.path = path;
+  piece.feedMmPerS = feedMmPerS;
+  piece.speedMmPerSMax = weakest(&AxisLimits::speedMmPerSMax);
+  if (path.isStraight()) {
+    piece.limits = {acceleration, soft ? kJerkAlongLine * jerk : kInfinity};
+    return piece;
   }
-  double speed = std::min(before.speedMmPerSMax, after.speedMmPerSMax);
-  const double curveMm = 0.5 * (before.lengthMm + after.lengthMm);
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const double turn = std::abs(after.direction[axis] - before.direction[axis]);
-    if (turn > 1e-12) {
-      const double acceleration = m_config.axes[axis].accelerationMmPerS2Max;
-      speed = std::min({speed, m_config.accelerationOverload * acceleration * m_cycleS / turn,
-                        std::sqrt(acceleration * curveMm / turn)});
-    }
+  const double curvature = path.curvaturePerMm();
+  piece.speedMmPerSMax =
+      std::min(piece.speedMmPerSMax, std::sqrt(kAcrossArc * acceleration / curvature));
+  piece.limits = {kAlongArc * acceleration, kInfinity};
+  if (soft) {
+    piece.speedMmPerSMax =
+        std::min(piece.speedMmPerSMax, std::cbrt(kJerkOfTurning * jerk / (curvature * curvature)));
+    const double fastest = std::min(piece.speedMmPerSMax, kOverrideMax * feedMmPerS);
+    piece.limits = {
+        std::min(kAlongArc * acceleration, kJerkAcrossArc * jerk / (3.0 * fastest * curvature)),
+        kJerkAlongArc * jerk};
+    piece.boundToCycle = true;
   }
-  return speed;
+  return piece;
 }
 
-void PathPlanner::planBackwards() {
-  // The block in motion keeps its entry: it has been entered. Going back stops where nothing
-  // changes any more.
-  for (std::size_t index = m_blocks.size(); index-- > 1;) {
-    Block& block = m_blocks[index];
-    const double exit = index + 1 < m_blocks.size() ? m_blocks[index + 1].entryMmPerSMax : 0.0;
-    const double braking =
-        std::sqrt(exit * exit + 2.0 * block.accelerationMmPerS2 * block.lengthMm);
-    const double entry = std::min(block.cornerMmPerSMax, braking);
-    const bool unchanged = entry == block.entryMmPerSMax && index + 1 < m_blocks.size();
-    block.entryMmPerSMax = entry;
-    if (unchanged) {
+double PathPlanner::cap(const Piece& piece) const {
+  return std::min(piece.feedMmPerS * m_override, piece.speedMmPerSMax);
+}
+
+void PathPlanner::boundToCycle(Piece& piece) const {
+  if (piece.boundToCycle) {
+    piece.speedMmPerSMax = std::min(piece.speedMmPerSMax, piece.path.lengthMm() / m_cycleS);
+  }
+}
+
+bool PathPlanner::isLastUnderWay() const {
+  if (isStanding() && m_pathMm == 0.0) {
+    return false;
+  }
+  for (std::size_t i = m_pieces.size(); i-- > 1;) {
+    if (!m_pieces[i].joinsPrevious) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool PathPlanner::connect(Block& next, Piece& piece) {
+  const Piece& last = m_pieces.back();
+  const base::Vec3 change = piece.path.tangent(0.0) - last.path.tangent(last.path.lengthMm());
+  const double turn = base::norm(change);
+  if (turn > kTurnMin && last.path.isStraight() && piece.path.isStraight() &&
+      roundCornerInto(next, piece)) {
+    return true;
+  }
+  return stepInto(piece, turn);
+}
+
+bool PathPlanner::roundCornerInto(Block& next, Piece& piece) {
+  Block& block = m_blocks.back();
+  Piece& last = m_pieces.back();
+  const bool underWay = isLastUnderWay();
+  const double leftMm = last.path.lengthMm() - (m_pieces.size() == 1 ? m_pathMm : 0.0);
+  const double spareMm = std::min(0.5 * block.lengthMm, underWay ? 0.5 * leftMm : leftMm);
+  const double cutMmMax = std::min(spareMm, 0.5 * next.lengthMm);
+  const std::optional<CornerArc> corner =
+      roundCorner(block.toMm, last.path.tangent(0.0), piece.path.tangent(0.0), cutMmMax,
+                  block.rounding, block.roundingMm);
+  if (!corner) {
+    return false;
+  }
+  const bool soft = block.dynamics == Dynamics::Soft;
+  Piece first = makePiece(corner->firstHalf, last.feedMmPerS, block.dynamics);
+  Piece second = makePiece(corner->secondHalf, piece.feedMmPerS, block.dynamics);
+  // The two halves are one arc: there is no step between them.
+  const double wholeMm = first.path.lengthMm() + second.path.lengthMm();
+  if (soft) {
+    for (Piece* half : {&first, &second}) {
+      half->boundToCycle = false;
+      half->speedMmPerSMax = std::min(half->speedMmPerSMax, wholeMm / m_cycleS);
+    }
+  }
+  first.endsBlock = true;
+  second.junctionMmPerSMax = kInfinity;
+
+  block.pathLengthMm -= last.path.lengthMm();
+  last.path.trimEnd(corner->cutMm);
+  piece.path.trimStart(corner->cutMm);
+  last.boundToCycle = last.boundToCycle || soft;
+  piece.boundToCycle = piece.boundToCycle || soft;
+  piece.junctionMmPerSMax = curvatureStepSpeed(second, piece);
+  boundToCycle(piece);
+  if (last.path.lengthMm() <= kLengthMmMin) {
+    // Both corners of the block have used all of it: arc follows arc.
+    const double junction = last.junctionMmPerSMax;
+    m_pieces.pop_back();
+    --block.pieces;
+    first.junctionMmPerSMax =
+        m_pieces.empty() ? junction : curvatureStepSpeed(m_pieces.back(), first);
+  } else {
+    last.endsBlock = false;
+    block.pathLengthMm += last.path.lengthMm();
+    if (!underWay) {
+      boundToCycle(last);
+    }
+    first.junctionMmPerSMax = curvatureStepSpeed(last, first);
+  }
+  push(block, first);
+  push(next, second);
+  return true;
+}
+
+bool PathPlanner::stepInto(Piece& next, double turn) {
+  Piece& last = m_pieces.back();
+  next.junctionMmPerSMax = curvatureStepSpeed(last, next);
+  if (turn <= kTurnMin) {
+    return true;
+  }
+  if (turn > kCourseStepMax || isLastUnderWay()) {
+    return false;
+  }
+  const base::Vec3 change = next.path.tangent(0.0) - last.path.tangent(last.path.lengthMm());
+  const bool soft = !std::isinf(next.limits.jerkMmPerS3);
+  const double speed = weakestAxis(
+      [&](std::size_t axis) {
+        const AxisLimits& limits = m_config.axes[axis];
+        const double brisk = kCourseStepShare * limits.accelerationMmPerS2Max * m_cycleS;
+        return soft ? std::min(brisk,
+                               kJerkOfCourseStep * limits.jerkMmPerS3Max * m_cycleS * m_cycleS)
+                    : brisk;
+      },
+      [&](std::size_t axis) { return change[axis]; });
+  next.junctionMmPerSMax = std::min(next.junctionMmPerSMax, speed);
+  for (Piece* piece : {&last, &next}) {
+    if (!piece->holdsReserve) {
+      piece->holdsReserve = true;
+      piece->limits.accelerationMmPerS2 *= 1.0 - kCourseStepShare;
+      if (!piece->path.isStraight()) {
+        piece->speedMmPerSMax *= std::sqrt(1.0 - kCourseStepShare);
+      }
+    }
+    piece->boundToCycle = true;
+    boundToCycle(*piece);
+  }
+  return true;
+}
+
+double PathPlanner::curvatureStepSpeed(const Piece& before, const Piece& after) const {
+  if (std::isinf(after.limits.jerkMmPerS3)) {
+    return kInfinity;
+  }
+  const base::Vec3 step = after.path.curvature(0.0) - before.path.curvature(before.path.lengthMm());
+  return std::sqrt(weakestAxis(
+      [&](std::size_t axis) {
+        return kJerkOfCurvatureStep * m_config.axes[axis].jerkMmPerS3Max * m_cycleS;
+      },
+      [&](std::size_t axis) { return step[axis]; }));
+}
+
+void PathPlanner::push(Block& block, Piece piece) {
+  ++block.pieces;
+  block.pathLengthMm += piece.path.lengthMm();
+  if (!m_pieces.empty() && !std::isinf(piece.limits.jerkMmPerS3)) {
+    const Piece& last = m_pieces.back();
+    // Compared at full override, so that it does not depend on the moment.
+    const double speed = std::min(piece.feedMmPerS, piece.speedMmPerSMax);
+    const double before = std::min(last.feedMmPerS, last.speedMmPerSMax);
+    const bool even = std::abs(before - speed) <= kSameMmPerS && piece.junctionMmPerSMax >= speed;
+    piece.joinsPrevious = even;
+    if (even && isLastUnderWay()) {
+      // What is under way must not get weaker limits than those it was planned with.
+      const Stretch moving = stretch();
+      piece.joinsPrevious = weaker(moving.limits, piece.limits) == moving.limits &&
+                            m_state.speedMmPerS <= moving.capMmPerS &&
+                            m_state.accelerationMmPerS2 <= 0.0;
+    }
+  }
+  m_pieces.push_back(std::move(piece));
+}
+
+void PathPlanner::planBackwards(bool everything) {
+  double exit = 0.0;
+  double bearable = 0.0;
+  std::size_t end = m_pieces.size();  // behind the group that is planned as one
+  while (end > 0) {
+    std::size_t begin = end - 1;
+    double lengthMm = m_pieces[begin].path.lengthMm();
+    SpeedLimits limits = m_pieces[begin].limits;
+    while (begin > 0 && m_pieces[begin].joinsPrevious) {
+      --begin;
+      lengthMm += m_pieces[begin].path.lengthMm();
+      limits = weaker(limits, m_pieces[begin].limits);
+    }
+    if (begin == 0) {
+      return;  // it has been entered: its profile takes care of it
+    }
+    Piece& piece = m_pieces[begin];
+    const Piece& before = m_pieces[begin - 1];
+    exit = std::min({piece.junctionMmPerSMax, cap(piece), cap(before),
+                     brakingSpeedMmPerS(exit, lengthMm, limits)});
+    bearable = std::min({piece.junctionMmPerSMax, piece.speedMmPerSMax, before.speedMmPerSMax,
+                         brakingSpeedMmPerS(bearable, lengthMm, limits)});
+    const bool unchanged = exit == piece.entryMmPerSMax && bearable == piece.entryMmPerSBearable &&
+                           end < m_pieces.size();
+    piece.entryMmPerSMax = exit;
+    piece.entryMmPerSBearable = bearable;
+    if (unchanged && !everything) {
+      return;
+    }
+    end = begin;
+  }
+}
+
+PathPlanner::Stretch PathPlanner::stretch() const {
+  const Piece& front = m_pieces.front();
+  Stretch stretch;
+  stretch.lengthMm = front.path.lengthMm() - m_pathMm;
+  stretch.capMmPerS = cap(front);
+  stretch.limits = front.limits;
+  std::size_t next = 1;
+  for (; next < m_pieces.size() && m_pieces[next].joinsPrevious; ++next) {
+    const Piece& piece = m_pieces[next];
+    stretch.lengthMm += piece.path.lengthMm();
+    stretch.capMmPerS = std::min({stretch.capMmPerS, cap(piece), piece.junctionMmPerSMax});
+    stretch.limits = weaker(stretch.limits, piece.limits);
+  }
+  if (next < m_pieces.size()) {
+    stretch.exitMmPerS = m_pieces[next].entryMmPerSMax;
+    stretch.exitMmPerSBearable = m_pieces[next].entryMmPerSBearable;
+  }
+  return stretch;
+}
+
+std::optional<double> PathPlanner::reachableExit(const Stretch& ahead) const {
+  const double speed = m_state.speedMmPerS;
+  if (std::isinf(ahead.limits.jerkMmPerS3)) {
+    // The harder the braking, the lower the exit: the bearable one decides.
+    const double lowest =
+        std::sqrt(std::max(0.0, speed * speed - 2.0 * ahead.limits.accelerationMmPerS2 *
+                                                    (ahead.lengthMm + kRoundingMm)));
+    const double exit = std::max(ahead.exitMmPerS, lowest);
+    return lowest <= ahead.exitMmPerSBearable ? std::optional<double>(exit) : std::nullopt;
+  }
+  const Piece& front = m_pieces.front();
+  if (front.boundToCycle && front.path.lengthMm() < speed * m_cycleS) {
+    return std::nullopt;
+  }
+  const double a = m_state.accelerationMmPerS2;
+  const double faded = std::max(0.0, speed + 0.5 * a * std::abs(a) / ahead.limits.jerkMmPerS3);
+  const auto isReachable = [&](double exit) {
+    return exit <= ahead.exitMmPerSBearable &&
+           SpeedProfile::reaches(m_state, exit, ahead.lengthMm, ahead.limits);
+  };
+  // An exit above the fading speed is reached by accelerating, or not: then a lower one will do.
+  if (ahead.exitMmPerS >= faded && isReachable(faded)) {
+    return ahead.exitMmPerS;
+  }
+  for (const double exit : {ahead.exitMmPerS, m_exitMmPerS, faded}) {
+    if (isReachable(exit)) {
+      return exit;
+    }
+  }
+  for (int part = kExitsTried; part >= 0; --part) {
+    const double exit = ahead.exitMmPerSBearable * part / kExitsTried;
+    if (isReachable(exit)) {
+      return exit;
+    }
+  }
+  return std::nullopt;
+}
+
+void PathPlanner::abort() {
+  m_aborting = true;
+  m_profile.reset();
+}
+
+void PathPlanner::setOverride(double factor) {
+  const double bounded = std::clamp(factor, 0.0, kOverrideMax);
+  if (bounded == m_override) {
+    return;
+  }
+  m_override = bounded;
+  m_profile.reset();
+  planBackwards(true);
+}
+
+void PathPlanner::makeProfile() {
+  const Stretch ahead = stretch();
+  const double exit = reachableExit(ahead).value_or(ahead.exitMmPerS);
+  m_plannedFor = ahead;
+  m_exitMmPerS = exit;
+  m_profileS = 0.0;
+  m_offsetMm = m_pathMm;
+  m_standsAtEnd = false;
+  if (m_aborting || ahead.capMmPerS <= 0.0) {
+    SpeedProfile brake = SpeedProfile::toStand(m_state, ahead.limits);
+    if (brake.lengthMm() <= ahead.lengthMm) {
+      m_profile = std::move(brake);
+      m_standsAtEnd = true;
       return;
     }
   }
+  m_profile = SpeedProfile::along(m_state, std::max(ahead.capMmPerS, kSameMmPerS), exit,
+                                  ahead.lengthMm, ahead.limits);
 }
 
-double PathPlanner::exitSpeed(std::size_t index) const {
-  return !m_aborting && index + 1 < m_blocks.size() ? m_blocks[index + 1].entryMmPerSMax : 0.0;
-}
-
-double PathPlanner::advanceFirst(double seconds) {
-  Block& block = m_blocks.front();
-  const double a = block.accelerationMmPerS2;
-  const double left = block.lengthMm - m_pathMm;
-  const double v0 = m_speedMmPerS;
-  if (m_aborting) {
-    const double stopS = v0 / a;
-    const double endS = std::min(seconds, stopS);
-    m_pathMm = std::min(block.lengthMm, m_pathMm + v0 * endS - 0.5 * a * endS * endS);
-    m_speedMmPerS = endS >= stopS ? 0.0 : v0 - a * endS;
-    return seconds - endS;
+double PathPlanner::advance(double seconds) {
+  if (m_profile && !m_standsAtEnd) {
+    // Blocks that have come in the meantime may have changed what lies ahead.
+    Stretch ahead = stretch();
+    ahead.lengthMm += m_pathMm - m_offsetMm;
+    if (ahead.capMmPerS != m_plannedFor.capMmPerS || ahead.exitMmPerS != m_plannedFor.exitMmPerS ||
+        ahead.limits != m_plannedFor.limits ||
+        std::abs(ahead.lengthMm - m_plannedFor.lengthMm) > kRoundingMm) {
+      m_profile.reset();
+    }
   }
-  const double exit = std::min(exitSpeed(0), std::sqrt(v0 * v0 + 2.0 * a * left));
-  const double peak = std::sqrt(std::max(0.0, a * left + 0.5 * (v0 * v0 + exit * exit)));
-  const double cruise = std::max(std::min(block.speedMmPerSMax, peak), exit);
-  // Rounding may leave v0 a hair above the cruise speed; then it counts as cruising.
-  const double top = std::max(cruise, std::min(v0, peak));
-  const double accelerateS = std::max(0.0, (top - v0) / a);
-  const double brakeS = (top - exit) / a;
-  const double accelerateMm = 0.5 * (v0 + top) * accelerateS;
-  const double brakeMm = 0.5 * (top + exit) * brakeS;
-  const double cruiseMm = std::max(0.0, left - accelerateMm - brakeMm);
-  const double cruiseS = top > 0.0 ? cruiseMm / top : 0.0;
-  const double totalS = accelerateS + cruiseS + brakeS;
-  if (totalS <= seconds) {
-    m_pathMm = block.lengthMm;
-    m_speedMmPerS = exit;
-    return seconds - totalS;
+  if (!m_profile) {
+    makeProfile();
   }
-  double t = seconds;
-  if (t < accelerateS) {
-    m_pathMm += v0 * t + 0.5 * a * t * t;
-    m_speedMmPerS = v0 + a * t;
-    return 0.0;
+  const double lengthMm = m_pieces.front().path.lengthMm();
+  const bool isLast = m_pieces.size() == 1 || !m_pieces[1].joinsPrevious;
+  double endS = kInfinity;
+  if (isLast && !m_standsAtEnd) {
+    endS = m_profile->durationS();
+  } else if (lengthMm - m_offsetMm <= m_profile->lengthMm()) {
+    endS = m_profile->secondsAt(lengthMm - m_offsetMm);
   }
-  t -= accelerateS;
-  if (t < cruiseS) {
-    m_pathMm += accelerateMm + top * t;
-    m_speedMmPerS = top;
-    return 0.0;
+  if (m_profileS + seconds >= endS) {
+    const double left = seconds - std::max(0.0, endS - m_profileS);
+    m_profileS = endS;
+    m_state = m_profile->stateAt(endS);
+    m_pathMm = lengthMm;
+    return left;
   }
-  t -= cruiseS;
-  m_pathMm += accelerateMm + cruiseMm + top * t - 0.5 * a * t * t;
-  m_speedMmPerS = std::max(0.0, top - a * t);
+  m_profileS += seconds;
+  m_state = m_profile->stateAt(m_profileS);
+  m_pathMm = std::min(lengthMm, m_profile->lengthMmAt(m_profileS) + m_offsetMm);
   return 0.0;
 }
 
-void PathPlanner::finishFirst(base::Instant at, std::vector<trace::ExecutedBlock>& executed) {
+void PathPlanner::finishPiece() {
+  const double lengthMm = m_pieces.front().path.lengthMm();
+  m_commandMm = m_pieces.front().path.at(lengthMm);
+  m_blockMm += lengthMm;
+  m_pieces.pop_front();
+  m_pathMm = 0.0;
+  m_offsetMm -= lengthMm;
+  const bool goesOn = !m_pieces.empty() && m_pieces.front().joinsPrevious;
+  if (!goesOn) {
+    m_profile.reset();
+  } else {
+    m_pieces.front().joinsPrevious = false;
+  }
+}
+
+void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock>& executed) {
   const Block& block = m_blocks.front();
-  m_commandMm = block.toMm;
+  if (m_blocks.size() == 1) {
+    m_commandMm = block.toMm;
+  }
   if (block.dwellS == 0.0) {
     executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.lengthMm});
   }
   m_blocks.pop_front();
-  m_pathMm = 0.0;
+  m_blockMm = 0.0;
 }
 
 void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& executed) {
@@ -174,7 +519,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
       m_dwellLeftS = block.dwellS;
     }
     m_line = block.line;
-    if (block.lengthMm == 0.0) {
+    if (block.pieces == 0) {
       const double waited = std::min(left, m_dwellLeftS);
       m_dwellLeftS -= waited;
       left -= waited;
@@ -184,38 +529,50 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
       if (m_dwellLeftS > kTimeSMin) {
         return;
       }
-      finishFirst(instantNow(), executed);
+      finishBlock(instantNow(), executed);
       continue;
     }
-    left = advanceFirst(left);
-    if (m_pathMm >= block.lengthMm) {
-      finishFirst(instantNow(), executed);
-      continue;
+    left = advance(left);
+    if (m_pathMm >= m_pieces.front().path.lengthMm()) {
+      const bool endsBlock = m_pieces.front().endsBlock;
+      finishPiece();
+      if (endsBlock) {
+        finishBlock(instantNow(), executed);
+      }
+    } else {
+      m_commandMm = m_pieces.front().path.at(m_pathMm);
+      if (m_aborting && m_standsAtEnd && isStanding()) {
+        break;
+      }
     }
-    m_commandMm = block.fromMm + m_pathMm * block.direction;
-    if (m_aborting && m_speedMmPerS == 0.0) {
-      break;
-    }
-    if (left <= kTimeSMin) {
+    if (left <= kTimeSMin && !m_blocks.empty()) {
       return;
     }
   }
   // Nothing left to move: the path stands, here or where it was aborted.
-  if (m_aborting || m_blocks.empty()) {
-    m_blocks.clear();
-    m_endMm = m_commandMm;
-    m_pathMm = 0.0;
-    m_speedMmPerS = 0.0;
-    m_aborting = false;
-  }
+  m_blocks.clear();
+  m_pieces.clear();
+  m_profile.reset();
+  m_endMm = m_commandMm;
+  m_pathMm = 0.0;
+  m_blockMm = 0.0;
+  m_state = {};
+  m_aborting = false;
 }
 
 double PathPlanner::feedCommandMmPerS() const {
-  return m_blocks.empty() ? 0.0 : m_blocks.front().speedMmPerSMax;
+  return m_pieces.empty() ? 0.0 : cap(m_pieces.front());
 }
 
 base::Vec3 PathPlanner::distanceToGoMm() const {
   return m_blocks.empty() ? base::Vec3{} : m_blocks.front().toMm - m_commandMm;
+}
+
+double PathPlanner::pathShare() const {
+  if (m_blocks.empty() || !(m_blocks.front().pathLengthMm > 0.0)) {
+    return 0.0;
+  }
+  return std::min(1.0, (m_blockMm + m_pathMm) / m_blocks.front().pathLengthMm);
 }
 
 }  // namespace rivulet::machine

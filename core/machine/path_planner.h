@@ -6,24 +6,38 @@
 /// interpolation cycle comes out. @threadsafety one object, one thread; `step` allocates only
 /// when a block ends and its record is kept.
 ///
-/// How it works. Each block is a straight line with a path speed it may not exceed, an
-/// acceleration its axes can follow, and a speed at which it may be entered: the speed step of
-/// each axis at the corner must stay within the axis's acceleration times one cycle (times the
-/// overload factor), and a chain of short blocks is treated as the curve it approximates, whose
-/// centripetal acceleration the axes must bear. From the last block, where the path must be able
-/// to stand, a backward pass lowers the entry speeds to what braking allows. Within a block the
-/// motion is time-optimal between its entry and exit speed (accelerate, cruise, brake) and is
-/// evaluated in closed form, so that the result does not depend on where the cycles fall.
+/// How it works. Blocks become pieces: lines and arcs. Where a block is to be rounded into the
+/// next one, both give up some length to an arc between them (path_piece.h); everywhere else the
+/// course must run on evenly, or the path stands at the corner. Each piece has a speed that its
+/// curvature and its axes allow, and a junction speed at which it may be entered.
+///
+/// From the last piece, where the path must be able to stand, a backward pass finds the speed at
+/// which each piece may be entered so that braking suffices for all that follows. The piece in
+/// motion gets a speed profile from the state it is in to the entry of the next one
+/// (speed_profile.h). A block that is appended later may only make the path longer: the corner to
+/// it is opened if the motion under way can still bear it, and stays a stand if not. So no limit
+/// is ever exceeded, whenever blocks arrive.
+///
+/// The feed may be changed at any moment by the override. What follows may then be entered too
+/// fast for the new feed, but never too fast for its curvature and its axes: a second backward
+/// pass, which knows no feed, sees to that.
+///
+/// Limits per axis. BRISK: along an arc half of the acceleration goes along the path and
+/// 0.866 of it across (the two are at right angles, so together they use all of it). SOFT: half
+/// of the jerk goes along the path, the other half is kept for what arcs and the steps of the
+/// curvature at their ends need; no piece is passed in less than one cycle. Pieces of equal speed
+/// are planned as one, so that the acceleration need not come to rest between them.
 #pragma once
 
-#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
 
 #include "base/instant.h"
 #include "machine/config.h"
+#include "machine/path_piece.h"
 #include "machine/prepared.h"
+#include "machine/speed_profile.h"
 #include "trace/control_trace.h"
 
 namespace rivulet::machine {
@@ -38,50 +52,111 @@ class PathPlanner {
 
   /// Blocks taken over and not finished.
   [[nodiscard]] int blockCount() const { return static_cast<int>(m_blocks.size()); }
-  [[nodiscard]] bool isStanding() const { return m_speedMmPerS == 0.0; }
+  [[nodiscard]] bool isStanding() const { return m_state.speedMmPerS == 0.0; }
 
-  /// One interpolation cycle ending at `end`. Blocks that end within it are reported.
+  /// One interpolation cycle ending at `end`. Blocks that end within it are reported; a rounded
+  /// block ends in the middle of the arc to the next one.
   void step(base::Instant end, std::vector<trace::ExecutedBlock>& executed);
 
   /// Brake to a stand on the path and forget the rest.
-  void abort() { m_aborting = true; }
+  void abort();
+
+  /// Path override, 1 for 100 %: scales the feed of what follows; the path brakes and
+  /// accelerates within its limits. @param factor >= 0; 0 holds the path
+  void setOverride(double factor);
 
   [[nodiscard]] base::Vec3 commandMm() const { return m_commandMm; }
-  [[nodiscard]] double speedMmPerS() const { return m_speedMmPerS; }
+  [[nodiscard]] double speedMmPerS() const { return m_state.speedMmPerS; }
   [[nodiscard]] double feedCommandMmPerS() const;
   [[nodiscard]] base::Vec3 distanceToGoMm() const;
+  /// How much of the block in motion has been passed, 0 to 1.
+  [[nodiscard]] double pathShare() const;
   [[nodiscard]] base::LineNumber line() const { return m_line; }
   /// End point of the last block taken over: where the path will stand.
   [[nodiscard]] base::Vec3 endMm() const { return m_endMm; }
 
  private:
+  struct Piece {
+    PathPiece path;
+    double feedMmPerS = 0.0;
+    double speedMmPerSMax = 0.0;  ///< what curvature and axes allow
+    SpeedLimits limits;
+    double junctionMmPerSMax = 0.0;    ///< at its start; 0: the path stands there
+    double entryMmPerSMax = 0.0;       ///< junction, speeds and braking together
+    double entryMmPerSBearable = 0.0;  ///< the same without regard to the feed
+    bool boundToCycle = false;         ///< must take a cycle at least: there are steps at its ends
+    bool holdsReserve = false;         ///< its limits leave room for a step of the course
+    bool joinsPrevious = false;        ///< planned as one with the piece before
+    bool endsBlock = false;
+  };
   struct Block {
     base::LineNumber line;
-    base::Vec3 fromMm;
     base::Vec3 toMm;
-    base::Vec3 direction;
-    double lengthMm = 0.0;
-    double speedMmPerSMax = 0.0;
-    double accelerationMmPerS2 = 0.0;
-    double cornerMmPerSMax = 0.0;  ///< from the corner to the block before
-    double entryMmPerSMax = 0.0;   ///< corner and braking together
-    bool exactStop = false;
+    double lengthMm = 0.0;      ///< as programmed
+    double pathLengthMm = 0.0;  ///< with its share of the corners
+    std::size_t pieces = 0;
+    BlockEnd end = BlockEnd::ExactStop;
+    RoundingKind rounding = RoundingKind::Deviation;
+    double roundingMm = 0.0;
+    Dynamics dynamics = Dynamics::Brisk;
+    bool isStraight = true;
     double dwellS = 0.0;
     std::optional<base::Instant> startedAt;
   };
 
-  [[nodiscard]] double cornerSpeed(const Block& before, const Block& after) const;
-  [[nodiscard]] double exitSpeed(std::size_t index) const;
-  void planBackwards();
-  /// Moves along the first block for at most `seconds`. @return the time left
-  double advanceFirst(double seconds);
-  void finishFirst(base::Instant at, std::vector<trace::ExecutedBlock>& executed);
+  /// What an append has changed of the last piece and block, to take it back.
+  struct Undo {
+    Piece piece;
+    Block block;
+    std::size_t pieces = 0;  ///< in front of `piece`
+  };
+
+  [[nodiscard]] Piece makePiece(const PathPiece& path, double feedMmPerS, Dynamics dynamics) const;
+  [[nodiscard]] double cap(const Piece& piece) const;
+  void push(Block& block, Piece piece);
+  /// Opens the corner between the last piece and `next`, so that the path need not stand there.
+  /// @return false if it has to
+  bool connect(Block& next, Piece& piece);
+  bool roundCornerInto(Block& next, Piece& piece);
+  bool stepInto(Piece& next, double turn);
+  /// The last piece is in motion, or planned as one with the one that is.
+  [[nodiscard]] bool isLastUnderWay() const;
+  void boundToCycle(Piece& piece) const;
+  [[nodiscard]] double curvatureStepSpeed(const Piece& before, const Piece& after) const;
+  void planBackwards(bool everything);
+  struct Stretch {
+    double lengthMm = 0.0;  ///< of what is left
+    double capMmPerS = 0.0;
+    double exitMmPerS = 0.0;
+    double exitMmPerSBearable = 0.0;
+    SpeedLimits limits;
+  };
+  /// The piece in motion and those planned as one with it.
+  [[nodiscard]] Stretch stretch() const;
+  /// The speed at which the motion under way can leave the stretch with its acceleration at
+  /// rest: the one planned, or after a change of the override the first bearable one.
+  /// @return nothing if no limit of what follows could be kept
+  [[nodiscard]] std::optional<double> reachableExit(const Stretch& ahead) const;
+  void makeProfile();
+  /// Moves on for at most `seconds`. @return the time left
+  double advance(double seconds);
+  void finishPiece();
+  void finishBlock(base::Instant at, std::vector<trace::ExecutedBlock>& executed);
 
   MachineConfig m_config;
   double m_cycleS;
   std::deque<Block> m_blocks;
-  double m_pathMm = 0.0;  ///< on the first block
-  double m_speedMmPerS = 0.0;
+  std::deque<Piece> m_pieces;
+  double m_pathMm = 0.0;   ///< on the first piece
+  double m_blockMm = 0.0;  ///< passed of the first block, in finished pieces
+  SpeedState m_state;
+  std::optional<SpeedProfile> m_profile;
+  Stretch m_plannedFor;        ///< what is to be passed on it, from its start
+  double m_exitMmPerS = 0.0;   ///< speed at its end
+  double m_profileS = 0.0;     ///< time passed on it
+  double m_offsetMm = 0.0;     ///< place on the first piece minus length passed on the profile
+  bool m_standsAtEnd = false;  ///< the profile ends in a stand, wherever that is
+  double m_override = 1.0;
   double m_dwellLeftS = 0.0;
   bool m_aborting = false;
   base::Vec3 m_commandMm;
