@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Runs of another motion controller, recorded: its program and what its planner commanded. They
+/// are compared with the look-ahead of the virtual machine. @threadsafety pure.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "base/vec3.h"
+#include "machine/prepared.h"
+
+namespace rivulet::experiments {
+
+enum class RecordedRunError { FileUnreadable = 1, Malformed };
+
+[[nodiscard]] std::error_code make_error_code(RecordedRunError code);
+
+struct RecordedSample {
+  double timeS = 0.0;
+  base::Vec3 commandMm;
+  double pathMmPerS = 0.0;  ///< speed of the planner
+};
+
+struct RecordedRun {
+  std::string name;
+  /// Lines and arcs of the program; dwells are left out (each stands between two blocks of
+  /// `ExactStop`). Ends and rounding as the program orders (G61, G64 P).
+  std::vector<machine::PreparedMotion> blocks;
+  std::vector<RecordedSample> samples;
+};
+
+/// Straight and circular blocks of a program in the XY plane: G1, G2, G3 with X Y Z I J F, G61,
+/// G64 P, comments in parentheses.
+/// @param startMm  where the tool stands before it
+[[nodiscard]] base::Result<std::vector<machine::PreparedMotion>> parseRecordedProgram(
+    std::string_view text, base::Vec3 startMm);
+
+/// Columns t_s, x_cmd, y_cmd, z_cmd and v_path of a table with a heading.
+[[nodiscard]] base::Result<std::vector<RecordedSample>> parseRecordedSamples(std::string_view text);
+
+/// `programs/NAME.ngc` and `data/NAME*.csv.zst` of a folder.
+[[nodiscard]] base::Result<RecordedRun> loadRecordedRun(const std::filesystem::path& folder,
+                                                        const std::string& name);
+
+}  // namespace rivulet::experiments
+
+template <>
+struct std::is_error_code_enum<rivulet::experiments::RecordedRunError> : std::true_type {};
