@@ -62,4 +62,18 @@ struct AnalyseOptions {
 };
 [[nodiscard]] Exit analyse(const AnalyseOptions& options);
 
+struct ExperimentCommandOptions {
+  std::vector<std::string> names;  ///< or "all"
+  std::size_t seeds = 0;           ///< 0: as many as is usual
+  std::string preset = "dmu75";
+  std::string endpoint;    ///< empty: virtual time
+  std::string recordings;  ///< folder for experiment lookahead
+  unsigned threads = 0;    ///< 0: one per core
+  std::string json;
+  std::string csv;
+  std::string plot;
+  std::string report;  ///< folder for fidelity.md
+};
+[[nodiscard]] Exit experiment(const ExperimentCommandOptions& options);
+
 }  // namespace rivulet::cli

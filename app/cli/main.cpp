@@ -3,7 +3,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 #include "cli/commands.h"
+#include "experiments/catalogue.h"
 
 namespace {
 
@@ -140,6 +143,37 @@ int main(int argc, char** argv) {
   analyseCommand->add_option("RECORDING", analyse.file, "File of stream --record")->required();
   addJson(analyseCommand, analyse.json);
   analyseCommand->callback([&] { exit = rivulet::cli::analyse(analyse); });
+
+  rivulet::cli::ExperimentCommandOptions experiment;
+  CLI::App* experimentCommand = app.add_subcommand(
+      "experiment", "Repeat the experiments of the paper and compare the figures");
+  std::vector<std::string> experiments = rivulet::experiments::experimentNames();
+  experiments.insert(experiments.end(), {"lookahead", "all"});
+  experimentCommand->add_option("NAME", experiment.names, "Experiments, or all")
+      ->required()
+      ->check(CLI::IsMember(experiments));
+  experimentCommand->add_option("--seeds", experiment.seeds, "Runs per point (shots, contours)")
+      ->check(CLI::Range(1, 1000000));
+  experimentCommand->add_option("--preset", experiment.preset, "Virtual machine: a name or a file")
+      ->capture_default_str();
+  experimentCommand->add_option("--endpoint", experiment.endpoint,
+                                "OPC UA server instead of virtual time (table1)");
+  experimentCommand->add_option("--recordings", experiment.recordings,
+                                "Recordings of another planner, for lookahead");
+  experimentCommand->add_option("--threads", experiment.threads, "0: one per core")
+      ->check(CLI::Range(0, 1024));
+  experimentCommand->add_option("--json", experiment.json, "File for all figures");
+  experimentCommand->add_option("--csv", experiment.csv, "File for all figures");
+  experimentCommand->add_option("--plot", experiment.plot, "File for the plot, .svg");
+  experimentCommand->add_option("--report", experiment.report,
+                                "Folder for fidelity.md and its pictures");
+  experimentCommand->callback([&] {
+    if (experiment.recordings.empty() &&
+        std::count(experiment.names.begin(), experiment.names.end(), "lookahead") > 0) {
+      throw CLI::RequiredError("--recordings");
+    }
+    exit = rivulet::cli::experiment(experiment);
+  });
 
   try {
     app.parse(argc, argv);

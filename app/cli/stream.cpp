@@ -2,44 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <memory>
 
 #include "base/units.h"
 #include "cli/commands.h"
+#include "cli/connection.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
-#include "machine/machine.h"
 #include "report/report_json.h"
 #include "streaming/job.h"
-#include "streaming/simulation/simulated_link.h"
 #include "trace/recording.h"
-
-#ifdef RIVULET_WITH_OPEN62541
-#include "opcua/open62541/ua_link.h"
-#endif
 
 namespace rivulet::cli {
 
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-extern "C" void onInterrupt(int) {
-  interrupted = true;
-}
 
 /// Stop by Ctrl-C, or at a time of the run that was ordered beforehand.
 class ConsoleOrders final : public streaming::RunOrders {
  public:
   explicit ConsoleOrders(double stopAfterS) : m_stopAfterS(stopAfterS) {}
   bool stopRequested(base::Instant now) override {
-    if (interrupted) {
+    if (wasInterrupted()) {
       return true;
     }
     if (m_stopAfterS <= 0.0) {
@@ -59,7 +45,7 @@ class ConsoleOrders final : public streaming::RunOrders {
 /// A progress line on a terminal, nothing in a pipe.
 class ConsoleSink final : public streaming::RunSink {
  public:
-  ConsoleSink() : m_isTerminal(isatty(STDERR_FILENO) == 1) {}
+  ConsoleSink() : m_isTerminal(isTerminal()) {}
   ~ConsoleSink() override {
     if (m_drawn) {
       std::fputs("\r\x1b[K", stderr);
@@ -97,51 +83,6 @@ std::string utcNow() {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
-}
-
-/// The link of a run, and what it hangs on.
-struct Connection {
-  std::unique_ptr<machine::Machine> machine;
-  std::unique_ptr<streaming::SimulatedLink> simulated;
-#ifdef RIVULET_WITH_OPEN62541
-  std::unique_ptr<opcua::UaLink> real;
-#endif
-  opcua::Link* link = nullptr;
-  opcua::Control* control = nullptr;
-  std::string name;
-};
-
-base::Result<Connection> open(const StreamOptions& options) {
-  Connection connection;
-  if (options.simulate) {
-    auto config = machine::loadPreset(options.preset);
-    if (!config) {
-      return base::fail(config.error());
-    }
-    connection.machine = std::make_unique<machine::Machine>(std::move(*config), options.seed);
-    connection.simulated = std::make_unique<streaming::SimulatedLink>(*connection.machine);
-    connection.link = connection.simulated.get();
-    connection.control = connection.simulated.get();
-    connection.name = fmt::format("simulated {} seed {}", options.preset, options.seed);
-    return connection;
-  }
-#ifdef RIVULET_WITH_OPEN62541
-  opcua::ConnectOptions connect;
-  connect.endpoint = options.endpoint;
-  connect.name = "rivulet-cli";
-  auto link = opcua::UaLink::connect(connect);
-  if (!link) {
-    return base::fail(link.error());
-  }
-  connection.real = std::move(*link);
-  connection.link = connection.real.get();
-  connection.control = connection.real.get();
-  connection.name = options.endpoint;
-  return connection;
-#else
-  return base::fail(opcua::LinkError::NotReachable,
-                    "This build has no OPC UA. Use --simulate, or build with open62541.");
-#endif
 }
 
 /// Judged before anything moves. @return why the run must not start; nothing if it may
@@ -222,7 +163,8 @@ Exit stream(const StreamOptions& options) {
   if (const auto cells = templates::planCells(settings.parameters); !cells) {
     return reportError(cells.error(), options.json);
   }
-  auto connection = open(options);
+  auto connection =
+      options.simulate ? simulate(options.preset, options.seed) : connectTo(options.endpoint);
   if (!connection) {
     return reportError(connection.error(), options.json);
   }
@@ -253,8 +195,7 @@ Exit stream(const StreamOptions& options) {
   recorder.start.endpoint = connection->name;
   recorder.start.startedAtUtc = utcNow();
 
-  std::signal(SIGINT, onInterrupt);
-  std::signal(SIGTERM, onInterrupt);
+  watchForInterrupt();
   ConsoleOrders orders(options.stopAfterS);
   streaming::RunReport report;
   {

@@ -193,6 +193,13 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
                    nullptr);
   }
   config.jumpStops = reader.flag("control.jumpStops");
+  const std::string dynamics = reader.word("control.resetDynamics");
+  if (dynamics == "SOFT") {
+    config.resetDynamics = Dynamics::Soft;
+  } else if (dynamics != "BRISK") {
+    reader.problem("control.resetDynamics", "must be \"BRISK\" or \"SOFT\"", nullptr);
+  }
+  config.blocksPerCycleMax = reader.number("control.blocksPerCycleMax", 0.0, 1000.0);
   config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
   config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
   config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));
@@ -202,6 +209,7 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
   config.access.nodeTimeMean = milliseconds(reader, "access.nodeTimeMs.mean", 0.0, 10000.0);
   config.access.nodeTimeDeviation =
       milliseconds(reader, "access.nodeTimeMs.deviation", 0.0, 10000.0);
+  config.access.samplingMin = milliseconds(reader, "access.minimumSamplingMs", 1.0, 10000.0);
   config.access.nodeTimeMin = milliseconds(reader, "access.nodeTimeMs.min", 0.0, 10000.0);
   if (const std::string problem = reader.finish(); !problem.empty()) {
     return base::fail(MachineError::PresetMalformed,

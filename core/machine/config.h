@@ -16,6 +16,7 @@
 #include "base/instant.h"
 #include "base/result.h"
 #include "base/vec3.h"
+#include "machine/prepared.h"
 
 namespace rivulet::machine {
 
@@ -55,6 +56,7 @@ struct AccessCost {
   base::Duration nodeTimeMean{};
   base::Duration nodeTimeDeviation{};  ///< standard deviation of one node
   base::Duration nodeTimeMin{};        ///< never below
+  base::Duration samplingMin{};        ///< shortest sampling and publishing interval
 };
 
 struct MachineConfig {
@@ -68,11 +70,13 @@ struct MachineConfig {
   base::Duration standstillDeviation{};
   base::Duration relatch{};  ///< from standstill to the pre-run going on
   RRead rRead = RRead::AtInterpretation;
-  bool jumpStops = false;       ///< jumps stop the pre-run as STOPRE does
-  double roundingMm = 0.0;      ///< deviation at corners that G64 and G642 allow
-  int rParameterCount = 0;      ///< MD28050
-  double rapidMmPerS = 0.0;     ///< path speed of G0
-  base::Duration traceLimit{};  ///< longest recording of the control's own trace
+  bool jumpStops = false;                    ///< jumps stop the pre-run as STOPRE does
+  Dynamics resetDynamics = Dynamics::Brisk;  ///< until the program says otherwise (MD20150)
+  double blocksPerCycleMax = 0.0;  ///< path speed within a block: blocks per IPO cycle; 0: any
+  double roundingMm = 0.0;         ///< deviation at corners that G64 and G642 allow
+  int rParameterCount = 0;         ///< MD28050
+  double rapidMmPerS = 0.0;        ///< path speed of G0
+  base::Duration traceLimit{};     ///< longest recording of the control's own trace
   AccessCost access;
 };
 

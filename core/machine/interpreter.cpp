@@ -29,7 +29,8 @@ Interpreter::Interpreter(std::shared_ptr<const NcProgram> program, RParameters& 
       m_parameters(parameters),
       m_endMm(options.startMm),
       m_rapidMmPerS(options.rapidMmPerS),
-      m_roundingMm(options.roundingMm) {
+      m_roundingMm(options.roundingMm),
+      m_dynamics(options.dynamics) {
   if (options.cacheUntilStopre) {
     m_cache = m_parameters.values();
   }
@@ -149,6 +150,7 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
   motion.feedMmPerS = m_rapid ? m_rapidMmPerS : m_feedMmPerS;
   motion.end = m_exactStop || statement.exactStopOnce ? BlockEnd::ExactStop : BlockEnd::Rounded;
   motion.roundingMm = m_roundingMm;
+  motion.dynamics = m_dynamics;
   return motion;
 }
 

@@ -19,10 +19,11 @@
 namespace rivulet::machine {
 
 struct InterpreterOptions {
-  base::Vec3 startMm;             ///< where the axes stand: end of the "block before the first"
-  double rapidMmPerS = 0.0;       ///< path speed of G0
-  double roundingMm = 0.0;        ///< deviation at corners that G64 allows
-  bool cacheUntilStopre = false;  ///< R values from outside are seen only after a STOPRE
+  base::Vec3 startMm;        ///< where the axes stand: end of the "block before the first"
+  double rapidMmPerS = 0.0;  ///< path speed of G0
+  double roundingMm = 0.0;   ///< deviation at corners that G64 allows
+  Dynamics dynamics = Dynamics::Brisk;  ///< until BRISK or SOFT is programmed
+  bool cacheUntilStopre = false;        ///< R values from outside are seen only after a STOPRE
 };
 
 class Interpreter {
@@ -62,6 +63,7 @@ class Interpreter {
   double m_feedMmPerS = 0.0;
   double m_rapidMmPerS;
   double m_roundingMm;
+  Dynamics m_dynamics;
   bool m_rapid = false;  // reset default G1
   bool m_absolute = true;
   bool m_exactStop = true;  // reset default G60

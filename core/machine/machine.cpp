@@ -162,6 +162,7 @@ class Machine::Impl {
     options.startMm = m_planner.endMm();
     options.rapidMmPerS = m_config.rapidMmPerS;
     options.roundingMm = m_config.roundingMm;
+    options.dynamics = m_config.resetDynamics;
     options.cacheUntilStopre = m_config.rRead == RRead::CachedUntilStopre;
     m_prerun.start(std::make_unique<Interpreter>(
                        std::make_shared<const NcProgram>(NcProgram::compile(program->second)),
@@ -327,6 +328,10 @@ bool Machine::hasRParameter(int index) const {
 
 double Machine::rParameter(int index) const {
   return m_impl->m_parameters.serviceValue(index);
+}
+
+double Machine::ncRParameter(int index) const {
+  return m_impl->m_parameters.value(index);
 }
 
 void Machine::writeRParameter(int index, double value) {

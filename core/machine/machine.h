@@ -62,6 +62,8 @@ class Machine {
   /// As the variable service answers it: after a write the new value, although the NC program
   /// sees it only from the next interpolation boundary on. @param index hasRParameter
   [[nodiscard]] double rParameter(int index) const;
+  /// As the NC program sees it at this moment. @param index hasRParameter
+  [[nodiscard]] double ncRParameter(int index) const;
   /// Becomes visible at the next interpolation boundary. @param index hasRParameter
   void writeRParameter(int index, double value);
 

@@ -95,7 +95,12 @@ void PathPlanner::append(const PreparedMotion& motion) {
   const PathPiece path = motion.arc ? PathPiece::arc(fromMm, motion.targetMm, *motion.arc)
                                     : PathPiece::line(fromMm, motion.targetMm);
   block.lengthMm = path.lengthMm();
-  Piece piece = makePiece(path, motion.feedMmPerS, motion.dynamics);
+  double feedMmPerS = motion.feedMmPerS;
+  if (m_config.blocksPerCycleMax > 0.0) {
+    // The main run takes a new block once a cycle at most: short blocks are passed slower.
+    feedMmPerS = std::min(feedMmPerS, m_config.blocksPerCycleMax * block.lengthMm / m_cycleS);
+  }
+  Piece piece = makePiece(path, feedMmPerS, motion.dynamics);
   piece.endsBlock = true;
   boundToCycle(piece);
 
@@ -198,15 +203,24 @@ bool PathPlanner::connect(Block& next, Piece& piece) {
   return stepInto(piece, turn);
 }
 
+double PathPlanner::cutMmMax(double blockMm, const Piece& piece) const {
+  const double cycleMm = piece.feedMmPerS * m_cycleS;
+  if (std::isinf(piece.limits.jerkMmPerS3)) {
+    return 0.5 * blockMm;
+  }
+  // What is left between two arcs must not be passed in less than a cycle: it must not be tiny.
+  return blockMm > 2.0 * cycleMm ? 0.5 * (blockMm - cycleMm) : 0.25 * blockMm;
+}
+
 bool PathPlanner::roundCornerInto(Block& next, Piece& piece) {
   Block& block = m_blocks.back();
   Piece& last = m_pieces.back();
   const bool underWay = isLastUnderWay();
   const double leftMm = last.path.lengthMm() - (m_pieces.size() == 1 ? m_pathMm : 0.0);
-  const double spareMm = std::min(0.5 * block.lengthMm, underWay ? 0.5 * leftMm : leftMm);
-  const double cutMmMax = std::min(spareMm, 0.5 * next.lengthMm);
+  const double spareMm = std::min(cutMmMax(block.lengthMm, last), underWay ? 0.5 * leftMm : leftMm);
+  const double cutMm = std::min(spareMm, cutMmMax(next.lengthMm, piece));
   const std::optional<CornerArc> corner =
-      roundCorner(block.toMm, last.path.tangent(0.0), piece.path.tangent(0.0), cutMmMax,
+      roundCorner(block.toMm, last.path.tangent(0.0), piece.path.tangent(0.0), cutMm,
                   block.rounding, block.roundingMm);
   if (!corner) {
     return false;

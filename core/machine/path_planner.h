@@ -22,6 +22,9 @@
 /// fast for the new feed, but never too fast for its curvature and its axes: a second backward
 /// pass, which knows no feed, sees to that.
 ///
+/// A block that would be passed in less than a cycle gets a lower feed, as on the control
+/// (`blocksPerCycleMax`): many short blocks make the path slow.
+///
 /// Limits per axis. BRISK: along an arc half of the acceleration goes along the path and
 /// 0.866 of it across (the two are at right angles, so together they use all of it). SOFT: half
 /// of the jerk goes along the path, the other half is kept for what arcs and the steps of the
@@ -117,6 +120,8 @@ class PathPlanner {
   /// Opens the corner between the last piece and `next`, so that the path need not stand there.
   /// @return false if it has to
   bool connect(Block& next, Piece& piece);
+  /// What a block can spare for the corner at one of its ends.
+  [[nodiscard]] double cutMmMax(double blockMm, const Piece& piece) const;
   bool roundCornerInto(Block& next, Piece& piece);
   bool stepInto(Piece& next, double turn);
   /// The last piece is in motion, or planned as one with the one that is.

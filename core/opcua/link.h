@@ -18,6 +18,7 @@
 #include "base/result.h"
 #include "opcua/error.h"
 #include "opcua/variable.h"
+#include "trace/control_trace.h"
 
 namespace rivulet::opcua {
 
@@ -92,8 +93,8 @@ class Control {
   [[nodiscard]] virtual bool isVirtualMachine() const = 0;
   virtual base::Result<void> cycleStart() = 0;
   virtual base::Result<void> reset() = 0;
-  /// The control's own trace of the last run, as text of `trace/control_trace.h`.
-  virtual base::Result<std::string> fetchTrace() = 0;
+  /// The control's own trace of the last run.
+  virtual base::Result<trace::ControlTrace> fetchTrace() = 0;
 };
 
 }  // namespace rivulet::opcua

@@ -323,9 +323,7 @@ class Job {
       return;
     }
     publish(m_report.outcome == Outcome::Stopped ? RunState::Stopping : RunState::Running, "trace");
-    const Result<std::string> text = m_control.fetchTrace();
-    Result<trace::ControlTrace> trace =
-        text ? trace::parseControlTrace(*text) : base::fail(text.error());
+    Result<trace::ControlTrace> trace = m_control.fetchTrace();
     if (!trace) {
       m_ledger.note(
           {m_link.now(), "the control's trace could not be had: " + trace.error().text()});

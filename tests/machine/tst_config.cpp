@@ -54,7 +54,7 @@ class TestConfig : public QObject {
     QTest::newRow("unknown key") << "[access]"
                                  << "[access]\nspeed = 3"
                                  << "speed";
-    QTest::newRow("wrong type") << "relatchMs = 30.0"
+    QTest::newRow("wrong type") << "relatchMs = 18.0"
                                 << "relatchMs = \"30\""
                                 << "relatchMs";
     QTest::newRow("out of range") << "bufferedBlocks = 100"

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "feasibility/verdict.h"
 #include "streaming/job.h"
+#include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "templates/generator.h"
 
@@ -139,10 +140,12 @@ class TestJob : public QObject {
 
   /// The hazard is real and it is reported: far outside the region old points are run again.
   void tooFastRepeatsAndTheOracleSeesIt() {
-    const RunSettings run = settings(MethodKind::Position, 7, 0.75, 20000.0);
-    QVERIFY(!isFeasible(scorpion(), run));
+    const RunSettings run = settings(MethodKind::Position, 7, 0.1, 2000.0);
+    base::Random random(1);
+    const auto program = streaming::programOf(streaming::drawContour({200, 0.1, 0.1}, random));
+    QVERIFY(!isFeasible(*program, run));
     World world("dmu75");
-    const RunReport report = world.run(scorpion(), run);
+    const RunReport report = world.run(*program, run);
     QVERIFY(report.integrity.judged);
     QVERIFY(report.integrity.repeated > 0);
     QVERIFY(!report.isFaultless());
@@ -222,7 +225,7 @@ class TestJob : public QObject {
       bool isVirtualMachine() const override { return true; }
       base::Result<void> cycleStart() override { return m_link.cycleStart(); }
       base::Result<void> reset() override { return m_link.reset(); }
-      base::Result<std::string> fetchTrace() override { return m_link.fetchTrace(); }
+      base::Result<trace::ControlTrace> fetchTrace() override { return m_link.fetchTrace(); }
 
      private:
       streaming::SimulatedLink& m_link;

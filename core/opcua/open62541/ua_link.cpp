@@ -941,7 +941,7 @@ base::Result<void> UaLink::reset() {
   return {};
 }
 
-base::Result<std::string> UaLink::fetchTrace() {
+base::Result<trace::ControlTrace> UaLink::fetchTrace() {
   std::string text;
   for (;;) {
     UA_UInt64 offset = text.size();
@@ -957,7 +957,7 @@ base::Result<std::string> UaLink::fetchTrace() {
     }
     text.append(view(*data));
     if (text.size() == *total) {
-      return text;
+      return trace::parseControlTrace(text);
     }
     if (data->length == 0 || text.size() > *total || *total > kTraceBytesMax) {
       return base::fail(LinkError::Rejected,

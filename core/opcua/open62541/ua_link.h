@@ -51,7 +51,7 @@ class UaLink final : public Link, public Control {
   [[nodiscard]] bool isVirtualMachine() const override;
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
-  base::Result<std::string> fetchTrace() override;
+  base::Result<trace::ControlTrace> fetchTrace() override;
 
  private:
   class Impl;

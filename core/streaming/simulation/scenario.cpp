@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "streaming/job.h"
@@ -14,10 +15,12 @@ namespace rivulet::streaming {
 
 namespace {
 
-/// Half the side of the square a drawn contour stays in, mm.
+/// Beyond this distance from the middle a drawn contour turns back, mm.
 constexpr double kAreaMm = 100.0;
 /// Standard deviation of the change of course from step to step, rad: a CAM contour bends gently.
 constexpr double kTurnRadDeviation = 0.15;
+/// Greatest change of course per step on the way back, rad.
+constexpr double kReturnTurnRad = 0.2;
 
 /// Looks on; orders a stop when the time is over.
 class TimeLimit final : public RunSink, public RunOrders {
@@ -67,13 +70,12 @@ std::vector<base::Vec3> drawContour(const ContourOptions& options, base::Random&
         options.pointDistanceMmMin +
         (options.restMmMean > 0.0 ? options.restMmMean * random.exponential() : 0.0);
     courseRad += kTurnRadDeviation * random.normal();
-    base::Vec3 next =
-        at + base::Vec3{stepMm * std::cos(courseRad), stepMm * std::sin(courseRad), 0};
-    if (std::abs(next.x) > kAreaMm || std::abs(next.y) > kAreaMm) {
-      courseRad = std::atan2(-at.y, -at.x);
-      next = at + base::Vec3{stepMm * std::cos(courseRad), stepMm * std::sin(courseRad), 0};
+    if (base::norm(at) > kAreaMm) {
+      const double homeRad =
+          std::remainder(std::atan2(-at.y, -at.x) - courseRad, 2.0 * std::numbers::pi);
+      courseRad += std::clamp(homeRad, -kReturnTurnRad, kReturnTurnRad);
     }
-    at = next;
+    at = at + stepMm * base::Vec3{std::cos(courseRad), std::sin(courseRad), 0.0};
   }
   return points;
 }

@@ -215,8 +215,8 @@ base::Result<void> SimulatedLink::reset() {
   return {};
 }
 
-base::Result<std::string> SimulatedLink::fetchTrace() {
-  return trace::printControlTrace(m_machine.trace());
+base::Result<trace::ControlTrace> SimulatedLink::fetchTrace() {
+  return m_machine.trace();
 }
 
 }  // namespace rivulet::streaming

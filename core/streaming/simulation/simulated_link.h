@@ -35,7 +35,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   [[nodiscard]] bool isVirtualMachine() const override { return true; }
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
-  base::Result<std::string> fetchTrace() override;
+  base::Result<trace::ControlTrace> fetchTrace() override;
 
  private:
   struct Request {

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The link a command works on: a control by OPC UA, or a virtual machine in virtual time.
+/// @threadsafety main thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "opcua/link.h"
+
+namespace rivulet::cli {
+
+/// A link, and what it hangs on.
+struct Connection {
+  std::shared_ptr<void> owner;
+  opcua::Link* link = nullptr;
+  opcua::Control* control = nullptr;
+  std::string name;
+};
+
+/// @param endpoint  "opc.tcp://host:port"
+[[nodiscard]] base::Result<Connection> connectTo(const std::string& endpoint);
+
+/// @param preset  name or file
+[[nodiscard]] base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed);
+
+/// From here on Ctrl-C and SIGTERM no longer end the program; `wasInterrupted` tells of them.
+void watchForInterrupt();
+[[nodiscard]] bool wasInterrupted();
+
+/// Whether standard error is read by a person.
+[[nodiscard]] bool isTerminal();
+
+}  // namespace rivulet::cli

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/experiment_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rivulet::report {
+
+using experiments::Check;
+using experiments::Experiment;
+using experiments::Plot;
+using experiments::Series;
+using experiments::Table;
+using nlohmann::ordered_json;
+
+namespace {
+
+/// Four significant digits; nothing for what is no number.
+std::string figure(double value) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string();
+}
+
+std::string withUnit(double value, const std::string& unit) {
+  const std::string text = figure(value);
+  return text.empty() || unit.empty() ? text : text + " " + unit;
+}
+
+std::string deviation(const Check& check) {
+  const double value = check.deviation();
+  return std::isfinite(value) ? fmt::format("{:+.1f} %", 100.0 * value) : std::string();
+}
+
+std::string accepted(const Check& check) {
+  if (std::isinf(check.lowest) && std::isinf(check.highest)) {
+    return "any";
+  }
+  if (check.lowest == check.highest) {
+    return figure(check.lowest);
+  }
+  if (std::isinf(check.lowest)) {
+    return "at most " + figure(check.highest);
+  }
+  if (std::isinf(check.highest)) {
+    return "at least " + figure(check.lowest);
+  }
+  return figure(check.lowest) + " to " + figure(check.highest);
+}
+
+Table checkTable(const Experiment& experiment) {
+  Table table{
+      "", {"figure", "reference", "ours", "deviation", "accepted", "source", "verdict"}, {}};
+  for (const Check& check : experiment.checks) {
+    table.rows.push_back({check.what, withUnit(check.reference, check.unit),
+                          withUnit(check.ours, check.unit), deviation(check), accepted(check),
+                          check.source, check.passed() ? "ok" : "OUTSIDE"});
+  }
+  return table;
+}
+
+/// Characters of UTF-8 text, for alignment.
+std::size_t widthOf(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
+  }));
+}
+
+std::string alignedTable(const Table& table) {
+  std::vector<std::size_t> widths;
+  for (const std::string& column : table.columns) {
+    widths.push_back(widthOf(column));
+  }
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], widthOf(row[i]));
+    }
+  }
+  std::string text;
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string out = " ";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      out += " " + cells[i] + std::string(widths[i] - widthOf(cells[i]) + 1, ' ');
+    }
+    out.erase(out.find_last_not_of(' ') + 1);
+    text += out + "\n";
+  };
+  line(table.columns);
+  for (const auto& row : table.rows) {
+    line(row);
+  }
+  return text;
+}
+
+std::string markdownTable(const Table& table) {
+  std::string text;
+  const auto line = [&](const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) {
+      text += "| " + cell + " ";
+    }
+    text += "|\n";
+  };
+  line(table.columns);
+  line(std::vector<std::string>(table.columns.size(), "---"));
+  for (const auto& row : table.rows) {
+    line(row);
+  }
+  return text;
+}
+
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + "\"";
+}
+
+std::string csvLine(const std::vector<std::string>& cells) {
+  std::string text;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    text += (i > 0 ? "," : "") + csvField(cells[i]);
+  }
+  return text + "\n";
+}
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+}  // namespace
+
+std::string experimentText(const Experiment& experiment) {
+  std::string text = fmt::format("{}: {}\n{}\n\n{}", experiment.name, experiment.title,
+                                 experiment.setup, alignedTable(checkTable(experiment)));
+  for (const Table& table : experiment.tables) {
+    text += "\n" + table.title + "\n" + alignedTable(table);
+  }
+  for (const std::string& note : experiment.notes) {
+    text += "\n" + note + "\n";
+  }
+  return text;
+}
+
+ordered_json experimentJson(const Experiment& experiment) {
+  ordered_json json{{"name", experiment.name},         {"title", experiment.title},
+                    {"setup", experiment.setup},       {"passed", experiment.passed()},
+                    {"checks", ordered_json::array()}, {"tables", ordered_json::array()},
+                    {"plots", ordered_json::array()},  {"notes", experiment.notes}};
+  for (const Check& check : experiment.checks) {
+    json["checks"].push_back({{"what", check.what},
+                              {"unit", check.unit},
+                              {"source", check.source},
+                              {"reference", number(check.reference)},
+                              {"ours", number(check.ours)},
+                              {"deviation", number(check.deviation())},
+                              {"lowest", number(check.lowest)},
+                              {"highest", number(check.highest)},
+                              {"passed", check.passed()}});
+  }
+  for (const Table& table : experiment.tables) {
+    json["tables"].push_back(
+        {{"title", table.title}, {"columns", table.columns}, {"rows", table.rows}});
+  }
+  for (const Plot& plot : experiment.plots) {
+    ordered_json series = ordered_json::array();
+    for (const Series& line : plot.series) {
+      ordered_json entry{{"name", line.name}, {"x", line.x}, {"y", line.y}};
+      if (!line.yUpper.empty()) {
+        entry["y_upper"] = line.yUpper;
+      }
+      series.push_back(std::move(entry));
+    }
+    json["plots"].push_back({{"title", plot.title},
+                             {"x", plot.xLabel},
+                             {"y", plot.yLabel},
+                             {"series", std::move(series)}});
+  }
+  return json;
+}
+
+std::string experimentCsv(const Experiment& experiment) {
+  std::string text = csvLine({"experiment", "check", "unit", "source", "reference", "ours",
+                              "lowest", "highest", "passed"});
+  const auto exact = [](double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : std::string();
+  };
+  for (const Check& check : experiment.checks) {
+    text += csvLine({experiment.name, check.what, check.unit, check.source, exact(check.reference),
+                     exact(check.ours), exact(check.lowest), exact(check.highest),
+                     check.passed() ? "1" : "0"});
+  }
+  for (const Table& table : experiment.tables) {
+    text += "\n" + csvLine(table.columns);
+    for (const auto& row : table.rows) {
+      text += csvLine(row);
+    }
+  }
+  for (const Plot& plot : experiment.plots) {
+    text += "\n" + csvLine({"series", plot.xLabel, plot.yLabel, "upper"});
+    for (const Series& line : plot.series) {
+      for (std::size_t i = 0; i < line.x.size(); ++i) {
+        text += csvLine({line.name, exact(line.x[i]), exact(line.y[i]),
+                         line.yUpper.empty() ? "" : exact(line.yUpper[i])});
+      }
+    }
+  }
+  return text;
+}
+
+std::string experimentMarkdown(const Experiment& experiment,
+                               const std::vector<std::string>& images) {
+  std::string text = fmt::format("## `{}`: {}\n\n{}\n\n{}", experiment.name, experiment.title,
+                                 experiment.setup, markdownTable(checkTable(experiment)));
+  for (const Table& table : experiment.tables) {
+    text += "\n" + table.title + "\n\n" + markdownTable(table);
+  }
+  for (std::size_t i = 0; i < experiment.plots.size() && i < images.size(); ++i) {
+    text += fmt::format("\n![{}]({})\n", experiment.plots[i].title, images[i]);
+  }
+  for (const std::string& note : experiment.notes) {
+    text += "\n" + note + "\n";
+  }
+  return text;
+}
+
+}  // namespace rivulet::report

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// An experiment as text, JSON, CSV, and as a section of the report. @threadsafety pure.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "experiments/experiment.h"
+
+namespace rivulet::report {
+
+/// For a terminal: figures of the paper beside ours, then the tables and notes.
+[[nodiscard]] std::string experimentText(const experiments::Experiment& experiment);
+
+[[nodiscard]] nlohmann::ordered_json experimentJson(const experiments::Experiment& experiment);
+
+/// Checks, tables and plotted series, one after another, each with a heading; fields with commas
+/// or quotes are quoted.
+[[nodiscard]] std::string experimentCsv(const experiments::Experiment& experiment);
+
+/// A section of a Markdown document.
+/// @param images  path of each plot as the document names it, one per plot
+[[nodiscard]] std::string experimentMarkdown(const experiments::Experiment& experiment,
+                                             const std::vector<std::string>& images);
+
+}  // namespace rivulet::report

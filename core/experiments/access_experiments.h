@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Experiments on the cost of access: Table I and Fig. 2 of [P1], and its subscriptions.
+/// @threadsafety pure.
+#pragma once
+
+#include "experiments/catalogue.h"
+
+namespace rivulet::experiments {
+
+/// Read and write 1, 20 and 100 R-parameters, one by one and in a list.
+[[nodiscard]] base::Result<Experiment> runTable1(const ExperimentOptions& options);
+[[nodiscard]] base::Result<Experiment> runTable1On(const Endpoint& endpoint,
+                                                   const ExperimentOptions& options);
+
+/// How long values written back to back are held, as the NC sees them.
+[[nodiscard]] base::Result<Experiment> runFigure2(const ExperimentOptions& options);
+/// Of ten quick changes, how many a subscription sees.
+[[nodiscard]] base::Result<Experiment> runSubscription(const ExperimentOptions& options);
+
+}  // namespace rivulet::experiments

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "experiments/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "base/text.h"
+#include "experiments/access_experiments.h"
+#include "experiments/stream_experiments.h"
+
+namespace rivulet::experiments {
+
+namespace {
+
+using base::Result;
+
+struct Entry {
+  std::string_view name;
+  Result<Experiment> (*run)(const ExperimentOptions& options);
+  Result<Experiment> (*runOn)(const Endpoint& endpoint, const ExperimentOptions& options);
+};
+
+constexpr std::array kEntries{
+    Entry{"table1", runTable1, runTable1On},
+    Entry{"figure2", runFigure2, nullptr},
+    Entry{"subscription", runSubscription, nullptr},
+    Entry{"figure3", runFigure3, nullptr},
+    Entry{"figure4", runFigure4, nullptr},
+    Entry{"method2", runMethod2, nullptr},
+    Entry{"delta", runDelta, nullptr},
+};
+
+Result<Entry> find(const std::string& name) {
+  for (const Entry& entry : kEntries) {
+    if (entry.name == name) {
+      return entry;
+    }
+  }
+  return base::fail(ExperimentError::UnknownName,
+                    fmt::format("There is no experiment \"{}\". Choose one of {}.", name,
+                                fmt::join(experimentNames(), ", ")));
+}
+
+}  // namespace
+
+std::error_code make_error_code(ExperimentError code) {
+  static const base::NamedCategory category("experiments");
+  return {static_cast<int>(code), category};
+}
+
+std::vector<std::string> experimentNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kEntries) {
+    names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+Result<Experiment> runExperiment(const std::string& name, const ExperimentOptions& options) {
+  const Result<Entry> entry = find(name);
+  return entry ? entry->run(options) : base::fail(entry.error());
+}
+
+Result<Experiment> runExperimentOn(const std::string& name, const Endpoint& endpoint,
+                                   const ExperimentOptions& options) {
+  const Result<Entry> entry = find(name);
+  if (!entry) {
+    return base::fail(entry.error());
+  }
+  if (entry->runOn == nullptr) {
+    return base::fail(ExperimentError::NotOverOpcUa,
+                      fmt::format("\"{}\" needs virtual time: leave out --endpoint.", name));
+  }
+  return entry->runOn(endpoint, options);
+}
+
+}  // namespace rivulet::experiments

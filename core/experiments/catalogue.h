@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The experiments by name. @threadsafety pure; jobs go through the executor of the options.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/executor.h"
+#include "base/result.h"
+#include "experiments/experiment.h"
+#include "machine/config.h"
+#include "opcua/link.h"
+
+namespace rivulet::experiments {
+
+enum class ExperimentError {
+  UnknownName = 1,
+  Cancelled,
+  NotOverOpcUa,  ///< this experiment needs virtual time
+  Failed,        ///< the control did not do what it has to; the message says what
+};
+
+[[nodiscard]] std::error_code make_error_code(ExperimentError code);
+
+struct ExperimentOptions {
+  machine::MachineConfig machine;
+  std::size_t seeds = 0;  ///< runs per point, or shots per measurement; 0: as many as is usual
+  base::Executor& executor;
+  /// Called with the share done, 0 to 1, maybe from several threads; false cancels. May be empty.
+  std::function<bool(double)> progress;
+};
+
+/// A real control, or the virtual machine behind its server.
+struct Endpoint {
+  opcua::Link& link;
+  opcua::Control& control;
+  std::string name;
+};
+
+/// In the order of the report.
+[[nodiscard]] std::vector<std::string> experimentNames();
+
+/// @return UnknownName, Cancelled
+[[nodiscard]] base::Result<Experiment> runExperiment(const std::string& name,
+                                                     const ExperimentOptions& options);
+
+/// table1 and figure2 on a connection. @return UnknownName, NotOverOpcUa, or what the link says
+[[nodiscard]] base::Result<Experiment> runExperimentOn(const std::string& name,
+                                                       const Endpoint& endpoint,
+                                                       const ExperimentOptions& options);
+
+}  // namespace rivulet::experiments
+
+template <>
+struct std::is_error_code_enum<rivulet::experiments::ExperimentError> : std::true_type {};

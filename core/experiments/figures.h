@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Small statistics the experiments share. @threadsafety pure.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace rivulet::experiments {
+
+[[nodiscard]] double meanOf(const std::vector<double>& values);
+/// Standard deviation of a sample (n - 1). 0 for fewer than two values.
+[[nodiscard]] double deviationOf(const std::vector<double>& values);
+/// By linear interpolation between the values. @param share 0 to 1 @param values not empty
+[[nodiscard]] double quantileOf(std::vector<double> values, double share);
+[[nodiscard]] inline double medianOf(std::vector<double> values) {
+  return quantileOf(std::move(values), 0.5);
+}
+
+/// A share seen in a number of trials, and the interval that holds the true one with 95 %
+/// (Wilson's score interval).
+struct Share {
+  double seen = 0.0;
+  double low = 0.0;
+  double high = 1.0;
+};
+[[nodiscard]] Share shareOf(std::size_t hits, std::size_t trials);
+
+}  // namespace rivulet::experiments
