@@ -53,15 +53,15 @@ class TestPrediction : public QObject {
   /// Without any scatter a window is in time or it is not: the limit can be computed by hand.
   void withoutScatterTheLimitIsSharp() {
     StreamModel model;
-    model.access = {base::Duration{0}, base::Duration{0}, milliseconds{4}, base::Duration{0},
+    model.access = {base::Duration{0}, base::Duration{0}, milliseconds{6}, base::Duration{0},
                     base::Duration{0}};
     model.control.standstillDeviation = base::Duration{0};
     const auto points = line(70, 0.3);
     const double limit = feedMmPerSAt(0.5, points, at(MethodKind::Signal, 1.0), model, 1.0, 500.0);
-    // Window of four slots: 13 nodes of 4 ms; the three steps of the other window and 40 ms are the
+    // Window of four slots: 13 nodes of 6 ms; the three steps of the other window and 40 ms are the
     // time for it, give or take two cycles and a poll.
-    const double spareMs = 3.0 * 0.3 / limit * 1e3 + 40.0 - 4.0 * 13.0;
-    QVERIFY(spareMs > -8.0 && spareMs < 8.0);
+    const double spareMs = 3.0 * 0.3 / limit * 1e3 + 40.0 - 6.0 * 13.0;
+    QVERIFY(spareMs > -8.0 && spareMs < 12.0);
     QVERIFY(predict(points, at(MethodKind::Signal, 60.0 * limit * 0.6), model).failureProbability <
             1e-9);
   }
