@@ -74,6 +74,8 @@ void PositionMethod::handle(const Answer& answer, base::Instant now) {
       observe(answer, now);
       break;
     case Phase::Refill:
+      m_progress.nextEarliest = m_nextPointEarliest;
+      break;
     case Phase::Stop:
       break;
   }
@@ -102,7 +104,9 @@ void PositionMethod::observe(const Answer& answer, base::Instant now) {
   // The position was valid at some time after the request was sent; at the feed the tool cannot
   // be within δ of the point due any sooner than this.
   const double freeMm = std::max(0.0, distanceMm - 2.0 * m_plan.settings().deltaMm);
-  m_progress.nextEarliest = answer.sent + base::fromSeconds(freeMm / m_plan.settings().feedMmPerS);
+  m_nextPointEarliest = answer.sent + base::fromSeconds(freeMm / m_plan.settings().feedMmPerS);
+  // A refill is due at once: no read for the display may go in front of it.
+  m_progress.nextEarliest = m_refillDue ? now : m_nextPointEarliest;
 }
 
 }  // namespace rivulet::streaming

@@ -36,7 +36,8 @@ class PositionMethod final : public Method {
   bool m_waiting = false;  ///< an answer is outstanding
   bool m_stopWanted = false;
   bool m_refillDue = false;
-  std::size_t m_due = 0;  ///< index of the point the tool is on its way to
+  base::Instant m_nextPointEarliest{};  ///< when the tool can be at the point due
+  std::size_t m_due = 0;                ///< index of the point the tool is on its way to
   std::optional<base::Vec3> m_positionMm;
   Progress m_progress;
 };

@@ -92,6 +92,8 @@ void SignalMethod::handle(const Answer& answer, base::Instant now) {
       observe(answer, now);
       break;
     case Phase::Refill:
+      m_progress.nextEarliest = m_nextSignalEarliest;
+      break;
     case Phase::Stop:
       break;
   }
@@ -120,7 +122,9 @@ void SignalMethod::observe(const Answer& answer, base::Instant now) {
   // the request was sent at the earliest, and at the feed it cannot reach its end any sooner.
   const base::Duration travel = m_plan.travelTime(
       std::max<std::size_t>(windowBegin(m_passed), 1) - 1, windowBegin(m_passed + 1) - 1);
-  m_progress.nextEarliest = answer.sent - m_plan.settings().accessTime * 2 + travel;
+  m_nextSignalEarliest = answer.sent - m_plan.settings().accessTime * 2 + travel;
+  // The refill is due at once: no read for the display may go in front of it.
+  m_progress.nextEarliest = now;
   m_progress.nextLatest = now + travel + kSlowerThanPlanned;
 }
 

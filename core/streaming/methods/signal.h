@@ -40,7 +40,8 @@ class SignalMethod final : public Method {
   bool m_waiting = false;
   bool m_stopWanted = false;
   bool m_refillDue = false;
-  std::size_t m_passed = 0;  ///< windows the control has signalled
+  base::Instant m_nextSignalEarliest{};  ///< of the window the control is in
+  std::size_t m_passed = 0;              ///< windows the control has signalled
   Progress m_progress;
 };
 

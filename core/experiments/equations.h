@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Equations (1) to (3) of [P1] against whole runs: what they said, what became of the runs, and
+/// by what factor each would have to be changed to be right.
+/// @threadsafety pure; the runs go through the executor.
+#pragma once
+
+#include <cstdint>
+
+#include "base/executor.h"
+#include "experiments/experiment.h"
+#include "experiments/region.h"
+
+namespace rivulet::experiments {
+
+struct EquationsOptions {
+  std::size_t contours = 8;        ///< drawn contours per combination of d_min, N and δ
+  std::size_t runsPerPoint = 5;    ///< runs per contour and feed
+  std::size_t pointsPerRun = 120;  ///< points of a contour
+  std::uint64_t seed = 1;
+};
+
+/// @param machine  e.g. the preset dmu75
+/// @param progress see RegionProgress; cancelled: the experiment says so in its notes and fails
+[[nodiscard]] Experiment runEquations(const EquationsOptions& options,
+                                      const machine::MachineConfig& machine,
+                                      base::Executor& executor,
+                                      const RegionProgress& progress = {});
+
+}  // namespace rivulet::experiments

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "experiments/region.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/contract.h"
+#include "base/random.h"
+
+namespace rivulet::experiments {
+
+namespace {
+
+using feasibility::SweepAxis;
+
+/// A run that gets nowhere is given up this long after it should have got somewhere.
+constexpr base::Duration kStallDeadline = std::chrono::seconds{3};
+/// A program that repeats takes longer than planned: this factor and this time more are enough to
+/// see it.
+constexpr double kLimitFactor = 1.5;
+constexpr double kLimitRestS = 5.0;
+/// Way to the first point, beyond δ.
+constexpr double kApproachMm = 1.0;
+
+/// Time at the feed, and a stand-still at every signal.
+double plannedSeconds(const streaming::Scenario& scenario) {
+  const std::vector<gcode::TrajectoryPoint>& points = scenario.program->trajectory.points;
+  double lengthMm = 0.0;
+  double approachMm = 0.0;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const double wayMm = points.front().positionMm[axis] - scenario.machine.axes[axis].startMm;
+    approachMm += std::isfinite(wayMm) ? std::abs(wayMm) : 0.0;
+  }
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double stepMm = base::distance(points[i - 1].positionMm, points[i].positionMm);
+    lengthMm += std::isfinite(stepMm) ? stepMm : 0.0;
+  }
+  const double stops = 2.0 * static_cast<double>(points.size()) /
+                       static_cast<double>(scenario.settings.parameters.pointsPerLoop);
+  return (lengthMm + approachMm) / scenario.settings.feedMmPerS +
+         stops * 1.5 * base::toSeconds(scenario.machine.standstillMean);
+}
+
+/// The program at one abscissa of the grid.
+std::shared_ptr<const gcode::Program> programAt(const std::vector<gcode::StreamPoint>& points,
+                                                double scale, base::Vec3 originMm) {
+  std::vector<base::Vec3> positions;
+  positions.reserve(points.size());
+  for (const gcode::StreamPoint& point : points) {
+    positions.push_back(originMm + scale * (point.positionMm - originMm));
+  }
+  return streaming::programOf(positions);
+}
+
+}  // namespace
+
+std::string_view runFateName(RunFate fate) {
+  switch (fate) {
+    case RunFate::Ran:
+      return "ran";
+    case RunFate::Faulty:
+      return "faulty";
+    case RunFate::Stalled:
+      return "stalled";
+    case RunFate::Cancelled:
+      return "cancelled";
+    case RunFate::Refused:
+      break;
+  }
+  return "refused";
+}
+
+RunFate fateOf(streaming::Scenario scenario, base::Error* error) {
+  scenario.settings.stallDeadline = kStallDeadline;
+  scenario.limit = base::fromSeconds(kLimitFactor * plannedSeconds(scenario) + kLimitRestS);
+  const streaming::RunReport report = streaming::simulate(scenario);
+  const trace::Integrity& integrity = report.integrity;
+  if (integrity.judged && !integrity.isFaultless()) {
+    return RunFate::Faulty;
+  }
+  if (integrity.judged && report.outcome == streaming::Outcome::Completed) {
+    return RunFate::Ran;
+  }
+  using streaming::StreamError;
+  const std::error_code code = report.error.code;
+  if (integrity.judged &&
+      (!code || code == StreamError::StreamStalled || code == StreamError::StopNotConfirmed ||
+       code == StreamError::EndedEarly)) {
+    return RunFate::Stalled;
+  }
+  if (error != nullptr) {
+    *error = report.error;
+  }
+  return RunFate::Refused;
+}
+
+std::vector<gcode::StreamPoint> stretchOf(const std::vector<gcode::StreamPoint>& points,
+                                          std::size_t around, std::size_t count) {
+  RIVULET_ASSERT(around < points.size() || points.empty());
+  if (points.size() <= count) {
+    return points;
+  }
+  const std::size_t first = std::min(around - std::min(around, count / 2), points.size() - count);
+  const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+base::Vec3 regionStartMm(const std::vector<gcode::StreamPoint>& points, double deltaMm) {
+  RIVULET_ASSERT(!points.empty());
+  return points.front().positionMm + base::Vec3{0.0, 0.0, kApproachMm + 2.0 * deltaMm};
+}
+
+feasibility::StreamModel streamModelOf(const machine::MachineConfig& machine) {
+  feasibility::StreamModel model;
+  model.access = {machine.access.readOverhead, machine.access.writeOverhead,
+                  machine.access.nodeTimeMean, machine.access.nodeTimeDeviation,
+                  machine.access.nodeTimeMin};
+  feasibility::ControlTimes& control = model.control;
+  control.interpolationCycle = machine.interpolationCycle;
+  control.standstillMean = machine.standstillMean;
+  control.standstillDeviation = machine.standstillDeviation;
+  control.relatch = machine.relatch;
+  control.blockPreparation = machine.blockPreparation;
+  control.accelerationMmPerS2 = machine.axes[0].accelerationMmPerS2Max;
+  double lag = 0.0;
+  for (const machine::AxisLimits& axis : machine.axes) {
+    control.accelerationMmPerS2 =
+        std::min(control.accelerationMmPerS2, axis.accelerationMmPerS2Max);
+    lag = std::max(lag, axis.servoTimeConstantS);
+  }
+  control.servoLag = base::fromSeconds(lag);
+  control.cornerStepMmPerS = machine.accelerationOverload * control.accelerationMmPerS2 *
+                             base::toSeconds(machine.interpolationCycle);
+  return model;
+}
+
+RegionResult simulateRegion(const RegionRequest& request, base::Executor& executor,
+                            const RegionProgress& progress) {
+  RIVULET_ASSERT(request.points.size() >= 2);
+  RIVULET_ASSERT(request.seedsPerPoint > 0);
+  const double distanceMmMin = feasibility::programDistances(request.points, 2).pointDistanceMmMin;
+  RegionResult result;
+  std::vector<std::shared_ptr<const gcode::Program>> programs;
+  for (const double abscissa : request.abscissas) {
+    RIVULET_ASSERT(abscissa > 0.0);
+    const bool scales = request.axis == SweepAxis::PointDistance;
+    const double scale = scales ? abscissa / distanceMmMin : 1.0;
+    programs.push_back(programAt(request.points, scale, request.points.front().positionMm));
+    for (const double feedMmPerS : request.feedsMmPerS) {
+      RIVULET_ASSERT(feedMmPerS > 0.0);
+      RegionPoint point;
+      point.abscissa = abscissa;
+      point.feedMmPerS = feedMmPerS;
+      point.pointsPerLoop = request.axis == SweepAxis::PointsPerLoop
+                                ? static_cast<int>(std::lround(abscissa))
+                                : request.settings.parameters.pointsPerLoop;
+      point.deltaMm = request.axis == SweepAxis::Delta ? abscissa : request.settings.deltaMm;
+      point.pointDistanceMmMin = distanceMmMin * scale;
+      result.points.push_back(point);
+    }
+  }
+
+  const std::size_t total = result.points.size() * request.seedsPerPoint;
+  std::vector<RunFate> fates(total, RunFate::Cancelled);
+  std::vector<base::Error> errors(total);
+  std::atomic<bool> cancelled{false};
+  std::atomic<std::size_t> done{0};
+  executor.forEach(total, [&](std::size_t index) {
+    if (cancelled) {
+      return;
+    }
+    const std::size_t at = index / request.seedsPerPoint;
+    const RegionPoint& point = result.points[at];
+    streaming::Scenario scenario;
+    scenario.machine = request.machine;
+    scenario.program = programs[at / request.feedsMmPerS.size()];
+    const base::Vec3 startMm = regionStartMm(request.points, point.deltaMm);
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      machine::AxisLimits& limits = scenario.machine.axes[axis];
+      limits.startMm = std::clamp(startMm[axis], limits.positionMmMin, limits.positionMmMax);
+    }
+    scenario.settings = request.settings;
+    scenario.settings.feedMmPerS = point.feedMmPerS;
+    scenario.settings.deltaMm = point.deltaMm;
+    scenario.settings.parameters.pointsPerLoop = point.pointsPerLoop;
+    scenario.seed = base::Random(request.seed).fork(index).bits();
+    fates[index] = fateOf(std::move(scenario), &errors[index]);
+    if (progress && !progress(++done, total)) {
+      cancelled = true;
+    }
+  });
+
+  result.cancelled = cancelled;
+  for (std::size_t index = 0; index < total; ++index) {
+    RegionPoint& point = result.points[index / request.seedsPerPoint];
+    switch (fates[index]) {
+      case RunFate::Faulty:
+        ++point.faulty;
+        ++point.runs;
+        break;
+      case RunFate::Stalled:
+        ++point.stalled;
+        ++point.runs;
+        break;
+      case RunFate::Ran:
+        ++point.runs;
+        break;
+      case RunFate::Refused:
+        if (!result.error.code) {
+          result.error = errors[index];
+        }
+        break;
+      case RunFate::Cancelled:
+        break;
+    }
+  }
+  return result;
+}
+
+}  // namespace rivulet::experiments
