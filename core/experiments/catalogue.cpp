@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "experiments/access_experiments.h"
+#include "experiments/equations.h"
 #include "experiments/stream_experiments.h"
 
 namespace rivulet::experiments {
@@ -24,6 +25,22 @@ struct Entry {
   Result<Experiment> (*runOn)(const Endpoint& endpoint, const ExperimentOptions& options);
 };
 
+Result<Experiment> equations(const ExperimentOptions& options) {
+  EquationsOptions grid;
+  if (options.seeds > 0) {
+    grid.runsPerPoint = options.seeds;
+  }
+  Experiment result = runEquations(
+      grid, options.machine, options.executor, [&](std::size_t done, std::size_t total) {
+        return !options.progress ||
+               options.progress(static_cast<double>(done) / static_cast<double>(total));
+      });
+  if (options.progress && !options.progress(1.0)) {
+    return base::fail(ExperimentError::Cancelled, "The experiment was cancelled.");
+  }
+  return result;
+}
+
 constexpr std::array kEntries{
     Entry{"table1", runTable1, runTable1On},
     Entry{"figure2", runFigure2, nullptr},
@@ -32,6 +49,7 @@ constexpr std::array kEntries{
     Entry{"figure4", runFigure4, nullptr},
     Entry{"method2", runMethod2, nullptr},
     Entry{"delta", runDelta, nullptr},
+    Entry{"equations", equations, nullptr},
 };
 
 Result<Entry> find(const std::string& name) {

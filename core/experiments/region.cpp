@@ -9,6 +9,7 @@
 
 #include "base/contract.h"
 #include "base/random.h"
+#include "experiments/planner_motion.h"
 
 namespace rivulet::experiments {
 
@@ -132,8 +133,7 @@ feasibility::StreamModel streamModelOf(const machine::MachineConfig& machine) {
     lag = std::max(lag, axis.servoTimeConstantS);
   }
   control.servoLag = base::fromSeconds(lag);
-  control.cornerStepMmPerS = machine.accelerationOverload * control.accelerationMmPerS2 *
-                             base::toSeconds(machine.interpolationCycle);
+  model.motion = std::make_shared<PlannerMotion>(machine);
   return model;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/contract.h"
 #include "feasibility/equations.h"
@@ -203,10 +204,10 @@ std::vector<double> residual(const Kernel& kernel) {
 }
 
 /// The motion between two stops: one leg per point, accelerated from a stand to a stand.
-class Stretch {
+class EvenMotion {
  public:
-  Stretch(std::span<const gcode::StreamPoint> points, base::Vec3 fromMm, double feedMmPerS,
-          const ControlTimes& control)
+  EvenMotion(std::span<const gcode::StreamPoint> points, base::Vec3 fromMm, double feedMmPerS,
+             const ControlTimes& control)
       : m_accelerationMmPerS2(control.accelerationMmPerS2) {
     m_legs.reserve(points.size());
     base::Vec3 at = fromMm;
@@ -324,6 +325,51 @@ class Stretch {
   double m_durationS = 0.0;
 };
 
+/// The motion between two stops, by the model's own motion or the simple one.
+class Stretch {
+ public:
+  Stretch(std::span<const gcode::StreamPoint> points, base::Vec3 fromMm, double feedMmPerS,
+          const StreamModel& model)
+      : m_endMm(points.empty() ? fromMm : points.back().positionMm) {
+    if (model.motion) {
+      m_stepS = base::toSeconds(model.control.interpolationCycle);
+      m_motion = model.motion->move(points, fromMm, feedMmPerS, m_stepS);
+      m_durationS = m_motion.durationS;
+    } else {
+      m_even.emplace(points, fromMm, feedMmPerS, model.control);
+      m_durationS = m_even->durationS();
+    }
+  }
+
+  [[nodiscard]] double durationS() const { return m_durationS; }
+  [[nodiscard]] base::Vec3 endMm() const { return m_endMm; }
+
+  /// Set points on a grid from the start of the motion on; stays at the end.
+  void sample(double stepS, std::vector<base::Vec3>& out) const {
+    if (m_even) {
+      m_even->sample(stepS, out);
+      return;
+    }
+    const std::vector<base::Vec3>& points = m_motion.setPointsMm;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      // Between two cycles the set point goes straight on, as it does for the servo.
+      const double place = static_cast<double>(i) * stepS / m_stepS;
+      const auto before = static_cast<std::size_t>(place);
+      out[i] = before + 1 < points.size()
+                   ? points[before] + (place - static_cast<double>(before)) *
+                                          (points[before + 1] - points[before])
+                   : m_endMm;
+    }
+  }
+
+ private:
+  base::Vec3 m_endMm;
+  double m_stepS = 0.0;
+  double m_durationS = 0.0;
+  TimedMotion m_motion;
+  std::optional<EvenMotion> m_even;
+};
+
 /// Times of the control in ms, and what its cycles make of them.
 struct Clockwork {
   explicit Clockwork(const ControlTimes& control)
@@ -429,7 +475,7 @@ class SignalModel {
       : m_points(points),
         m_point(operatingPoint),
         m_clock(model.control),
-        m_control(model.control),
+        m_model(model),
         m_writeOverheadMs(base::toMilliseconds(model.access.writeOverhead)),
         m_nodes(model.access),
         m_poll(m_nodes.sum(base::toMilliseconds(model.access.readOverhead), 1, kSignalStepMs)),
@@ -501,7 +547,7 @@ class SignalModel {
     const std::size_t from = std::min(begin(window), m_points.size());
     const std::size_t to = std::min(begin(window + 1), m_points.size());
     return Stretch(std::span<const gcode::StreamPoint>(m_points).subspan(from, to - from), fromMm,
-                   m_point.feedMmPerS, m_control);
+                   m_point.feedMmPerS, m_model);
   }
 
   /// Time from one signal to the next.
@@ -614,7 +660,7 @@ class SignalModel {
   const std::vector<gcode::StreamPoint>& m_points;
   OperatingPoint m_point;
   Clockwork m_clock;
-  ControlTimes m_control;
+  StreamModel m_model;
   double m_writeOverheadMs;
   NodeTimes m_nodes;
   Kernel m_poll;
@@ -637,7 +683,7 @@ class PositionModel {
       : m_points(points),
         m_point(operatingPoint),
         m_clock(model.control),
-        m_control(model.control),
+        m_model(model),
         m_perLoop(static_cast<std::size_t>(operatingPoint.pointsPerLoop)),
         m_lagMs(base::toMilliseconds(model.control.servoLag)) {
     const NodeTimes nodes(model.access);
@@ -665,7 +711,7 @@ class PositionModel {
       const std::size_t first = loop * m_perLoop;
       const std::size_t count = std::min(m_perLoop, m_points.size() - first);
       const Stretch motion(std::span<const gcode::StreamPoint>(m_points).subspan(first, count),
-                           standMm, m_point.feedMmPerS, m_control);
+                           standMm, m_point.feedMmPerS, m_model);
       const double motionMs = motion.durationS() * 1e3;
       m_seenMs = std::max(m_clock.up(motionMs), m_clock.cycleMs);
       m_tally.seconds += motion.durationS();
@@ -1045,7 +1091,7 @@ class PositionModel {
   const std::vector<gcode::StreamPoint>& m_points;
   OperatingPoint m_point;
   Clockwork m_clock;
-  ControlTimes m_control;
+  StreamModel m_model;
   std::size_t m_perLoop;
   double m_lagMs;
   double m_nodeMs = 0.0;

@@ -18,8 +18,8 @@
 /// What is approximated.
 /// - Sums of eight and more node times are normal, with their exact mean and variance.
 /// - A poll of the position takes its axes at mean offsets from its end, not at random ones.
-/// - The axes share one acceleration and one servo lag; jerk, roundings and the axes' top speeds
-///   are left out, so where they matter the real motion is slower.
+/// - The axes share one servo lag. Without a motion model they also share one acceleration, and
+///   jerk, roundings and top speeds are left out: the real motion is slower.
 /// - Requests for the display are left out: they are made only where the client has slack.
 /// - A run that has missed one deadline has failed; what comes after it is not followed.
 /// - Method signal: a STOPRE at each signal (`SignalStop::EachSignal`).
@@ -30,6 +30,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -80,9 +81,28 @@ struct ControlTimes {
   base::Duration servoLag = std::chrono::milliseconds{10};  ///< time constant, first order
 };
 
+/// The motion from one stand to the next, as the set point makes it.
+struct TimedMotion {
+  double durationS = 0.0;
+  std::vector<base::Vec3> setPointsMm;  ///< at every `stepS` from the start of the motion on
+};
+
+/// How the control would move. @threadsafety `move` may be called on several threads.
+class MotionModel {
+ public:
+  virtual ~MotionModel() = default;
+  /// From a stand at `fromMm` through the points to a stand at the last one.
+  [[nodiscard]] virtual TimedMotion move(std::span<const gcode::StreamPoint> points,
+                                         base::Vec3 fromMm, double feedMmPerS,
+                                         double stepS) const = 0;
+};
+
 struct StreamModel {
   AccessTimes access;
   ControlTimes control;
+  /// Null: the axes are taken to accelerate evenly, with a step of the speed at corners, as
+  /// `control` says.
+  std::shared_ptr<const MotionModel> motion;
 };
 
 struct Prediction {

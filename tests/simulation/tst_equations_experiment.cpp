@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "experiments/equations.h"
+#include "support/hard_machine.h"
 
 using namespace rivulet;
 using namespace rivulet::experiments;
@@ -27,11 +28,11 @@ class TestEquationsExperiment : public QObject {
   void countsEveryRunOnce() {
     base::SerialExecutor executor;
     std::size_t done = 0;
-    const Experiment experiment = runEquations(small(), *machine::loadPreset("dmu75"), executor,
-                                               [&](std::size_t now, std::size_t) {
-                                                 done = std::max(done, now);
-                                                 return true;
-                                               });
+    const Experiment experiment =
+        runEquations(small(), tests::hardMachine(), executor, [&](std::size_t now, std::size_t) {
+          done = std::max(done, now);
+          return true;
+        });
     QCOMPARE(experiment.name, std::string("equations"));
     const Table& confusion = experiment.tables.at(0);
     QCOMPARE(confusion.rows.size(), std::size_t{6});
@@ -65,7 +66,7 @@ class TestEquationsExperiment : public QObject {
   void cancelledRunDoesNotPass() {
     base::SerialExecutor executor;
     const Experiment experiment =
-        runEquations(small(), *machine::loadPreset("dmu75"), executor,
+        runEquations(small(), tests::hardMachine(), executor,
                      [](std::size_t done, std::size_t) { return done < 10; });
     QVERIFY(!experiment.passed());
   }

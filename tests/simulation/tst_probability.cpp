@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "experiments/region.h"
+#include "support/hard_machine.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -67,15 +68,15 @@ std::vector<gcode::StreamPoint> pointsOf(const Case& one) {
   return points;
 }
 
-const machine::MachineConfig& dmu75() {
-  static const machine::MachineConfig config = *machine::loadPreset("dmu75");
+const machine::MachineConfig& hardMachine() {
+  static const machine::MachineConfig config = tests::hardMachine();
   return config;
 }
 
 experiments::RegionRequest request(const Case& one, const std::vector<double>& feedsMmPerMin) {
   experiments::RegionRequest request;
   request.points = pointsOf(one);
-  request.machine = dmu75();
+  request.machine = hardMachine();
   request.settings.parameters.method = one.method;
   request.settings.parameters.pointsPerLoop = one.pointsPerLoop;
   request.settings.deltaMm = one.deltaMm;
@@ -104,7 +105,7 @@ class TestProbability : public QObject {
  private Q_SLOTS:
   /// From feeds at which nothing fails to feeds at which everything does.
   void agreesWithTheSimulation() {
-    const feasibility::StreamModel model = experiments::streamModelOf(dmu75());
+    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
     base::SerialExecutor executor;
     double sum = 0.0;
     double worst = 0.0;
@@ -139,9 +140,37 @@ class TestProbability : public QObject {
     QVERIFY(lowest == 0.0 && highest == 1.0 && between >= 8);
   }
 
+  /// The preset itself is slower: there the points between come from method position.
+  void agreesOnThePresetItself() {
+    const machine::MachineConfig machine = *machine::loadPreset("dmu75");
+    const feasibility::StreamModel model = experiments::streamModelOf(machine);
+    base::SerialExecutor executor;
+    double sum = 0.0;
+    std::size_t between = 0;
+    std::size_t count = 0;
+    for (const Case& one : cases()) {
+      if (one.method != base::MethodKind::Position) {
+        continue;
+      }
+      auto wanted = request(one, one.feedsMmPerMin);
+      wanted.machine = machine;
+      for (const auto& point : experiments::simulateRegion(wanted, executor).points) {
+        const double predicted =
+            feasibility::predict(wanted.points, operatingPoint(one, point.feedMmPerS), model)
+                .failureProbability;
+        sum += std::abs(predicted - frequency(point));
+        between += frequency(point) > 0.05 && frequency(point) < 0.95 ? 1 : 0;
+        ++count;
+      }
+    }
+    qInfo("mean difference %.3f, %zu points", sum / static_cast<double>(count), count);
+    QVERIFY(sum / static_cast<double>(count) <= feasibility::kProbabilityError);
+    QVERIFY(between >= 3);
+  }
+
   /// The feed at which half of the runs fail.
   void crossesOneHalfWhereTheSimulationDoes() {
-    const feasibility::StreamModel model = experiments::streamModelOf(dmu75());
+    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
     base::SerialExecutor executor;
     int crossed = 0;
     for (const Case& one : cases()) {
@@ -172,14 +201,14 @@ class TestProbability : public QObject {
   }
 
   void durationsAgree() {
-    const feasibility::StreamModel model = experiments::streamModelOf(dmu75());
+    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
     for (const Case& one : cases()) {
       if (one.feedsMmPerMin.size() < 3) {
         continue;
       }
       const auto points = pointsOf(one);
       streaming::Scenario scenario;
-      scenario.machine = dmu75();
+      scenario.machine = hardMachine();
       const base::Vec3 startMm = experiments::regionStartMm(points, one.deltaMm);
       std::vector<base::Vec3> positions;
       for (const gcode::StreamPoint& point : points) {
@@ -209,7 +238,7 @@ class TestProbability : public QObject {
   void firstPointIsTakenForPassed() {
     const Case& one = cases()[3];
     const auto points = pointsOf(one);
-    const feasibility::StreamModel model = experiments::streamModelOf(dmu75());
+    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
     const auto point = operatingPoint(one, base::mmPerSFromMmPerMin(250.0));
     const base::Vec3 nearMm = points.front().positionMm + base::Vec3{0.0, 0.0, 0.1};
     const double predicted = feasibility::predict(points, point, model, nearMm).failureProbability;
@@ -220,7 +249,7 @@ class TestProbability : public QObject {
     std::size_t failures = 0;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       streaming::Scenario scenario;
-      scenario.machine = dmu75();
+      scenario.machine = hardMachine();
       scenario.machine.axes[2].startMm = nearMm.z;
       scenario.program = streaming::programOf(positions);
       scenario.settings.parameters.method = one.method;

@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "experiments/region.h"
+#include "support/hard_machine.h"
 
 using namespace rivulet;
 using namespace rivulet::experiments;
@@ -32,7 +33,7 @@ RegionRequest request(SweepAxis axis, std::vector<double> abscissas,
   for (const base::Vec3& point : streaming::drawContour({60, 0.3, 0.15}, random)) {
     request.points.push_back({point, base::LineNumber{}});
   }
-  request.machine = *machine::loadPreset("dmu75");
+  request.machine = tests::hardMachine();
   request.settings.parameters.method = MethodKind::Position;
   request.settings.deltaMm = 0.3;
   request.axis = axis;
