@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -421,9 +422,13 @@ class Equations {
       if (rule == Rule::ThreeReal) {
         // [P1] VI.A: (3) leaves out the stand-still.
         experiment.checks.push_back(
-            {"(3) with d_min^N, feed at which half of the runs fail "
-             "beside its limit: (3) is too strict",
-             "", "[P1] VI.A", std::nan(""), half.value_or(0.0), 1.0});
+            {half ? "(3) with d_min^N, feed at which half of the runs fail beside its limit"
+                  : "(3) with d_min^N, fastest feed tried beside its limit: half of the runs fail "
+                    "nowhere",
+             "", "[P1] VI.A: (3) is too strict", std::numeric_limits<double>::quiet_NaN(),
+             half ? *half
+                  : kLowestFactor * std::pow(kFactorStep, static_cast<double>(kFactors - 1)),
+             1.0, std::numeric_limits<double>::infinity()});
       }
     }
     experiment.tables.push_back(std::move(confusion));
@@ -477,7 +482,8 @@ class Equations {
       table.rows.push_back({std::string(base::methodName(one.method)),
                             number(one.pointDistanceMmMin, 2), std::to_string(one.pointsPerLoop),
                             one.method == MethodKind::Position ? number(one.deltaMm, 2) : "",
-                            number(mmPerMin(reference), 0), feed(rare), number(rare / reference, 2),
+                            number(mmPerMin(reference), 0), feed(rare),
+                            rare >= 10.0 * reference ? "above 10" : number(rare / reference, 2),
                             feed(half), border.first ? number(mmPerMin(*border.first), 0) : "",
                             border.half ? number(mmPerMin(*border.half), 0) : ""});
     }
