@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The figures of the paper with fixed seeds: each must lie within its tolerance, and must not
+/// depend on the number of threads.
+
+#include <QtTest>
+
+#include "experiments/catalogue.h"
+#include "parallel/thread_executor.h"
+
+using namespace rivulet;
+using experiments::Check;
+using experiments::Experiment;
+
+namespace {
+
+base::Result<Experiment> run(const std::string& name, std::size_t seeds, base::Executor& executor,
+                             std::function<bool(double)> progress = {}) {
+  return experiments::runExperiment(
+      name, {*machine::loadPreset("dmu75"), seeds, executor, std::move(progress)});
+}
+
+}  // namespace
+
+class TestFidelity : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void everyFigureIsWithinItsTolerance_data() {
+    QTest::addColumn<QString>("name");
+    for (const std::string& name : experiments::experimentNames()) {
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+    }
+  }
+  void everyFigureIsWithinItsTolerance() {
+    QFETCH(QString, name);
+    parallel::ThreadExecutor executor;
+    const auto result = run(name.toStdString(), 0, executor);
+    QVERIFY2(result, result ? "" : result.error().text().c_str());
+    QVERIFY(!result->checks.empty());
+    for (const Check& check : result->checks) {
+      const QString text = QStringLiteral("%1: %2, accepted %3 to %4")
+                               .arg(QString::fromStdString(check.what))
+                               .arg(check.ours)
+                               .arg(check.lowest)
+                               .arg(check.highest);
+      QVERIFY2(check.passed(), qPrintable(text));
+    }
+    QVERIFY(result->passed());
+  }
+
+  void threadsChangeNothing() {
+    for (const char* name : {"figure2", "figure3", "figure4", "delta"}) {
+      base::SerialExecutor serial;
+      parallel::ThreadExecutor threads(3);
+      const auto one = run(name, 2, serial);
+      const auto three = run(name, 2, threads);
+      QVERIFY(one && three);
+      QCOMPARE(one->checks.size(), three->checks.size());
+      for (std::size_t i = 0; i < one->checks.size(); ++i) {
+        QVERIFY2(one->checks[i].ours == three->checks[i].ours, one->checks[i].what.c_str());
+      }
+      for (std::size_t i = 0; i < one->tables.size(); ++i) {
+        QVERIFY(one->tables[i].rows == three->tables[i].rows);
+      }
+    }
+  }
+
+  /// A machine that is not the paper's must not pass for it.
+  void anotherMachineFails() {
+    base::SerialExecutor executor;
+    machine::MachineConfig slow = *machine::loadPreset("dmu75");
+    slow.access.nodeTimeMean *= 2;
+    const auto result = experiments::runExperiment("table1", {slow, 50, executor, {}});
+    QVERIFY(result);
+    QVERIFY(!result->passed());
+  }
+
+  void cancelledExperimentsSaySo() {
+    base::SerialExecutor executor;
+    const auto result = run("figure4", 2, executor, [](double) { return false; });
+    QVERIFY(!result);
+    QVERIFY(result.error().code == experiments::ExperimentError::Cancelled);
+    const auto unknown = run("figure9", 2, executor);
+    QVERIFY(!unknown);
+    QVERIFY(unknown.error().code == experiments::ExperimentError::UnknownName);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestFidelity)
+#include "tst_fidelity.moc"
