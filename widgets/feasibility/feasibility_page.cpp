@@ -21,6 +21,12 @@ using feasibility::Border;
 using feasibility::Equation;
 using feasibility::SweepAxis;
 
+namespace {
+
+constexpr int kButtonRoomPx = 28;  // beside the text, both sides together
+
+}  // namespace
+
 FeasibilityPage::FeasibilityPage(QWidget* parent)
     : Page(parent),
       m_hint(new StatusLabel(this)),
@@ -156,6 +162,9 @@ void FeasibilityPage::retranslate() {
   m_simulate->setText(tr("Simulate around the operating point"));
   m_progress->setFormat(tr("Simulating: %p %"));
   m_cancel->setText(tr("Cancel"));
+  for (QPushButton* button : {m_simulate, m_cancel}) {
+    button->setMinimumWidth(button->sizeHint().width() + kButtonRoomPx);
+  }
   showSimulation();
   showHint();
   showLegend();

@@ -271,7 +271,8 @@ SimulationWanted RegionChart::simulationWanted() const {
   }
   if (m_axis == SweepAxis::PointsPerLoop) {
     const int step = std::max(1, static_cast<int>(m_xMax - 1.0) / kAbscissas);
-    for (int value = 2; value <= static_cast<int>(m_xMax); value += step) {
+    // Not on the edges of the picture, where half of a mark would be cut off.
+    for (int value = 3; value < static_cast<int>(m_xMax); value += step) {
       wanted.abscissas.push_back(value);
     }
   } else {
