@@ -803,6 +803,38 @@ GPL-3.0-or-later</translation>
         <source>Smallest distances of the program</source>
         <translation>Kleinste Abstände des Programms</translation>
     </message>
+    <message>
+        <source>Simulate around the operating point</source>
+        <translation>Um den Arbeitspunkt simulieren</translation>
+    </message>
+    <message>
+        <source>Simulating: %p %</source>
+        <translation>Simulation läuft: %p %</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Simulated on the virtual machine, %1 points around the tightest place.</source>
+        <translation>Simuliert auf der virtuellen Maschine, %1 Punkte um die engste Stelle.</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Fails sometimes</source>
+        <translation>Misslingt manchmal</translation>
+    </message>
+    <message>
+        <source>Fails always</source>
+        <translation>Misslingt immer</translation>
+    </message>
+    <message>
+        <source>Model: 0.1 % to 50 % fail</source>
+        <translation>Modell: 0,1 % bis 50 % misslingen</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::LogModel</name>

@@ -45,6 +45,8 @@ namespace {
 
 using gcode::Severity;
 
+/// Points a simulation of the region is made with.
+constexpr std::size_t kSimulatedPoints = 200;
 /// Where the tool is taken to stand while no machine has been seen.
 constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
 
@@ -229,6 +231,18 @@ void MainWindow::connectPages() {
             m_method->setSettings(m_settings.stream);
             judge();
           });
+  connect(m_feasibility, &widgets::FeasibilityPage::simulationRequested, this,
+          &MainWindow::simulateRegion);
+  connect(m_feasibility, &widgets::FeasibilityPage::simulationCancelRequested, &m_region,
+          &session::RegionWorker::cancel);
+  connect(&m_region, &session::RegionWorker::progressed, m_feasibility,
+          &widgets::FeasibilityPage::setSimulationProgress);
+  connect(&m_region, &session::RegionWorker::cancelled, m_feasibility,
+          [this] { m_feasibility->setSimulationProgress(std::nullopt); });
+  connect(&m_region, &session::RegionWorker::finished, this,
+          [this](const std::shared_ptr<const session::RegionOutcome>& outcome) {
+            showRegion(*outcome);
+          });
   connect(m_template, &widgets::TemplatePage::saveRequested, this,
           [this](const QString& path) { saveText(path, m_template->text()); });
   connect(m_log, &widgets::LogView::saveRequested, this,
@@ -314,6 +328,8 @@ void MainWindow::openProgram(const QString& path) {
 void MainWindow::showProgram(const std::shared_ptr<const gcode::Program>& program,
                              const QString& path) {
   m_program = program;
+  m_region.cancel();
+  m_feasibility->clearRegions();
   m_settings.addRecentFile(QFileInfo(path).absoluteFilePath());
   m_programPanel->setRecentFiles(m_settings.recentFiles);
   m_programPanel->setProgram(program);
@@ -477,6 +493,51 @@ void MainWindow::refreshStart() {
   m_openAction->setEnabled(!running);
 }
 
+void MainWindow::simulateRegion(const widgets::SimulationWanted& wanted) {
+  if (!m_distances || m_session.isRunning()) {
+    return;
+  }
+  session::RegionJob job;
+  const feasibility::Place& tightest =
+      m_settings.stream.parameters.method == base::MethodKind::Position
+          ? m_distances->pointDistancePlace
+          : m_distances->windowPlace;
+  job.points = experiments::stretchOf(m_points.points, tightest.point.value, kSimulatedPoints);
+  job.settings.parameters = m_settings.stream.parameters;
+  job.settings.deltaMm = m_settings.stream.deltaMm;
+  job.settings.feedMmPerS = m_settings.stream.feedMmPerS;
+  job.axis = wanted.axis;
+  job.feedsMmPerS = wanted.feedsMmPerS;
+  const int fits = templates::pointsPerLoopMax(m_settings.stream.parameters);
+  for (const double abscissa : wanted.abscissas) {
+    if (wanted.axis != feasibility::SweepAxis::PointsPerLoop || abscissa <= fits) {
+      job.abscissas.push_back(abscissa);
+    }
+  }
+  m_region.start(std::move(job));
+  m_feasibility->setSimulationProgress(0);
+}
+
+void MainWindow::showRegion(const session::RegionOutcome& outcome) {
+  m_feasibility->setSimulationProgress(std::nullopt);
+  if (outcome.error.code) {
+    m_messages->showMessage(Severity::Warning, widgets::errorText(outcome.error));
+  }
+  widgets::SimulatedRegion region;
+  region.axis = outcome.job.axis;
+  region.operatingPoint = {outcome.job.settings.parameters.method,
+                           outcome.job.settings.parameters.pointsPerLoop,
+                           outcome.job.settings.deltaMm, outcome.job.settings.feedMmPerS};
+  region.programPoints = outcome.job.points.size();
+  for (const experiments::RegionPoint& point : outcome.points) {
+    region.points.push_back({point.abscissa, point.feedMmPerS, point.runs, point.failures()});
+  }
+  for (const session::RegionBandPoint& point : outcome.band) {
+    region.band.push_back({point.abscissa, point.rareMmPerS, point.halfMmPerS});
+  }
+  m_feasibility->setRegion(region);
+}
+
 bool MainWindow::start() {
   const QString blocked = startBlockedReason();
   if (!blocked.isEmpty()) {
@@ -500,6 +561,8 @@ bool MainWindow::start() {
                             .arg(widgets::lengthText(base::distance(
                                 *m_machine.positionMm, m_points.points.front().positionMm))));
   }
+  // The processors belong to the stream.
+  m_region.cancel();
   m_session.start(m_program, settings, newRecordingPath());
   refreshStart();
   Q_EMIT runStarted();

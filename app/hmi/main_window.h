@@ -15,8 +15,10 @@
 #include "hmi/settings.h"
 #include "hmi/translator.h"
 #include "session/program_loader.h"
+#include "session/region_worker.h"
 #include "session/stream_session.h"
 #include "widgets/connection/machine_view.h"
+#include "widgets/feasibility/simulated_region.h"
 
 class QAction;
 class QActionGroup;
@@ -88,6 +90,8 @@ class MainWindow final : public QMainWindow {
   void showMachine(const session::MachineSeen& seen);
   void showUpdate(const streaming::LiveUpdate& update);
   void showFinished(const session::RunFinished& finished);
+  void simulateRegion(const widgets::SimulationWanted& wanted);
+  void showRegion(const session::RegionOutcome& outcome);
 
   /// Everything that follows from program and settings: verdict, region, template.
   void judge();
@@ -101,6 +105,7 @@ class MainWindow final : public QMainWindow {
   Translator m_translator;
   session::StreamSession m_session;
   session::ProgramLoader m_loader;
+  session::RegionWorker m_region;
 
   std::shared_ptr<const gcode::Program> m_program;
   gcode::PointList m_points;

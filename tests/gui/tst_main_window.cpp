@@ -21,6 +21,7 @@
 #include "trace/file.h"
 #include "trace/recording.h"
 #include "widgets/common/message_area.h"
+#include "widgets/feasibility/feasibility_page.h"
 #include "widgets/streaming/run_panel.h"
 #include "widgets/trace/trace_page.h"
 
@@ -176,6 +177,45 @@ class TestMainWindow : public QObject {
     m_window->setStreamSettings(streamSettings(base::MethodKind::Signal, 40, 0.3, 500.0));
     QVERIFY(!m_window->startBlockedReason().isEmpty());
     QVERIFY(!m_window->start());
+  }
+
+  /// The button of the page, the worker's threads, the points beside the borders.
+  void simulatesAroundTheOperatingPoint() {
+    open(streamSettings(base::MethodKind::Position, 9, 0.75, 1400.0));
+    m_window->pages()->setCurrentIndex(1);
+    auto* page = m_window->findChild<widgets::FeasibilityPage*>();
+    page->showChart(feasibility::SweepAxis::PointsPerLoop);
+    auto* chart = page->chart(feasibility::SweepAxis::PointsPerLoop);
+    auto* button = page->findChild<QPushButton*>();
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(!button->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(chart->region().has_value(), kRunMs);
+    QVERIFY(button->isVisible());
+    std::size_t ran = 0;
+    std::size_t failed = 0;
+    for (const widgets::SimulatedPoint& point : chart->region()->points) {
+      QVERIFY(point.runs > 0);
+      QVERIFY(point.abscissa <= 9.0);  // more slots do not fit 100 R-parameters
+      ran += point.failures == 0 ? 1 : 0;
+      failed += point.failures > 0 ? 1 : 0;
+    }
+    QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+    QVERIFY(
+        m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/simulated_feasibility.png")));
+    QVERIFY(ran > 0 && failed > 0);
+    // Another program: what was simulated is gone. A start ends what is being simulated.
+    m_window->openProgram(kScorpion);
+    QTRY_VERIFY_WITH_TIMEOUT(!chart->region().has_value(), kSoonMs);
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(!button->isVisible());
+    QVERIFY(m_window->start());
+    QVERIFY(button->isVisible() && !button->isEnabled());
+    QVERIFY(!chart->region());
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 3, kRunMs);
+    m_window->stop();
+    QVERIFY(finished.wait(kRunMs));
+    QVERIFY(button->isEnabled());
   }
 
   void badFileKeepsTheProgram() {

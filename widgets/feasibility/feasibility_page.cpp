@@ -3,6 +3,9 @@
 
 #include "widgets/feasibility/feasibility_page.h"
 
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -18,9 +21,18 @@ using feasibility::Border;
 using feasibility::Equation;
 using feasibility::SweepAxis;
 
+namespace {
+
+constexpr int kButtonRoomPx = 28;  // beside the text, both sides together
+
+}  // namespace
+
 FeasibilityPage::FeasibilityPage(QWidget* parent)
     : Page(parent),
       m_hint(new StatusLabel(this)),
+      m_simulate(new QPushButton(this)),
+      m_progress(new QProgressBar(this)),
+      m_cancel(new QPushButton(this)),
       m_tabs(new QTabWidget(this)),
       m_legend(new LegendStrip(this)) {
   m_hint->setWordWrap(true);
@@ -37,6 +49,24 @@ FeasibilityPage::FeasibilityPage(QWidget* parent)
   layout->addWidget(m_hint);
   layout->addWidget(m_tabs, 1);
   layout->addWidget(m_legend);
+  m_progress->setRange(0, 100);
+  for (QPushButton* button : {m_simulate, m_cancel}) {
+    button->setMinimumHeight(kTouchHeightPx);
+  }
+  auto* simulation = new QHBoxLayout;
+  simulation->addWidget(m_simulate);
+  simulation->addWidget(m_progress, 1);
+  simulation->addWidget(m_cancel);
+  simulation->addStretch();
+  layout->addLayout(simulation);
+  connect(m_simulate, &QPushButton::clicked, this, [this] {
+    const auto* chart = static_cast<RegionChart*>(m_tabs->currentWidget());
+    const SimulationWanted wanted = chart->simulationWanted();
+    if (!wanted.abscissas.empty()) {
+      Q_EMIT simulationRequested(wanted);
+    }
+  });
+  connect(m_cancel, &QPushButton::clicked, this, &FeasibilityPage::simulationCancelRequested);
   connect(m_tabs, &QTabWidget::currentChanged, this, [this] {
     showHint();
     showLegend();
@@ -50,11 +80,65 @@ void FeasibilityPage::setModel(const FeasibilityModel& model) {
   for (RegionChart* chart : m_charts) {
     chart->setModel(model);
   }
+  dropStaleRegions();
+  showSimulation();
   showHint();
   showLegend();
 }
 
+void FeasibilityPage::setRegion(const SimulatedRegion& region) {
+  chart(region.axis)->setRegion(region);
+  dropStaleRegions();
+  showHint();
+  showLegend();
+}
+
+void FeasibilityPage::clearRegions() {
+  for (RegionChart* chart : m_charts) {
+    chart->setRegion(std::nullopt);
+  }
+  showHint();
+  showLegend();
+}
+
+void FeasibilityPage::setSimulationProgress(std::optional<int> percent) {
+  m_percent = percent;
+  showSimulation();
+}
+
+/// The feed may change, each simulated point has its own; what the chart sweeps may change too.
+void FeasibilityPage::dropStaleRegions() {
+  for (RegionChart* chart : m_charts) {
+    if (!chart->region() || !m_model) {
+      continue;
+    }
+    const SimulatedRegion& region = *chart->region();
+    const feasibility::OperatingPoint& now = m_model->operatingPoint;
+    const feasibility::OperatingPoint& then = region.operatingPoint;
+    const bool position = now.method == base::MethodKind::Position;
+    const bool holds =
+        now.method == then.method &&
+        (region.axis == SweepAxis::PointsPerLoop || now.pointsPerLoop == then.pointsPerLoop) &&
+        (!position || region.axis == SweepAxis::Delta || now.deltaMm == then.deltaMm);
+    if (!holds) {
+      chart->setRegion(std::nullopt);
+    }
+  }
+}
+
+void FeasibilityPage::showSimulation() {
+  const bool busy = m_percent.has_value();
+  const bool known = m_model && m_model->distances.windowSteps > 0;
+  m_simulate->setVisible(!busy);
+  m_simulate->setEnabled(m_editable && known);
+  m_progress->setVisible(busy);
+  m_cancel->setVisible(busy);
+  m_progress->setValue(m_percent.value_or(0));
+}
+
 void FeasibilityPage::setEditable(bool editable) {
+  m_editable = editable;
+  showSimulation();
   for (RegionChart* chart : m_charts) {
     chart->setEditable(editable);
   }
@@ -75,6 +159,13 @@ void FeasibilityPage::retranslate() {
   for (RegionChart* chart : m_charts) {
     chart->retranslate();
   }
+  m_simulate->setText(tr("Simulate around the operating point"));
+  m_progress->setFormat(tr("Simulating: %p %"));
+  m_cancel->setText(tr("Cancel"));
+  for (QPushButton* button : {m_simulate, m_cancel}) {
+    button->setMinimumWidth(button->sizeHint().width() + kButtonRoomPx);
+  }
+  showSimulation();
   showHint();
   showLegend();
 }
@@ -100,6 +191,12 @@ void FeasibilityPage::showHint() {
   } else if (m_tabs->currentIndex() == 2) {
     text = position ? tr("Drag the ring to change δ and the feed.")
                     : tr("Method signal does not use δ: the borders do not depend on it.");
+  }
+  const auto* shown = static_cast<RegionChart*>(m_tabs->currentWidget());
+  if (shown->region()) {
+    text += QLatin1Char(' ') +
+            tr("Simulated on the virtual machine, %1 points around the tightest place.")
+                .arg(countText(shown->region()->programPoints));
   }
   m_hint->setStatus(Status::Plain, text);
 }
@@ -146,6 +243,16 @@ void FeasibilityPage::showLegend() {
   if (m_tabs->currentIndex() == 0 && m_model && !m_model->smallestDistancesMm.empty()) {
     entries.push_back({LegendEntry::Symbol::Dot, QPen(Qt::NoPen), colors.mutedText,
                        tr("Smallest distances of the program")});
+  }
+  if (chart->region()) {
+    const std::array<QColor, 3> simulated = RegionChart::pointColors(palette());
+    entries.push_back({LegendEntry::Symbol::Dot, QPen(Qt::NoPen), simulated[0], tr("Runs")});
+    entries.push_back(
+        {LegendEntry::Symbol::Triangle, QPen(Qt::NoPen), simulated[1], tr("Fails sometimes")});
+    entries.push_back(
+        {LegendEntry::Symbol::Square, QPen(Qt::NoPen), simulated[2], tr("Fails always")});
+    entries.push_back({LegendEntry::Symbol::Fill, QPen(colors.line, 1),
+                       RegionChart::bandBrush(palette()), tr("Model: 0.1 % to 50 % fail")});
   }
   m_legend->setEntries(std::move(entries));
 }

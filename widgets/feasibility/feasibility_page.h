@@ -12,6 +12,8 @@
 #include "widgets/common/page.h"
 #include "widgets/feasibility/region_chart.h"
 
+class QProgressBar;
+class QPushButton;
 class QTabWidget;
 
 namespace rivulet::widgets {
@@ -27,13 +29,21 @@ class FeasibilityPage final : public Page {
 
   /// Shows the region around an operating point; at once, also while it is being dragged.
   void setModel(const FeasibilityModel& model);
-  /// While a run lasts the operating point cannot be dragged.
+  /// Shows simulated points beside the borders, on the chart they belong to.
+  void setRegion(const SimulatedRegion& region);
+  /// The program is another one: what was simulated no longer holds.
+  void clearRegions();
+  /// @param percent  of the simulation under way; none: there is none
+  void setSimulationProgress(std::optional<int> percent);
+  /// While a run lasts the operating point cannot be dragged, nor anything simulated.
   void setEditable(bool editable);
   [[nodiscard]] RegionChart* chart(feasibility::SweepAxis axis) const;
   void showChart(feasibility::SweepAxis axis);
 
  Q_SIGNALS:
   void operatingPointRequested(const rivulet::feasibility::OperatingPoint& operatingPoint);
+  void simulationRequested(const rivulet::widgets::SimulationWanted& wanted);
+  void simulationCancelRequested();
 
  protected:
   void retranslate() override;
@@ -42,9 +52,16 @@ class FeasibilityPage final : public Page {
  private:
   void showHint();
   void showLegend();
+  void showSimulation();
+  void dropStaleRegions();
 
   std::optional<FeasibilityModel> m_model;
+  std::optional<int> m_percent;
+  bool m_editable = true;
   StatusLabel* m_hint;
+  QPushButton* m_simulate;
+  QProgressBar* m_progress;
+  QPushButton* m_cancel;
   QTabWidget* m_tabs;
   std::array<RegionChart*, 3> m_charts{};
   LegendStrip* m_legend;

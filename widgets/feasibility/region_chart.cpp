@@ -201,6 +201,9 @@ RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
       m_safeArea(new QAreaSeries(m_safeUpper, m_safeLower)),
       m_bandArea(new QAreaSeries(m_bandUpper, m_bandLower)),
       m_points(new QScatterSeries(this)),
+      m_half(new QLineSeries(this)),
+      m_rare(new QLineSeries(this)),
+      m_probability(new QAreaSeries(m_half, m_rare)),
       m_overlay(new RegionOverlay(this)) {
   setFrameShape(QFrame::NoFrame);
   setRenderHint(QPainter::Antialiasing);
@@ -215,6 +218,20 @@ RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
     series->attachAxis(m_xAxis);
     series->attachAxis(m_yAxis);
   }
+  chart()->addSeries(m_probability);
+  m_probability->attachAxis(m_xAxis);
+  m_probability->attachAxis(m_yAxis);
+  constexpr std::array kShapes{QScatterSeries::MarkerShapeCircle,
+                               QScatterSeries::MarkerShapeTriangle,
+                               QScatterSeries::MarkerShapeRectangle};
+  for (std::size_t kind = 0; kind < m_simulated.size(); ++kind) {
+    m_simulated[kind] = new QScatterSeries(this);
+    m_simulated[kind]->setMarkerShape(kShapes[kind]);
+    m_simulated[kind]->setMarkerSize(kind == 1 ? 12.0 : 9.0);
+    chart()->addSeries(m_simulated[kind]);
+    m_simulated[kind]->attachAxis(m_xAxis);
+    m_simulated[kind]->attachAxis(m_yAxis);
+  }
   m_points->setMarkerShape(QScatterSeries::MarkerShapeCircle);
   m_points->setMarkerSize(5.0);
   connect(chart(), &QChart::plotAreaChanged, this, [this] { m_overlay->refresh(); });
@@ -225,6 +242,77 @@ RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
 void RegionChart::setModel(const FeasibilityModel& model) {
   m_model = model;
   rebuild();
+}
+
+void RegionChart::setRegion(const std::optional<SimulatedRegion>& region) {
+  m_region = region;
+  showRegion();
+}
+
+std::array<QColor, 3> RegionChart::pointColors(const QPalette& palette) {
+  const ThemeColors& colors = themeColors(palette);
+  return {colors.accent, colors.attention, colors.fault};
+}
+
+QBrush RegionChart::bandBrush(const QPalette& palette) {
+  // Hatched: it lies over the areas of the equations and must not be taken for one of them.
+  QColor color = themeColors(palette).attention;
+  color.setAlpha(130);
+  return QBrush(color, Qt::BDiagPattern);
+}
+
+SimulationWanted RegionChart::simulationWanted() const {
+  constexpr int kAbscissas = 8;
+  constexpr int kFeeds = 10;
+  SimulationWanted wanted;
+  wanted.axis = m_axis;
+  if (!m_model || abscissa() <= 0.0) {
+    return wanted;
+  }
+  if (m_axis == SweepAxis::PointsPerLoop) {
+    const int step = std::max(1, static_cast<int>(m_xMax - 1.0) / kAbscissas);
+    // Not on the edges of the picture, where half of a mark would be cut off.
+    for (int value = 3; value < static_cast<int>(m_xMax); value += step) {
+      wanted.abscissas.push_back(value);
+    }
+  } else {
+    for (int i = 0; i < kAbscissas; ++i) {
+      wanted.abscissas.push_back(m_xMax * (i + 0.5) / kAbscissas);
+    }
+  }
+  // The operating point's own abscissa in place of the nearest one.
+  const auto nearest = std::min_element(
+      wanted.abscissas.begin(), wanted.abscissas.end(), [this](double left, double right) {
+        return std::abs(left - abscissa()) < std::abs(right - abscissa());
+      });
+  *nearest = abscissa();
+  for (int i = 0; i < kFeeds; ++i) {
+    wanted.feedsMmPerS.push_back(base::mmPerSFromMmPerMin(m_feedMmPerMinMax * (i + 0.5) / kFeeds));
+  }
+  return wanted;
+}
+
+void RegionChart::showRegion() {
+  std::array<QList<QPointF>, 3> points;
+  QList<QPointF> half;
+  QList<QPointF> rare;
+  if (m_region) {
+    for (const SimulatedPoint& point : m_region->points) {
+      if (point.runs > 0) {
+        const std::size_t kind = point.failures == 0 ? 0 : point.failures < point.runs ? 1 : 2;
+        points[kind].append(QPointF(point.abscissa, base::mmPerMinFromMmPerS(point.feedMmPerS)));
+      }
+    }
+    for (const ProbabilityBand& band : m_region->band) {
+      half.append(QPointF(band.abscissa, base::mmPerMinFromMmPerS(band.halfMmPerS)));
+      rare.append(QPointF(band.abscissa, base::mmPerMinFromMmPerS(band.rareMmPerS)));
+    }
+  }
+  for (std::size_t kind = 0; kind < points.size(); ++kind) {
+    m_simulated[kind]->replace(points[kind]);
+  }
+  m_half->replace(half);
+  m_rare->replace(rare);
 }
 
 void RegionChart::retranslate() {
@@ -253,6 +341,13 @@ void RegionChart::restyle(const QPalette& palette) {
   m_safeArea->setBrush(colors.feasibleFill);
   m_bandArea->setPen(Qt::NoPen);
   m_bandArea->setBrush(QBrush(colors.safetyFill));
+  m_probability->setPen(Qt::NoPen);
+  m_probability->setBrush(bandBrush(palette));
+  const std::array<QColor, 3> simulated = pointColors(palette);
+  for (std::size_t kind = 0; kind < simulated.size(); ++kind) {
+    m_simulated[kind]->setColor(simulated[kind]);
+    m_simulated[kind]->setBorderColor(colors.surface);
+  }
   m_points->setColor(colors.mutedText);
   m_points->setPen(Qt::NoPen);
   rebuild();

@@ -9,10 +9,11 @@
 #pragma once
 
 #include <QChartView>
+#include <array>
 #include <optional>
 #include <vector>
 
-#include "feasibility/sweep.h"
+#include "widgets/feasibility/simulated_region.h"
 
 class QAreaSeries;
 class QLineSeries;
@@ -39,6 +40,14 @@ class RegionChart final : public QChartView {
   explicit RegionChart(feasibility::SweepAxis axis, QWidget* parent = nullptr);
 
   void setModel(const FeasibilityModel& model);
+  /// Simulated points and the band of the extended model; none takes them away.
+  void setRegion(const std::optional<SimulatedRegion>& region);
+  [[nodiscard]] const std::optional<SimulatedRegion>& region() const { return m_region; }
+  /// Colours of simulated points that ran, failed sometimes, failed always; and of the band.
+  [[nodiscard]] static std::array<QColor, 3> pointColors(const QPalette& palette);
+  [[nodiscard]] static QBrush bandBrush(const QPalette& palette);
+  /// A grid over the picture, with the operating point's own abscissa; empty without a model.
+  [[nodiscard]] SimulationWanted simulationWanted() const;
   /// While a run lasts the operating point stays where it is.
   void setEditable(bool editable) { m_editable = editable; }
   /// Sets titles and numbers in the present language.
@@ -68,6 +77,7 @@ class RegionChart final : public QChartView {
 
   void rebuild();
   void divideAxes();
+  void showRegion();
   void chooseRanges();
   [[nodiscard]] double abscissa() const;
   [[nodiscard]] QPointF pixel(double x, double feedMmPerMin) const;
@@ -76,6 +86,7 @@ class RegionChart final : public QChartView {
   feasibility::SweepAxis m_axis;
   QPalette m_palette;
   std::optional<FeasibilityModel> m_model;
+  std::optional<SimulatedRegion> m_region;
   std::vector<feasibility::Border> m_borders;
   bool m_editable = true;
   bool m_dragging = false;
@@ -93,6 +104,10 @@ class RegionChart final : public QChartView {
   QAreaSeries* m_bandArea;
   std::vector<QLineSeries*> m_lines;  ///< one per border shown
   QScatterSeries* m_points;
+  QLineSeries* m_half;
+  QLineSeries* m_rare;
+  QAreaSeries* m_probability;                    ///< between both
+  std::array<QScatterSeries*, 3> m_simulated{};  ///< ran, failed sometimes, failed always
   RegionOverlay* m_overlay;
 };
 

@@ -66,6 +66,15 @@ void LegendStrip::paintEvent(QPaintEvent* /*event*/) {
       case LegendEntry::Symbol::Dot:
         painter.drawEllipse(symbol.center(), 3.5, 3.5);
         break;
+      case LegendEntry::Symbol::Triangle: {
+        const QPointF centre = symbol.center();
+        painter.drawPolygon(QPolygonF{centre + QPointF(0.0, -5.0), centre + QPointF(5.0, 4.0),
+                                      centre + QPointF(-5.0, 4.0)});
+        break;
+      }
+      case LegendEntry::Symbol::Square:
+        painter.drawRect(QRectF(symbol.center() - QPointF(4.0, 4.0), QSizeF(8.0, 8.0)));
+        break;
       case LegendEntry::Symbol::Marker:
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(symbol.center(), 6.5, 6.5);

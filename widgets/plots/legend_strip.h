@@ -15,9 +15,11 @@ namespace rivulet::widgets {
 
 struct LegendEntry {
   enum class Symbol {
-    Line,    ///< drawn with `pen`
-    Fill,    ///< a rectangle with `brush` and `pen`
-    Dot,     ///< a filled circle
+    Line,  ///< drawn with `pen`
+    Fill,  ///< a rectangle with `brush` and `pen`
+    Dot,   ///< a filled circle
+    Triangle,
+    Square,
     Marker,  ///< a ring with a dot, as the operating point
   };
   Symbol symbol = Symbol::Line;

@@ -100,6 +100,25 @@ widgets::FeasibilityModel feasibilityModel(base::MethodKind method, double feedM
   return model;
 }
 
+widgets::SimulatedRegion simulatedRegion(const widgets::FeasibilityModel& model,
+                                         const widgets::SimulationWanted& wanted,
+                                         double limitMmPerMin) {
+  widgets::SimulatedRegion region;
+  region.axis = wanted.axis;
+  region.operatingPoint = model.operatingPoint;
+  region.programPoints = 200;
+  const double limit = base::mmPerSFromMmPerMin(limitMmPerMin);
+  for (const double abscissa : wanted.abscissas) {
+    const double here = limit * std::sqrt(abscissa / wanted.abscissas.back());
+    for (const double feed : wanted.feedsMmPerS) {
+      const std::size_t failures = feed < 0.9 * here ? 0 : feed < 1.3 * here ? 2 : 4;
+      region.points.push_back({abscissa, feed, 4, failures});
+    }
+    region.band.push_back({abscissa, 0.85 * here, 1.1 * here});
+  }
+  return region;
+}
+
 std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS) {
   auto trace = std::make_shared<trace::ControlTrace>();
   trace->cycle = std::chrono::milliseconds{4};

@@ -34,4 +34,9 @@ namespace rivulet::test {
 [[nodiscard]] std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace);
 [[nodiscard]] streaming::RunReport report();
 
+/// A simulated region that fits a model and a chart's grid; some points run, some fail.
+[[nodiscard]] widgets::SimulatedRegion simulatedRegion(const widgets::FeasibilityModel& model,
+                                                       const widgets::SimulationWanted& wanted,
+                                                       double limitMmPerMin);
+
 }  // namespace rivulet::test

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <QProgressBar>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "base/units.h"
 #include "gui/widgets/page_test.h"
@@ -111,6 +114,112 @@ class TestFeasibilityPage : public QObject {
     QTest::mouseRelease(chart->viewport(), Qt::LeftButton, {}, to);
   }
 
+  void asksForAGridAroundTheOperatingPoint() {
+    FeasibilityPage page;
+    auto* button = page.findChild<QPushButton*>();
+    QVERIFY(!button->isEnabled());  // no program
+    const auto model = test::feasibilityModel(base::MethodKind::Position, 200.0);
+    page.setModel(model);
+    static_cast<void>(test::picture(page, {900, 600}));
+    QVERIFY(button->isEnabled());
+    for (const SweepAxis axis :
+         {SweepAxis::PointDistance, SweepAxis::PointsPerLoop, SweepAxis::Delta}) {
+      page.showChart(axis);
+      QSignalSpy requests(&page, &FeasibilityPage::simulationRequested);
+      QTest::mouseClick(button, Qt::LeftButton);
+      QCOMPARE(requests.count(), 1);
+      const auto wanted = requests.first().first().value<SimulationWanted>();
+      QVERIFY(wanted.axis == axis);
+      QVERIFY(wanted.abscissas.size() >= 5 && wanted.feedsMmPerS.size() >= 5);
+      QVERIFY(std::is_sorted(wanted.abscissas.begin(), wanted.abscissas.end()));
+      const double own = axis == SweepAxis::PointDistance ? model.distances.pointDistanceMmMin
+                         : axis == SweepAxis::Delta
+                             ? model.operatingPoint.deltaMm
+                             : static_cast<double>(model.operatingPoint.pointsPerLoop);
+      QVERIFY(std::count(wanted.abscissas.begin(), wanted.abscissas.end(), own) == 1);
+      QVERIFY(wanted.feedsMmPerS.front() > 0.0);
+      QVERIFY(wanted.feedsMmPerS.front() < model.operatingPoint.feedMmPerS);
+      QVERIFY(wanted.feedsMmPerS.back() > model.operatingPoint.feedMmPerS);
+    }
+    page.setEditable(false);
+    QVERIFY(!button->isEnabled());
+  }
+
+  void progressAndCancel() {
+    FeasibilityPage page;
+    page.setModel(test::feasibilityModel(base::MethodKind::Position, 200.0));
+    page.setSimulationProgress(40);
+    static_cast<void>(test::picture(page, {900, 600}));
+    const auto buttons = page.findChildren<QPushButton*>();
+    QCOMPARE(buttons.size(), 2);
+    QVERIFY(!buttons[0]->isVisible() && buttons[1]->isVisible());
+    QCOMPARE(page.findChild<QProgressBar*>()->value(), 40);
+    QSignalSpy cancels(&page, &FeasibilityPage::simulationCancelRequested);
+    QTest::mouseClick(buttons[1], Qt::LeftButton);
+    QCOMPARE(cancels.count(), 1);
+    page.setSimulationProgress(std::nullopt);
+    QVERIFY(buttons[0]->isVisible() && !buttons[1]->isVisible());
+  }
+
+  /// What was simulated holds for its method, N and δ; each point has its own feed.
+  void staleRegionsAreDropped() {
+    FeasibilityPage page;
+    auto model = test::feasibilityModel(base::MethodKind::Position, 200.0);
+    page.setModel(model);
+    const auto show = [&](SweepAxis axis) {
+      page.setRegion(test::simulatedRegion(model, page.chart(axis)->simulationWanted(), 250.0));
+      QVERIFY(page.chart(axis)->region());
+    };
+    const auto has = [&](SweepAxis axis) { return page.chart(axis)->region().has_value(); };
+    show(SweepAxis::PointDistance);
+    show(SweepAxis::PointsPerLoop);
+    show(SweepAxis::Delta);
+    model.operatingPoint.feedMmPerS *= 1.5;
+    page.setModel(model);
+    QVERIFY(has(SweepAxis::PointDistance) && has(SweepAxis::PointsPerLoop) &&
+            has(SweepAxis::Delta));
+    model.operatingPoint.deltaMm *= 2.0;
+    page.setModel(model);
+    QVERIFY(!has(SweepAxis::PointDistance) && !has(SweepAxis::PointsPerLoop));
+    QVERIFY(has(SweepAxis::Delta));
+    model.operatingPoint.pointsPerLoop += 2;
+    page.setModel(model);
+    QVERIFY(!has(SweepAxis::Delta));
+    show(SweepAxis::Delta);
+    page.clearRegions();
+    QVERIFY(!has(SweepAxis::Delta));
+    // A result that comes after the operating point has changed is not shown at all.
+    auto late =
+        test::simulatedRegion(model, page.chart(SweepAxis::Delta)->simulationWanted(), 250.0);
+    late.operatingPoint.method = base::MethodKind::Signal;
+    page.setRegion(late);
+    QVERIFY(!has(SweepAxis::Delta));
+  }
+
+  void simulatedPointsAreDrawnAndNamed() {
+    FeasibilityPage page;
+    const auto model = test::feasibilityModel(base::MethodKind::Position, 200.0);
+    page.setModel(model);
+    page.showChart(SweepAxis::Delta);
+    const QImage before = test::picture(page, {900, 600});
+    page.setRegion(
+        test::simulatedRegion(model, page.chart(SweepAxis::Delta)->simulationWanted(), 250.0));
+    const QImage after = test::picture(page, {900, 600});
+    for (const QColor& color : RegionChart::pointColors(page.palette())) {
+      const auto count = [&color](const QImage& image) {
+        int pixels = 0;
+        for (int y = 0; y < image.height(); ++y) {
+          for (int x = 0; x < image.width(); ++x) {
+            pixels += image.pixelColor(x, y) == color ? 1 : 0;
+          }
+        }
+        return pixels;
+      };
+      QVERIFY(count(after) > count(before) + 100);
+    }
+    QVERIFY(test::visibleText(page).contains("200 points"));
+  }
+
   void speaksBothLanguages() {
     test::Language language;
     FeasibilityPage page;
@@ -124,5 +233,6 @@ class TestFeasibilityPage : public QObject {
 };
 
 Q_DECLARE_METATYPE(rivulet::feasibility::OperatingPoint)
+Q_DECLARE_METATYPE(rivulet::widgets::SimulationWanted)
 QTEST_MAIN(TestFeasibilityPage)
 #include "tst_feasibility_page.moc"

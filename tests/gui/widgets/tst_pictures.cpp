@@ -74,6 +74,24 @@ std::unique_ptr<QWidget> feasibilityPage(base::MethodKind method, feasibility::S
   return page;
 }
 
+std::unique_ptr<QWidget> simulatedPage(base::MethodKind method, feasibility::SweepAxis axis,
+                                       double feedMmPerMin) {
+  auto page = std::make_unique<FeasibilityPage>();
+  const auto model = test::feasibilityModel(method, feedMmPerMin);
+  page->setModel(model);
+  page->showChart(axis);
+  const auto wanted = page->chart(axis)->simulationWanted();
+  page->setRegion(test::simulatedRegion(model, wanted, 1.3 * feedMmPerMin));
+  return page;
+}
+
+std::unique_ptr<QWidget> simulatingPage() {
+  auto page = std::make_unique<FeasibilityPage>();
+  page->setModel(test::feasibilityModel(base::MethodKind::Position, 100.0));
+  page->setSimulationProgress(42);
+  return page;
+}
+
 std::unique_ptr<QWidget> pathView(bool isometric) {
   auto view = std::make_unique<PathView>();
   const auto program = test::pocket();
@@ -190,6 +208,13 @@ std::vector<Sample> samples() {
       {"feasibility_delta",
        {900, 600},
        [] { return feasibilityPage(MethodKind::Position, SweepAxis::Delta, 100.0); }},
+      {"feasibility_simulated_points",
+       {900, 600},
+       [] { return simulatedPage(MethodKind::Signal, SweepAxis::PointsPerLoop, 300.0); }},
+      {"feasibility_simulated_delta",
+       {900, 600},
+       [] { return simulatedPage(MethodKind::Position, SweepAxis::Delta, 100.0); }},
+      {"feasibility_simulating", {900, 600}, [] { return simulatingPage(); }},
       {"trace_live", {1000, 640}, [] { return tracePage(false); }},
       {"trace_control", {1000, 640}, [] { return tracePage(true); }},
       {"template", {900, 560}, [] { return templatePage(); }},

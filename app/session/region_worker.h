@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Simulates the region around an operating point away from the GUI thread: a job goes in, its
+/// result comes back in one queued signal.
+/// @threadsafety GUI thread. The work is done by threads of its own, which this class ends.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "experiments/region.h"
+
+namespace rivulet::session {
+
+/// Everything a simulation of the region needs.
+struct RegionJob {
+  std::vector<gcode::StreamPoint> points;  ///< at least 2: the stretch to be simulated
+  streaming::RunSettings settings;
+  feasibility::SweepAxis axis = feasibility::SweepAxis::PointDistance;
+  std::vector<double> abscissas;  ///< see experiments::RegionRequest
+  std::vector<double> feedsMmPerS;
+  std::size_t seedsPerPoint = 4;
+  std::string preset = "dmu75";  ///< of the virtual machine
+};
+
+/// Feeds at which one run of a thousand and half of the runs fail, by the extended model.
+struct RegionBandPoint {
+  double abscissa = 0.0;
+  double rareMmPerS = 0.0;
+  double halfMmPerS = 0.0;
+};
+
+struct RegionOutcome {
+  RegionJob job;
+  std::vector<experiments::RegionPoint> points;
+  std::vector<RegionBandPoint> band;
+  base::Error error;  ///< code clear if every run could be made
+};
+
+class RegionWorker final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RegionWorker(QObject* parent = nullptr) : QObject(parent) {}
+  /// Ends the work; takes as long as the run that is being simulated.
+  ~RegionWorker() override;
+
+  /// Begins a job; one that is under way is cancelled.
+  void start(RegionJob job);
+  /// Nothing is reported of a cancelled job but `cancelled`.
+  void cancel();
+  [[nodiscard]] bool isBusy() const { return m_busy; }
+
+ Q_SIGNALS:
+  void progressed(int percent);
+  void finished(const std::shared_ptr<const rivulet::session::RegionOutcome>& outcome);
+  void cancelled();
+
+ private:
+  void work(const RegionJob& job, int request, const std::stop_token& stop);
+  void report(int request, int percent);
+
+  std::jthread m_thread;
+  int m_latest = 0;
+  bool m_busy = false;
+};
+
+}  // namespace rivulet::session
