@@ -39,10 +39,29 @@ std::int64_t asBits(double value) {
 
 }  // namespace
 
+std::optional<SystemVariable> systemVariableOf(std::string_view name) {
+  using enum SystemVariable;
+  static constexpr std::array<std::pair<std::string_view, SystemVariable>, 10> kNames{
+      {{"$AA_IM", AaIm},
+       {"$AA_IW", AaIw},
+       {"$AA_DTEW", AaDtew},
+       {"$AA_OFF", AaOff},
+       {"$AC_DTEW", AcDtew},
+       {"$AC_PATHN", AcPathn},
+       {"$AC_OVR", AcOvr},
+       {"$AC_TIMER", AcTimer},
+       {"$AC_MARKER", AcMarker},
+       {"$AC_PARAM", AcParam}}};
+  const auto found = std::find_if(kNames.begin(), kNames.end(),
+                                  [name](const auto& entry) { return entry.first == name; });
+  return found == kNames.end() ? std::nullopt : std::optional(found->second);
+}
+
 /// Recursive descent, one level per priority.
 class ExpressionParser {
  public:
-  explicit ExpressionParser(std::string_view text) : m_text(text) {}
+  ExpressionParser(std::string_view text, const VariableNames* names)
+      : m_text(text), m_names(names) {}
 
   std::optional<ParsedExpression> parse(std::string& problem) {
     if (!level(0)) {
@@ -223,7 +242,142 @@ class ExpressionParser {
       emit(Op::Number, std::numbers::pi);
       return true;
     }
+    if (c == '$') {
+      return systemVariable();
+    }
+    if (c == '\'') {
+      return bits();
+    }
+    if (const VariableInfo* variable = takeVariable()) {
+      return local(*variable);
+    }
     return function();
+  }
+
+  /// $R5, $R[expr], $AA_IM[X], $AC_PATHN, $AC_MARKER[1].
+  bool systemVariable() {
+    if (m_text.substr(m_at, 2) == "$R" && m_at + 2 < m_text.size() &&
+        (isDigit(m_text[m_at + 2]) || m_text[m_at + 2] == '[')) {
+      ++m_at;
+      if (!primary()) {
+        return false;
+      }
+      m_expression.m_code.back().op = Op::MainR;
+      return true;
+    }
+    std::size_t end = m_at + 1;
+    while (end < m_text.size() && (isLetter(m_text[end]) || isDigit(m_text[end]))) {
+      ++end;
+    }
+    const std::string_view name = m_text.substr(m_at, end - m_at);
+    const std::optional<SystemVariable> variable = systemVariableOf(name);
+    if (!variable) {
+      return fail(fmt::format("the system variable {} is not known to this machine", name));
+    }
+    m_at = end;
+    return systemIndex(*variable);
+  }
+
+  bool systemIndex(SystemVariable variable) {
+    const auto number = static_cast<double>(variable);
+    skipBlanks();
+    if (variable == SystemVariable::AcDtew || variable == SystemVariable::AcPathn ||
+        variable == SystemVariable::AcOvr) {
+      emit(Op::System, 8.0 * number);
+      return true;
+    }
+    if (m_at >= m_text.size() || m_text[m_at] != '[') {
+      return fail("the variable needs an axis or an index in brackets");
+    }
+    ++m_at;
+    skipBlanks();
+    if (variable == SystemVariable::AcTimer || variable == SystemVariable::AcMarker ||
+        variable == SystemVariable::AcParam) {
+      if (!level(0) || !close(']')) {
+        return false;
+      }
+      emit(Op::SystemElement, number);
+      return true;
+    }
+    const std::size_t axis =
+        m_at < m_text.size() ? std::string_view("XYZ").find(m_text[m_at]) : std::string_view::npos;
+    if (axis == std::string_view::npos) {
+      return fail("the axis must be X, Y or Z");
+    }
+    ++m_at;
+    emit(Op::System, 8.0 * number + static_cast<double>(axis));
+    return close(']');
+  }
+
+  /// 'H1F' and 'B101'.
+  bool bits() {
+    const std::size_t end = m_text.find('\'', m_at + 1);
+    const std::string_view text =
+        end == std::string_view::npos ? "" : m_text.substr(m_at + 1, end - m_at - 1);
+    const int base = text.empty() ? 0 : (text[0] == 'H' ? 16 : text[0] == 'B' ? 2 : 0);
+    double value = 0.0;
+    for (std::size_t i = 1; i < text.size(); ++i) {
+      const std::size_t digit = std::string_view("0123456789ABCDEF").find(text[i]);
+      if (digit >= static_cast<std::size_t>(base)) {
+        return fail("the constant has digits it must not have");
+      }
+      value = base * value + static_cast<double>(digit);
+    }
+    if (base == 0 || text.size() < 2) {
+      return fail("a constant in quotes begins with H or B");
+    }
+    m_at = end + 1;
+    emit(Op::Number, value);
+    return true;
+  }
+
+  const VariableInfo* takeVariable() {
+    if (m_names == nullptr || !isLetter(m_text[m_at])) {
+      return nullptr;
+    }
+    std::size_t end = m_at;
+    while (end < m_text.size() && (isLetter(m_text[end]) || isDigit(m_text[end]))) {
+      ++end;
+    }
+    const auto found = m_names->find(m_text.substr(m_at, end - m_at));
+    if (found == m_names->end()) {
+      return nullptr;
+    }
+    m_at = end;
+    return &found->second;
+  }
+
+  bool local(const VariableInfo& variable) {
+    if (variable.isString) {
+      return fail("a string cannot be calculated with");
+    }
+    if (variable.sizes.empty()) {
+      emit(Op::Local, variable.slot);
+      return true;
+    }
+    skipBlanks();
+    if (m_at >= m_text.size() || m_text[m_at] != '[') {
+      return fail("an array needs its index in brackets");
+    }
+    ++m_at;
+    // Row by row: ((i·n2 + j)·n3 + k).
+    for (std::size_t dimension = 0; dimension < variable.sizes.size(); ++dimension) {
+      if (dimension > 0) {
+        emit(Op::Number, variable.sizes[dimension]);
+        emit(Op::Multiply);
+        if (!close(',')) {
+          return false;
+        }
+      }
+      if (!level(0)) {
+        return false;
+      }
+      if (dimension > 0) {
+        emit(Op::Add);
+      }
+    }
+    emit(Op::LocalElement, variable.slot);
+    return close(']');
   }
 
   bool number() {
@@ -320,6 +474,7 @@ class ExpressionParser {
   }
 
   std::string_view m_text;
+  const VariableNames* m_names;
   std::size_t m_at = 0;
   std::size_t m_depth = 0;
   Expression m_expression;
@@ -327,20 +482,95 @@ class ExpressionParser {
 };
 
 bool Expression::isConstant() const {
-  return std::none_of(m_code.begin(), m_code.end(),
-                      [](const Instruction& i) { return i.op == Op::R; });
+  return std::none_of(m_code.begin(), m_code.end(), [](const Instruction& i) {
+    return i.op == Op::R || i.op == Op::MainR || i.op == Op::Local || i.op == Op::LocalElement ||
+           i.op == Op::System || i.op == Op::SystemElement;
+  });
 }
 
-std::optional<double> Expression::evaluate(const RSource& source, Alarm& alarm) const {
+bool Expression::readsMainRun() const {
+  return std::any_of(m_code.begin(), m_code.end(), [](const Instruction& i) {
+    return i.op == Op::MainR || i.op == Op::System || i.op == Op::SystemElement;
+  });
+}
+
+bool Expression::freeze(const ValueSource& source, Alarm& alarm) {
+  std::vector<Instruction> frozen;
+  for (const Instruction& instruction : m_code) {
+    std::optional<double> value;
+    if (instruction.op == Op::R && !frozen.empty() && frozen.back().op == Op::Number) {
+      value = source.value(static_cast<int>(std::lround(frozen.back().number)));
+      frozen.pop_back();
+    } else if (instruction.op == Op::Local) {
+      value = source.local(static_cast<int>(instruction.number), 0);
+    } else if (instruction.op == Op::R || instruction.op == Op::LocalElement) {
+      alarm = {12150, "A synchronized action reads R or an array by a computed index: use $R."};
+      return false;
+    } else {
+      frozen.push_back(instruction);
+      continue;
+    }
+    if (!value) {
+      alarm = {17020, "A synchronized action reads what does not exist."};
+      return false;
+    }
+    frozen.push_back({Op::Number, *value});
+  }
+  m_code = std::move(frozen);
+  return true;
+}
+
+Expression Expression::number(double value) {
+  Expression expression;
+  expression.m_code = {{Op::Number, value}};
+  return expression;
+}
+
+Expression Expression::local(int slot) {
+  Expression expression;
+  expression.m_code = {{Op::Local, static_cast<double>(slot)}};
+  return expression;
+}
+
+Expression Expression::next(Expression left) {
+  left.m_code.push_back({Op::Number, 1.0});
+  left.m_code.push_back({Op::Add, 0.0});
+  return left;
+}
+
+Expression Expression::notAbove(Expression left, const Expression& right) {
+  left.m_code.insert(left.m_code.end(), right.m_code.begin(), right.m_code.end());
+  left.m_code.push_back({Op::LessEqual, 0.0});
+  return left;
+}
+
+Expression Expression::equals(Expression left, const Expression& right) {
+  left.m_code.insert(left.m_code.end(), right.m_code.begin(), right.m_code.end());
+  left.m_code.push_back({Op::Equal, 0.0});
+  return left;
+}
+
+std::optional<double> Expression::evaluate(const ValueSource& source, Alarm& alarm) const {
   std::array<double, kStackDepth> stack{};
   std::size_t depth = 0;
   for (const auto& [op, number] : m_code) {
-    if (op == Op::Number) {
+    if (op == Op::Number || op == Op::Local || op == Op::System) {
       if (depth == kStackDepth) {
         alarm = {14051, "The expression is too long."};
         return std::nullopt;
       }
-      stack[depth++] = number;
+      std::optional<double> value = number;
+      if (op == Op::Local) {
+        value = source.local(static_cast<int>(number), 0);
+      } else if (op == Op::System) {
+        const int code = static_cast<int>(number);
+        value = source.system(static_cast<SystemVariable>(code / 8), code % 8);
+      }
+      if (!value) {
+        alarm = {12550, "A variable cannot be read here."};
+        return std::nullopt;
+      }
+      stack[depth++] = *value;
       continue;
     }
     RIVULET_ASSERT(depth >= 1);
@@ -354,7 +584,25 @@ std::optional<double> Expression::evaluate(const RSource& source, Alarm& alarm) 
     };
     switch (op) {
       case Op::Number:
+      case Op::Local:
+      case Op::System:
         break;
+      case Op::LocalElement:
+      case Op::SystemElement: {
+        const double rounded = std::round(b);
+        const int index = std::abs(rounded) < 1e6 ? static_cast<int>(rounded) : -1;
+        const std::optional<double> value =
+            op == Op::LocalElement
+                ? source.local(static_cast<int>(number), index)
+                : source.system(static_cast<SystemVariable>(static_cast<int>(number)), index);
+        if (!value) {
+          alarm = {17020, fmt::format("There is no element {}.", b)};
+          return std::nullopt;
+        }
+        top = *value;
+        break;
+      }
+      case Op::MainR:
       case Op::R: {
         const double rounded = std::round(b);
         const std::optional<double> value =
@@ -501,8 +749,9 @@ std::optional<double> Expression::evaluate(const RSource& source, Alarm& alarm) 
   return stack[0];
 }
 
-std::optional<ParsedExpression> parseExpression(std::string_view text, std::string& problem) {
-  return ExpressionParser(text).parse(problem);
+std::optional<ParsedExpression> parseExpression(std::string_view text, std::string& problem,
+                                                const VariableNames* names) {
+  return ExpressionParser(text, names).parse(problem);
 }
 
 }  // namespace rivulet::machine

@@ -2,33 +2,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Executes an NC program block by block, as the pre-run of the control does: values of
-/// R-parameters are latched, and assignments take effect, in the moment of the call.
-/// @threadsafety one object, one thread.
+/// Executes an NC program block by block. In the moment of the call R values are latched and
+/// assignments take effect. @threadsafety one object, one thread.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <variant>
 
 #include "base/instant.h"
+#include "machine/main_run.h"
 #include "machine/nc_program.h"
 #include "machine/prepared.h"
 #include "machine/r_parameters.h"
 
 namespace rivulet::machine {
 
+/// Subprograms by name; null: there is none.
+using ProgramLibrary = std::function<std::shared_ptr<const NcProgram>(const std::string& name)>;
+
 struct InterpreterOptions {
   base::Vec3 startMm;        ///< where the axes stand: end of the "block before the first"
   double rapidMmPerS = 0.0;  ///< path speed of G0
+  double feedMmPerS = 0.0;   ///< until F is programmed; 0: a block without is an alarm
   double roundingMm = 0.0;   ///< deviation at corners that G64 allows
   Dynamics dynamics = Dynamics::Brisk;  ///< until BRISK or SOFT is programmed
   bool cacheUntilStopre = false;        ///< R values from outside are seen only after a STOPRE
+  const MainRun* mainRun = nullptr;     ///< for variables of the main run; null: an alarm
+  ProgramLibrary library;               ///< may be empty
 };
 
 class Interpreter {
  public:
-  /// @param parameters  must outlive the interpreter
+  /// @param parameters  must outlive the interpreter, as must the main run
   Interpreter(std::shared_ptr<const NcProgram> program, RParameters& parameters,
               const InterpreterOptions& options);
 
@@ -39,34 +47,71 @@ class Interpreter {
   void refresh();
 
  private:
+  /// A program on the call stack.
+  struct Level {
+    std::shared_ptr<const NcProgram> program;
+    std::size_t next = 0;
+    std::vector<double> variables;
+    std::map<std::size_t, int> repeats;  ///< REPEAT statements under way, rounds left
+    int callsLeft = 0;                   ///< rounds of this program still to come
+    std::vector<double> arguments;
+  };
+
   /// Reads through the cache where the control is said to read R only after a STOPRE.
-  class View final : public RSource {
+  class View final : public ValueSource {
    public:
     explicit View(const Interpreter& owner) : m_owner(owner) {}
     [[nodiscard]] std::optional<double> value(int index) const override;
+    [[nodiscard]] std::optional<double> local(int slot, int element) const override;
+    [[nodiscard]] std::optional<double> system(SystemVariable variable, int index) const override;
 
    private:
     const Interpreter& m_owner;
   };
 
+  [[nodiscard]] Level& level() { return m_levels.back(); }
   [[nodiscard]] Prepared execute(const Statement& statement);
   [[nodiscard]] Prepared assign(const AssignStatement& statement);
+  [[nodiscard]] Prepared assignLocal(const LocalAssignStatement& statement);
+  [[nodiscard]] Prepared fill(const FillStatement& statement);
   [[nodiscard]] Prepared move(const MotionStatement& statement, base::LineNumber line);
+  [[nodiscard]] std::optional<Alarm> modes(const MotionStatement& statement);
+  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const MotionStatement& statement,
+                                                   base::Vec3 fromMm, base::Vec3 toMm,
+                                                   base::Vec3 programmedFromMm);
   [[nodiscard]] Prepared jump(const JumpStatement& statement);
   [[nodiscard]] Prepared branch(const BranchStatement& statement);
+  [[nodiscard]] Prepared repeat(const RepeatStatement& statement);
+  [[nodiscard]] Prepared call(const CallStatement& statement);
+  [[nodiscard]] Prepared leave();
+  [[nodiscard]] Prepared setFrame(const FrameStatement& statement);
+  [[nodiscard]] Prepared synchronize(const SyncStatement& statement);
+  void enter(std::shared_ptr<const NcProgram> program, const std::vector<double>& arguments);
+  [[nodiscard]] base::Vec3 rotated(base::Vec3 vector) const;
 
-  std::shared_ptr<const NcProgram> m_program;
   RParameters& m_parameters;
+  const MainRun* m_mainRun;
+  ProgramLibrary m_library;
   std::vector<double> m_cache;  // empty: read live
-  std::size_t m_next = 0;
-  base::Vec3 m_endMm;
-  double m_feedMmPerS = 0.0;
+  std::vector<Level> m_levels;
+  bool m_hasStopped = false;  ///< the stop that the next statement needs has been made
+  base::Vec3 m_endMm;         ///< of the last block, machine
+  base::Vec3 m_programmedMm;  ///< the same as programmed, before frames
+  // The programmable frame: rotation (columns), then translation.
+  std::array<base::Vec3, base::kAxisCount> m_rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  base::Vec3 m_translationMm;
+  bool m_isRotated = false;
+  double m_feedMmPerS;
   double m_rapidMmPerS;
   double m_roundingMm;
+  double m_adisMm = 0.0;
   Dynamics m_dynamics;
-  bool m_rapid = false;  // reset default G1
+  PathMode m_mode = PathMode::Line;  // reset default G1
+  Plane m_plane = Plane::XY;
   bool m_absolute = true;
-  bool m_exactStop = true;  // reset default G60
+  bool m_inches = false;
+  BlockEnd m_end = BlockEnd::ExactStop;  // reset default G60
+  RoundingKind m_rounding = RoundingKind::Deviation;
 };
 
 }  // namespace rivulet::machine

@@ -15,6 +15,7 @@
 #include "machine/prerun.h"
 #include "machine/r_parameters.h"
 #include "machine/servo_model.h"
+#include "machine/sync_action.h"
 
 namespace rivulet::machine {
 
@@ -26,6 +27,9 @@ using base::Result;
 
 constexpr std::size_t kProgramBytesMax = 16u << 20;  // as the control's file methods
 constexpr double kSettledMm = 1e-6;
+/// Speed and limit of $AA_OFF (MD32070 and SD43350 of the control; assumed).
+constexpr double kOffsetMmPerS = 50.0;
+constexpr double kOffsetMmMax = 10.0;
 
 // Streams of the seed: each kind of chance has its own, so that they do not disturb each other.
 constexpr std::uint64_t kStandstillStream = 1;
@@ -37,7 +41,7 @@ base::Vec3 startPosition(const MachineConfig& config) {
 
 }  // namespace
 
-class Machine::Impl {
+class Machine::Impl final : public MainRun {
  public:
   Impl(MachineConfig configuration, std::uint64_t seed)
       : m_config(std::move(configuration)),
@@ -45,7 +49,7 @@ class Machine::Impl {
         m_accessRandom(base::Random(seed).fork(kAccessStream)),
         m_parameters(m_config.rParameterCount),
         m_planner(m_config, startPosition(m_config)),
-        m_prerun(m_config),
+        m_prerun(m_config, m_syncActions),
         m_servo(m_config, startPosition(m_config)) {
     m_trace.cycle = m_config.interpolationCycle;
   }
@@ -78,7 +82,7 @@ class Machine::Impl {
     state.channel = m_channel;
     state.program = m_programStatus;
     state.actualMm = m_servo.actualMm();
-    state.commandMm = m_planner.commandMm();
+    state.commandMm = commandMm();
     state.distanceToGoMm = m_planner.distanceToGoMm();
     state.feedMmPerS = m_planner.speedMmPerS();
     state.feedCommandMmPerS = m_planner.feedCommandMmPerS();
@@ -163,6 +167,12 @@ class Machine::Impl {
     options.rapidMmPerS = m_config.rapidMmPerS;
     options.roundingMm = m_config.roundingMm;
     options.dynamics = m_config.resetDynamics;
+    options.mainRun = this;
+    options.library = [this](const std::string& name) { return subprogram(name); };
+    m_syncActions.clear();
+    m_markers.fill(0.0);
+    m_params.fill(0.0);
+    m_timers.fill(-1.0);
     options.cacheUntilStopre = m_config.rRead == RRead::CachedUntilStopre;
     m_prerun.start(std::make_unique<Interpreter>(
                        std::make_shared<const NcProgram>(NcProgram::compile(program->second)),
@@ -173,6 +183,8 @@ class Machine::Impl {
 
   void reset() {
     m_prerun.stop();
+    m_syncActions.clear();
+    m_offsetWantedMm = {};
     if (m_channel == ChannelStatus::Active && m_planner.blockCount() > 0) {
       m_planner.abort();
       m_resetting = true;  // the channel is in reset once the axes stand
@@ -186,6 +198,7 @@ class Machine::Impl {
   base::Random m_accessRandom;
   RParameters m_parameters;
   PathPlanner m_planner;
+  SyncActions m_syncActions;  // before the pre-run, which puts actions there
   Prerun m_prerun;
   LinearServo m_servo;
   trace::ControlTrace m_trace;
@@ -195,7 +208,111 @@ class Machine::Impl {
 
  private:
   [[nodiscard]] bool needsTicks() const {
-    return m_channel == ChannelStatus::Active || m_parameters.hasPending() || !m_settled;
+    return m_channel == ChannelStatus::Active || m_parameters.hasPending() || !m_settled ||
+           !m_syncActions.isEmpty() || m_offsetMm != m_offsetWantedMm;
+  }
+
+  /// Set point of the axes: the path and what is laid over it.
+  [[nodiscard]] base::Vec3 commandMm() const { return m_planner.commandMm() + m_offsetMm; }
+
+  /// "NAME", as NAME.SPF or NAME.MPF on the control.
+  [[nodiscard]] std::shared_ptr<const NcProgram> subprogram(const std::string& name) const {
+    for (const char* ending : {"", ".SPF", ".MPF"}) {
+      const auto found = m_programs.find(name + ending);
+      if (found != m_programs.end()) {
+        return std::make_shared<const NcProgram>(NcProgram::compile(found->second));
+      }
+    }
+    return nullptr;
+  }
+
+  // --- MainRun ----------------------------------------------------------------------------
+  [[nodiscard]] std::optional<double> systemValue(SystemVariable variable,
+                                                  int index) const override {
+    const auto element = static_cast<std::size_t>(index);
+    const bool isAxis = index >= 0 && element < base::kAxisCount;
+    const bool isElement = index >= 0 && index < kSystemElements;
+    switch (variable) {
+      case SystemVariable::AaIm:
+        return isAxis ? std::optional(commandMm()[element]) : std::nullopt;
+      case SystemVariable::AaIw:
+        return isAxis ? std::optional(m_planner.commandMm()[element]) : std::nullopt;
+      case SystemVariable::AaDtew:
+        return isAxis ? std::optional(m_planner.distanceToGoMm()[element]) : std::nullopt;
+      case SystemVariable::AaOff:
+        return isAxis ? std::optional(m_offsetMm[element]) : std::nullopt;
+      case SystemVariable::AcDtew:
+        return m_planner.pathToGoMm();
+      case SystemVariable::AcPathn:
+        return m_planner.pathShare();
+      case SystemVariable::AcOvr:
+        return m_overridePercent;
+      case SystemVariable::AcTimer:
+        return isElement ? std::optional(m_timers[element]) : std::nullopt;
+      case SystemVariable::AcMarker:
+        return isElement ? std::optional(m_markers[element]) : std::nullopt;
+      case SystemVariable::AcParam:
+        return isElement ? std::optional(m_params[element]) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  bool setSystemValue(SystemVariable variable, int index, double value) override {
+    const auto element = static_cast<std::size_t>(index);
+    const bool isElement = index >= 0 && index < kSystemElements;
+    switch (variable) {
+      case SystemVariable::AaOff:
+        if (index < 0 || element >= base::kAxisCount) {
+          return false;
+        }
+        m_offsetWantedMm.set(element, std::clamp(value, -kOffsetMmMax, kOffsetMmMax));
+        return true;
+      case SystemVariable::AcOvr:
+        if (value < 0.0) {
+          return false;
+        }
+        m_overridePercent = value;
+        return true;
+      case SystemVariable::AcTimer:
+        return isElement && (m_timers[element] = value, true);
+      case SystemVariable::AcMarker:
+        return isElement && (m_markers[element] = value, true);
+      case SystemVariable::AcParam:
+        return isElement && (m_params[element] = value, true);
+      default:
+        return false;
+    }
+  }
+
+  [[nodiscard]] std::optional<double> rValue(int index) const override {
+    return m_parameters.has(index) ? std::optional(m_parameters.value(index)) : std::nullopt;
+  }
+
+  bool setRValue(int index, double value) override {
+    return m_parameters.has(index) && (m_parameters.set(index, value), true);
+  }
+
+  /// Synchronized actions of this cycle; then the overlay moves on.
+  void runSyncActions() {
+    const double cycleS = base::toSeconds(m_config.interpolationCycle);
+    if (!m_syncActions.isEmpty()) {
+      for (double& timer : m_timers) {
+        timer += timer >= 0.0 ? cycleS : 0.0;
+      }
+      m_overridePercent = 100.0;  // holds only where it is written in every cycle
+      if (std::optional<Alarm> alarm = m_syncActions.run(*this, m_planner.blocksFinished())) {
+        m_alarm = *std::move(alarm);
+      }
+      m_planner.setOverride(m_overridePercent / 100.0);
+    } else if (m_overridePercent != 100.0) {
+      m_overridePercent = 100.0;
+      m_planner.setOverride(1.0);
+    }
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const double step = kOffsetMmPerS * cycleS;
+      const double way = m_offsetWantedMm[axis] - m_offsetMm[axis];
+      m_offsetMm.set(axis, m_offsetMm[axis] + std::clamp(way, -step, step));
+    }
   }
 
   [[nodiscard]] Instant nextBoundary() const {
@@ -206,12 +323,13 @@ class Machine::Impl {
   /// One interpolation boundary.
   void tick() {
     m_parameters.applyPending();
-    const base::Vec3 before = m_planner.commandMm();
+    const base::Vec3 before = commandMm();
+    runSyncActions();
     if (m_channel == ChannelStatus::Active) {
       moveAxes();
     }
-    const base::Vec3 actual = m_servo.follow(before, m_planner.commandMm());
-    m_settled = base::distance(actual, m_planner.commandMm()) < kSettledMm;
+    const base::Vec3 actual = m_servo.follow(before, commandMm());
+    m_settled = base::distance(actual, commandMm()) < kSettledMm;
     record(actual);
     if (m_channel == ChannelStatus::Active) {
       if (m_resetting && m_planner.blockCount() == 0) {
@@ -269,6 +387,7 @@ class Machine::Impl {
 
   void enterReset() {
     m_alarm = {};
+    m_syncActions.endProgram();
     m_resetting = false;
     m_channel = ChannelStatus::Reset;
     m_programStatus = ProgramStatus::Aborted;
@@ -285,9 +404,15 @@ class Machine::Impl {
       return;
     }
     m_trace.samples.push_back(
-        {m_now, m_planner.commandMm(), actual, m_planner.speedMmPerS(), m_planner.line()});
+        {m_now, commandMm(), actual, m_planner.speedMmPerS(), m_planner.line()});
   }
 
+  base::Vec3 m_offsetMm;        ///< laid over the path ($AA_OFF)
+  base::Vec3 m_offsetWantedMm;  ///< where it is going
+  double m_overridePercent = 100.0;
+  std::array<double, kSystemElements> m_timers{};
+  std::array<double, kSystemElements> m_markers{};
+  std::array<double, kSystemElements> m_params{};
   ChannelStatus m_channel = ChannelStatus::Reset;
   ProgramStatus m_programStatus = ProgramStatus::Aborted;
   Alarm m_alarm;

@@ -78,6 +78,7 @@ PathPlanner::PathPlanner(const MachineConfig& config, base::Vec3 startMm)
 }
 
 void PathPlanner::append(const PreparedMotion& motion) {
+  ++m_appended;
   Block block;
   block.line = motion.line;
   block.toMm = motion.targetMm;
@@ -134,6 +135,7 @@ void PathPlanner::append(const PreparedDwell& dwell) {
   block.line = dwell.line;
   block.toMm = m_endMm;
   block.dwellS = base::toSeconds(dwell.duration);
+  block.isDwell = true;
   m_blocks.push_back(block);
 }
 
@@ -515,7 +517,8 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
   if (m_blocks.size() == 1) {
     m_commandMm = block.toMm;
   }
-  if (block.dwellS == 0.0) {
+  if (!block.isDwell) {
+    ++m_finished;
     executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.lengthMm});
   }
   m_blocks.pop_front();
@@ -564,6 +567,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
     }
   }
   // Nothing left to move: the path stands, here or where it was aborted.
+  m_finished = m_appended;
   m_blocks.clear();
   m_pieces.clear();
   m_profile.reset();
@@ -580,6 +584,11 @@ double PathPlanner::feedCommandMmPerS() const {
 
 base::Vec3 PathPlanner::distanceToGoMm() const {
   return m_blocks.empty() ? base::Vec3{} : m_blocks.front().toMm - m_commandMm;
+}
+
+double PathPlanner::pathToGoMm() const {
+  return m_blocks.empty() ? 0.0
+                          : std::max(0.0, m_blocks.front().pathLengthMm - m_blockMm - m_pathMm);
 }
 
 double PathPlanner::pathShare() const {

@@ -32,6 +32,7 @@
 /// are planned as one, so that the acceleration need not come to rest between them.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -55,6 +56,9 @@ class PathPlanner {
 
   /// Blocks taken over and not finished.
   [[nodiscard]] int blockCount() const { return static_cast<int>(m_blocks.size()); }
+  /// Motion blocks taken over and finished since the planner was made.
+  [[nodiscard]] std::uint64_t blocksAppended() const { return m_appended; }
+  [[nodiscard]] std::uint64_t blocksFinished() const { return m_finished; }
   [[nodiscard]] bool isStanding() const { return m_state.speedMmPerS == 0.0; }
 
   /// One interpolation cycle ending at `end`. Blocks that end within it are reported; a rounded
@@ -72,6 +76,8 @@ class PathPlanner {
   [[nodiscard]] double speedMmPerS() const { return m_state.speedMmPerS; }
   [[nodiscard]] double feedCommandMmPerS() const;
   [[nodiscard]] base::Vec3 distanceToGoMm() const;
+  /// Path length to the end of the block in motion.
+  [[nodiscard]] double pathToGoMm() const;
   /// How much of the block in motion has been passed, 0 to 1.
   [[nodiscard]] double pathShare() const;
   [[nodiscard]] base::LineNumber line() const { return m_line; }
@@ -103,6 +109,7 @@ class PathPlanner {
     double roundingMm = 0.0;
     Dynamics dynamics = Dynamics::Brisk;
     bool isStraight = true;
+    bool isDwell = false;
     double dwellS = 0.0;
     std::optional<base::Instant> startedAt;
   };
@@ -163,6 +170,8 @@ class PathPlanner {
   bool m_standsAtEnd = false;  ///< the profile ends in a stand, wherever that is
   double m_override = 1.0;
   double m_dwellLeftS = 0.0;
+  std::uint64_t m_appended = 0;
+  std::uint64_t m_finished = 0;
   bool m_aborting = false;
   base::Vec3 m_commandMm;
   base::Vec3 m_endMm;

@@ -7,6 +7,7 @@
 /// @threadsafety plain values.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,6 +18,8 @@
 #include "machine/alarm.h"
 
 namespace rivulet::machine {
+
+struct SyncAction;
 
 /// A circle or helix from the end of the block before to the block's target: the start point
 /// turns by `sweepRad` about the axis and rises evenly along it. Workpiece frame.
@@ -68,11 +71,18 @@ struct PreparedMessage {
 struct PreparedNothing {
   bool jumped = false;
 };
+/// A synchronized action: becomes active with the motion block that follows it.
+struct PreparedSync {
+  std::shared_ptr<const SyncAction> action;
+};
+struct PreparedCancel {
+  int id = 0;
+};
 struct PreparedStopre {};
 struct PreparedEnd {};
 
 /// What one block came to.
 using Prepared = std::variant<PreparedNothing, PreparedMotion, PreparedDwell, PreparedMessage,
-                              PreparedStopre, PreparedEnd, Alarm>;
+                              PreparedSync, PreparedCancel, PreparedStopre, PreparedEnd, Alarm>;
 
 }  // namespace rivulet::machine

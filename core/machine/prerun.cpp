@@ -71,6 +71,16 @@ void Prerun::deliver(base::Instant now, PathPlanner& planner) {
     interpret(now);
     return;
   }
+  if (auto* sync = std::get_if<PreparedSync>(&m_prepared)) {
+    m_syncActions.add(std::move(sync->action), planner.blocksAppended());
+    interpret(now);
+    return;
+  }
+  if (const auto* cancel = std::get_if<PreparedCancel>(&m_prepared)) {
+    m_syncActions.cancel(cancel->id);
+    interpret(now);
+    return;
+  }
   if (const auto* nothing = std::get_if<PreparedNothing>(&m_prepared)) {
     if (nothing->jumped && m_config.jumpStops) {
       m_state = State::AwaitStand;

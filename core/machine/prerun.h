@@ -14,12 +14,15 @@
 #include "machine/config.h"
 #include "machine/interpreter.h"
 #include "machine/path_planner.h"
+#include "machine/sync_action.h"
 
 namespace rivulet::machine {
 
 class Prerun {
  public:
-  explicit Prerun(const MachineConfig& config) : m_config(config) {}
+  /// @param syncActions  where synchronized actions go; must outlive the pre-run
+  Prerun(const MachineConfig& config, SyncActions& syncActions)
+      : m_config(config), m_syncActions(syncActions) {}
 
   void start(std::unique_ptr<Interpreter> interpreter, base::Instant now);
   void stop();
@@ -57,6 +60,7 @@ class Prerun {
   [[nodiscard]] std::optional<Alarm> limitAlarm(const PreparedMotion& motion) const;
 
   MachineConfig m_config;
+  SyncActions& m_syncActions;
   std::unique_ptr<Interpreter> m_interpreter;
   State m_state = State::Idle;
   Prepared m_prepared;

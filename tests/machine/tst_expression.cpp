@@ -11,7 +11,7 @@ using namespace rivulet::machine;
 namespace {
 
 /// R[i] = 10·i for i below 20.
-class Tens final : public RSource {
+class Tens final : public ValueSource {
  public:
   std::optional<double> value(int index) const override {
     return index >= 0 && index < 20 ? std::optional<double>(10.0 * index) : std::nullopt;

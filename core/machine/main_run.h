@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the main run shows of itself: to synchronized actions in every interpolation cycle, and to
+/// the pre-run behind an implicit preprocessing stop. @threadsafety one object, one thread.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace rivulet::machine {
+
+/// Variables of the main run; names as on the control.
+enum class SystemVariable {
+  AaIm,      ///< $AA_IM[axis]: set point with overlays, mm
+  AaIw,      ///< $AA_IW[axis]: set point without overlays, mm
+  AaDtew,    ///< $AA_DTEW[axis]: distance to the block's end, mm
+  AaOff,     ///< $AA_OFF[axis]: overlay, mm; writable
+  AcDtew,    ///< $AC_DTEW: path length to the block's end, mm
+  AcPathn,   ///< $AC_PATHN: share of the block passed, 0 to 1
+  AcOvr,     ///< $AC_OVR: path override, %; writable, holds for one cycle
+  AcTimer,   ///< $AC_TIMER[n]: s, counts up unless negative; writable
+  AcMarker,  ///< $AC_MARKER[n]; writable
+  AcParam,   ///< $AC_PARAM[n]; writable
+};
+
+/// Numbers of timers, markers and parameters.
+inline constexpr int kSystemElements = 32;
+
+class MainRun {
+ public:
+  virtual ~MainRun() = default;
+  /// @param index  axis (0 to 2) or element; 0 where there is none
+  /// @return nothing for an index that does not exist
+  [[nodiscard]] virtual std::optional<double> systemValue(SystemVariable variable,
+                                                          int index) const = 0;
+  /// @return false if the variable cannot be written or the index does not exist
+  virtual bool setSystemValue(SystemVariable variable, int index, double value) = 0;
+  [[nodiscard]] virtual std::optional<double> rValue(int index) const = 0;
+  virtual bool setRValue(int index, double value) = 0;
+};
+
+}  // namespace rivulet::machine

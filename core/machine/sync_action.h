@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Synchronized actions: evaluated in every interpolation cycle of the main run, in the order of
+/// their numbers; those without a number hold for the next motion block alone. An action becomes
+/// active when the motion block that follows it begins. `$R` is read and written in the main run;
+/// a plain `R10` is the value at interpretation. IDS actions outlive the program, until the
+/// channel is reset or another program starts. @threadsafety one object, one thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "machine/expression.h"
+#include "machine/main_run.h"
+
+namespace rivulet::machine {
+
+/// When the actions are executed.
+enum class SyncTrigger {
+  Always,    ///< no keyword: every cycle
+  When,      ///< once, when the condition holds
+  Whenever,  ///< in every cycle in which it holds
+  From,      ///< in every cycle from the first in which it holds
+  Every,     ///< each time it begins to hold
+};
+
+struct SyncAssignment {
+  std::optional<SystemVariable> variable;  ///< none: $R
+  Expression index;
+  Expression value;
+};
+
+struct SyncAction {
+  int id = 0;             ///< 0: for the next motion block alone
+  bool isStatic = false;  ///< IDS
+  SyncTrigger trigger = SyncTrigger::Always;
+  std::optional<Expression> condition;
+  std::vector<SyncAssignment> assignments;
+};
+
+class SyncActions {
+ public:
+  /// @param block  number of the motion block that follows, counted by the planner
+  void add(std::shared_ptr<const SyncAction> action, std::uint64_t block);
+  void cancel(int id);
+  /// The program has ended: all but the static ones go.
+  void endProgram();
+  void clear() { m_active.clear(); }
+  [[nodiscard]] bool isEmpty() const { return m_active.empty(); }
+
+  /// One cycle. @param blocksFinished  motion blocks the main run has finished
+  /// @return the alarm of an action that failed; it is cancelled
+  std::optional<Alarm> run(MainRun& mainRun, std::uint64_t blocksFinished);
+
+ private:
+  struct Active {
+    std::shared_ptr<const SyncAction> action;
+    std::uint64_t block = 0;
+    bool held = false;     ///< the condition, in the cycle before
+    bool latched = false;  ///< From: it has held once
+    bool done = false;     ///< When: it has been executed
+  };
+
+  std::vector<Active> m_active;  // by number
+};
+
+}  // namespace rivulet::machine
