@@ -113,7 +113,7 @@ class TestCli : public QObject {
 
   void wrongMotionIsExitOne() {
     const Outcome outcome = run(QStringList{QStringLiteral("stream"), kScorpion}
-                                << words("--method position --points 7 --delta 0.75 --feed 20000 "
+                                << words("--method position --points 7 --delta 0.02 --feed 3000 "
                                          "--simulate --json"));
     QCOMPARE(outcome.exit, 1);
     QVERIFY(outcome.parsed()["repeated"].get<int>() > 0);

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// One scenario through the simulated link and through OPC UA on loopback: the same writes in the
+/// same order, the same points executed; only the times differ.
+
+#include <QtTest>
+#include <cmath>
+
+#include "base/units.h"
+#include "streaming/job.h"
+#include "streaming/simulation/scenario.h"
+#include "streaming/simulation/simulated_link.h"
+#include "support/loopback_machine.h"
+
+using namespace rivulet;
+using base::MethodKind;
+using streaming::RunReport;
+
+namespace {
+
+/// Notes what is written, and passes everything on.
+class NotingLink final : public opcua::Link {
+ public:
+  explicit NotingLink(opcua::Link& link) : m_link(link) {}
+  base::Instant now() const override { return m_link.now(); }
+  base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
+                       opcua::Grouping grouping) override {
+    return m_link.read(variables, deadline, grouping);
+  }
+  base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
+                        opcua::Grouping grouping) override {
+    for (const opcua::Assignment& assignment : assignments) {
+      writes.emplace_back(assignment.variable.index, assignment.value);
+    }
+    writes.emplace_back(-1, 0.0);  // end of the request
+    return m_link.write(assignments, deadline, grouping);
+  }
+  std::optional<opcua::Event> wait(base::Instant until) override { return m_link.wait(until); }
+
+  std::vector<std::pair<int, double>> writes;
+
+ private:
+  opcua::Link& m_link;
+};
+
+class Silent final : public streaming::RunSink, public streaming::RunOrders {
+ public:
+  void update(const streaming::LiveUpdate&) override {}
+  void access(const trace::Access&) override {}
+  void note(const trace::Note&) override {}
+  bool stopRequested(base::Instant) override { return false; }
+};
+
+struct Seen {
+  std::vector<std::pair<int, double>> writes;
+  std::vector<base::Vec3> executed;
+  RunReport report;
+};
+
+Seen run(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
+         const streaming::RunSettings& settings) {
+  NotingLink noting(link);
+  Silent silent;
+  Seen seen;
+  seen.report = streaming::runJob(noting, control, program, settings, silent, silent);
+  seen.writes = std::move(noting.writes);
+  if (seen.report.controlTrace) {
+    for (const trace::ExecutedBlock& block : seen.report.controlTrace->blocks) {
+      seen.executed.push_back(block.targetMm);
+    }
+  }
+  return seen;
+}
+
+}  // namespace
+
+class TestEquivalence : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void bothLinksDoTheSame_data() {
+    QTest::addColumn<int>("method");
+    QTest::newRow("signal") << static_cast<int>(MethodKind::Signal);
+    QTest::newRow("position") << static_cast<int>(MethodKind::Position);
+  }
+  void bothLinksDoTheSame() {
+    QFETCH(int, method);
+    // Far inside the region: what is written does not depend on chance.
+    std::vector<base::Vec3> points;
+    for (int i = 0; i < 60; ++i) {
+      points.push_back({2.5 * i, 3.0 * std::sin(0.3 * i), 40.0});
+    }
+    const auto program = streaming::programOf(points);
+    streaming::RunSettings settings;
+    settings.parameters.method = static_cast<MethodKind>(method);
+    settings.deltaMm = 1.0;
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(1500.0);
+    settings.monitor = true;
+
+    machine::Machine simulated(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink simulatedLink(simulated);
+    const Seen virtualRun = run(simulatedLink, simulatedLink, *program, settings);
+
+    tests::LoopbackMachine cell({"dmu75", 1, 0});
+    const auto link = cell.connect();
+    const Seen realRun = run(*link, *link, *program, settings);
+
+    for (const Seen* seen : {&virtualRun, &realRun}) {
+      QVERIFY2(seen->report.outcome == streaming::Outcome::Completed,
+               seen->report.error.text().c_str());
+      QVERIFY(seen->report.isFaultless());
+      QCOMPARE(seen->report.integrity.executed, points.size());
+    }
+    QVERIFY(!virtualRun.writes.empty());
+    QVERIFY(virtualRun.writes == realRun.writes);
+    QVERIFY(virtualRun.executed == realRun.executed);
+    QCOMPARE(virtualRun.report.pauses.size(), realRun.report.pauses.size());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestEquivalence)
+#include "tst_equivalence.moc"
