@@ -94,8 +94,8 @@ class Column final : public QScrollArea {
  protected:
   bool eventFilter(QObject* object, QEvent* event) override {
     if (m_width == Width::Rigid && object == widget() && event->type() == QEvent::LayoutRequest) {
-      setMinimumWidth(widget()->sizeHint().width() +
-                      style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+      const QSize page = widget()->sizeHint().expandedTo(widget()->minimumSizeHint());
+      setMinimumWidth(page.width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     }
     return QScrollArea::eventFilter(object, event);
   }

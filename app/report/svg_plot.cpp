@@ -111,18 +111,18 @@ class Picture {
     line(R"(<text x="{:g}" y="24" font-size="15" font-weight="bold">{}</text>)", kLeft,
          escaped(m_plot.title));
     axes();
-    line(R"(<clipPath id="area"><rect x="{:g}" y="{:g}" width="{:g}" height="{:g}"/></clipPath>)",
-         kLeft - 6.0, kTop - 6.0, kPlotWidth + 12.0, kPlotHeight + 12.0);
-    line(R"x(<g clip-path="url(#area)">)x");
-    // Bands lie below everything else.
-    for (const bool bands : {true, false}) {
+    // Bands lie below everything else, the paper's own marks on top.
+    const auto drawAll = [this](auto chosen) {
       for (std::size_t i = 0; i < m_plot.series.size(); ++i) {
-        if ((m_plot.series[i].style == SeriesStyle::Band) == bands) {
+        if (chosen(m_plot.series[i])) {
           series(i);
         }
       }
-    }
-    line("</g>");
+    };
+    const auto isBand = [](const Series& one) { return one.style == SeriesStyle::Band; };
+    drawAll(isBand);
+    drawAll([&](const Series& one) { return !isBand(one) && !one.fromPaper; });
+    drawAll([&](const Series& one) { return !isBand(one) && one.fromPaper; });
     legend();
     line("</svg>");
     return std::move(m_text);
