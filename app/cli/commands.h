@@ -27,6 +27,7 @@ struct FeasibilityOptions {
   std::string program;                    ///< file; empty: none
   std::optional<double> pointDistanceMm;  ///< d_min where no program is given
   double accessTimeMs = 4.3;
+  std::string calibration;  ///< file whose time per node takes its place; empty: none
   double deltaSafety = 1.5;
   bool json = false;
 };
@@ -61,6 +62,22 @@ struct AnalyseOptions {
   bool json = false;
 };
 [[nodiscard]] Exit analyse(const AnalyseOptions& options);
+
+struct CalibrateOptions {
+  std::string endpoint;
+  bool simulate = false;
+  std::string preset = "dmu75";
+  std::uint64_t seed = 1;
+  int firstCell = 0;
+  int lastCell = 0;
+  int shots = 50;
+  std::string output;
+  bool json = false;
+};
+[[nodiscard]] Exit calibrate(const CalibrateOptions& options);
+
+/// The larger time per node of a file of `calibrate`, ms. @return NotATrace
+[[nodiscard]] base::Result<double> measuredAccessMs(const std::string& path);
 
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"

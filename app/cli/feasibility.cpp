@@ -43,7 +43,15 @@ Exit feasibility(const FeasibilityOptions& options) {
   point.deltaMm = options.point.deltaMm;
   point.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   feasibility::AccessModel access;
-  access.accessTime = base::fromMilliseconds(options.accessTimeMs);
+  double accessTimeMs = options.accessTimeMs;
+  if (!options.calibration.empty()) {
+    const base::Result<double> measured = measuredAccessMs(options.calibration);
+    if (!measured) {
+      return reportError(measured.error(), options.json);
+    }
+    accessTimeMs = *measured;
+  }
+  access.accessTime = base::fromMilliseconds(accessTimeMs);
   feasibility::SafetyFactors safety;
   safety.delta = options.deltaSafety;
 

@@ -85,6 +85,8 @@ int main(int argc, char** argv) {
       ->add_option("--access-time", feasibility.accessTimeMs, "OPC UA access time per node, ms")
       ->check(kPositive)
       ->capture_default_str();
+  feasibilityCommand->add_option("--calibration", feasibility.calibration,
+                                 "Measured access time: file of calibrate --output");
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
@@ -143,6 +145,35 @@ int main(int argc, char** argv) {
   analyseCommand->add_option("RECORDING", analyse.file, "File of stream --record")->required();
   addJson(analyseCommand, analyse.json);
   analyseCommand->callback([&] { exit = rivulet::cli::analyse(analyse); });
+
+  rivulet::cli::CalibrateOptions calibrate;
+  CLI::App* calibrateCommand =
+      app.add_subcommand("calibrate", "Measure what reading and writing R-parameters takes");
+  auto* measured = calibrateCommand->add_option("--endpoint", calibrate.endpoint, "OPC UA server");
+  auto* virtually = calibrateCommand->add_flag("--simulate", calibrate.simulate, "Virtual machine");
+  measured->excludes(virtually);
+  calibrateCommand->add_option("--preset", calibrate.preset, "Machine of --simulate")
+      ->capture_default_str();
+  calibrateCommand->add_option("--seed", calibrate.seed, "Seed of --simulate")
+      ->capture_default_str();
+  calibrateCommand
+      ->add_option("--first-cell", calibrate.firstCell, "First R-parameter that nobody uses")
+      ->required();
+  calibrateCommand
+      ->add_option("--last-cell", calibrate.lastCell, "Last R-parameter that nobody uses")
+      ->required();
+  calibrateCommand->add_option("--shots", calibrate.shots, "Requests of each kind")
+      ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  calibrateCommand->add_option("-o,--output", calibrate.output,
+                               "File for feasibility --calibration");
+  addJson(calibrateCommand, calibrate.json);
+  calibrateCommand->callback([&] {
+    if (!calibrate.simulate && calibrate.endpoint.empty()) {
+      throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    exit = rivulet::cli::calibrate(calibrate);
+  });
 
   rivulet::cli::ExperimentCommandOptions experiment;
   CLI::App* experimentCommand = app.add_subcommand(
