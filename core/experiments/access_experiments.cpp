@@ -67,18 +67,9 @@ Result<std::vector<double>> measure(opcua::Link& link, const Table1Cell& cell, s
   for (std::size_t shot = 0; shot < shots; ++shot) {
     const base::RequestId id = cell.write ? link.write(assignments, kDeadline, cell.grouping)
                                           : link.read(variables, kDeadline, cell.grouping);
-    const Instant until = link.now() + 2 * kDeadline;
-    std::optional<opcua::Event> event;
-    while (!event || event->request != id) {
-      event = link.wait(until);
-      if (!event || event->kind == opcua::EventKind::ConnectionLost) {
-        return base::fail(event ? event->error
-                                : base::makeError(opcua::LinkError::DeadlineExceeded,
-                                                  "The control did not answer in time."));
-      }
-    }
-    if (event->kind == opcua::EventKind::RequestFailed) {
-      return base::fail(event->error);
+    const Result<opcua::Event> event = streaming::awaitAnswer(link, id, kDeadline);
+    if (!event) {
+      return base::fail(event.error());
     }
     durations.push_back(base::toMilliseconds(event->at - event->sent));
   }

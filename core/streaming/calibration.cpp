@@ -27,22 +27,11 @@ Result<Duration> shoot(opcua::Link& link, bool write, std::span<const opcua::Var
                        Duration deadline) {
   const base::RequestId id = write ? link.write(assignments, deadline, grouping)
                                    : link.read(variables, deadline, grouping);
-  const base::Instant until = link.now() + 2 * deadline;
-  while (link.now() < until) {
-    const std::optional<opcua::Event> event = link.wait(until);
-    if (!event) {
-      continue;
-    }
-    if (event->kind == opcua::EventKind::ConnectionLost ||
-        (event->request == id && event->kind == opcua::EventKind::RequestFailed)) {
-      return base::fail(event->error);
-    }
-    if (event->request == id) {
-      return event->at - event->sent;
-    }
+  const Result<opcua::Event> event = awaitAnswer(link, id, deadline);
+  if (!event) {
+    return base::fail(event.error());
   }
-  return base::fail(opcua::LinkError::DeadlineExceeded,
-                    "The control did not answer in time. Check the network.");
+  return event->at - event->sent;
 }
 
 AccessFit fitOf(const std::vector<AccessSeries>& series, bool write) {

@@ -82,30 +82,6 @@ class Ledger final : public RunSink {
   std::size_t m_nodes = 0;
 };
 
-/// Waits for the answer to one request, whatever else arrives.
-Result<opcua::Event> await(opcua::Link& link, base::RequestId id, Duration deadline) {
-  // The link reports its own deadline; twice that is a bug of the link, not of the control.
-  const Instant until = link.now() + 2 * deadline;
-  while (link.now() < until) {
-    std::optional<opcua::Event> event = link.wait(until);
-    if (!event) {
-      continue;
-    }
-    if (event->kind == opcua::EventKind::ConnectionLost) {
-      return base::fail(event->error);
-    }
-    if (event->request != id) {
-      continue;
-    }
-    if (event->kind == opcua::EventKind::RequestFailed) {
-      return base::fail(event->error);
-    }
-    return std::move(*event);
-  }
-  return base::fail(opcua::LinkError::DeadlineExceeded,
-                    "The control did not answer in time. Check the network.");
-}
-
 /// One run, step by step. Every step returns an error that ends the job.
 class Job {
  public:
@@ -380,10 +356,33 @@ class Job {
 
 }  // namespace
 
+Result<opcua::Event> awaitAnswer(opcua::Link& link, base::RequestId id, Duration deadline) {
+  // The link reports its own deadline; twice that is a bug of the link, not of the control.
+  const Instant until = link.now() + 2 * deadline;
+  while (link.now() < until) {
+    std::optional<opcua::Event> event = link.wait(until);
+    if (!event) {
+      continue;
+    }
+    if (event->kind == opcua::EventKind::ConnectionLost) {
+      return base::fail(event->error);
+    }
+    if (event->request != id) {
+      continue;
+    }
+    if (event->kind == opcua::EventKind::RequestFailed) {
+      return base::fail(event->error);
+    }
+    return std::move(*event);
+  }
+  return base::fail(opcua::LinkError::DeadlineExceeded,
+                    "The control did not answer in time. Check the network.");
+}
+
 Result<std::vector<opcua::Reading>> readNow(opcua::Link& link, std::span<const Variable> variables,
                                             Duration deadline) {
   Result<opcua::Event> event =
-      await(link, link.read(variables, deadline, opcua::Grouping::List), deadline);
+      awaitAnswer(link, link.read(variables, deadline, opcua::Grouping::List), deadline);
   if (!event) {
     return base::fail(event.error());
   }
@@ -393,7 +392,7 @@ Result<std::vector<opcua::Reading>> readNow(opcua::Link& link, std::span<const V
 Result<void> writeNow(opcua::Link& link, std::span<const opcua::Assignment> assignments,
                       Duration deadline) {
   const Result<opcua::Event> event =
-      await(link, link.write(assignments, deadline, opcua::Grouping::List), deadline);
+      awaitAnswer(link, link.write(assignments, deadline, opcua::Grouping::List), deadline);
   if (!event) {
     return base::fail(event.error());
   }

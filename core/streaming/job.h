@@ -30,6 +30,11 @@ struct Preflight {
 [[nodiscard]] base::Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                                 const RunSettings& settings);
 
+/// Waits for the answer to one request, whatever else arrives. For use outside a stream.
+/// @return the error of the request or of the link; DeadlineExceeded after twice the deadline
+[[nodiscard]] base::Result<opcua::Event> awaitAnswer(opcua::Link& link, base::RequestId id,
+                                                     base::Duration deadline);
+
 /// Reads some variables and waits for the answer. For use outside a stream.
 [[nodiscard]] base::Result<std::vector<opcua::Reading>> readNow(
     opcua::Link& link, std::span<const opcua::Variable> variables, base::Duration deadline);
