@@ -188,7 +188,7 @@ int main(int argc, char** argv) {
   experimentCommand->add_option("--preset", experiment.preset, "Virtual machine: a name or a file")
       ->capture_default_str();
   experimentCommand->add_option("--endpoint", experiment.endpoint,
-                                "OPC UA server instead of virtual time (table1)");
+                                "OPC UA server instead of virtual time (table1, figure2)");
   experimentCommand->add_option("--recordings", experiment.recordings,
                                 "Recordings of another planner, for lookahead");
   experimentCommand->add_option("--threads", experiment.threads, "0: one per core")

@@ -191,6 +191,101 @@ std::vector<Step> holdValues(const machine::MachineConfig& config, std::uint64_t
   return steps;
 }
 
+/// The program that watches R10: each change is noted with its time from R20 on.
+constexpr const char* kWatcher =
+    "ID=1 WHEN TRUE DO $AC_TIMER[1]=0\n"
+    "ID=2 WHENEVER $R10<>$AC_PARAM[1] DO $R[20+2*$AC_MARKER[1]]=$AC_TIMER[1] "
+    "$R[21+2*$AC_MARKER[1]]=$R10 $AC_PARAM[1]=$R10 $AC_MARKER[1]=$AC_MARKER[1]+1\n"
+    "G4 F600\nM30\n";
+
+Result<std::vector<Step>> holdValuesOn(const Endpoint& endpoint) {
+  const std::string name = "RIVULET_WATCH.MPF";
+  std::vector<opcua::Assignment> clear{{opcua::rParameter(kFigure2Cell), 0.0}};
+  for (int cell = 20; cell < 20 + 2 * static_cast<int>(kFigure2Values.size()); ++cell) {
+    clear.push_back({opcua::rParameter(cell), -1.0});
+  }
+  for (const auto& done : {streaming::writeNow(endpoint.link, clear, kDeadline),
+                           endpoint.control.uploadProgram(name, kWatcher, true),
+                           endpoint.control.selectProgram(name), endpoint.control.cycleStart()}) {
+    if (!done) {
+      return base::fail(done.error());
+    }
+  }
+  for (const double value : kFigure2Values) {
+    const std::array write{opcua::Assignment{opcua::rParameter(kFigure2Cell), value}};
+    if (const auto done = streaming::writeNow(endpoint.link, write, kDeadline); !done) {
+      return base::fail(done.error());
+    }
+  }
+  std::vector<opcua::Variable> variables;
+  for (std::size_t i = 1; i < clear.size(); ++i) {
+    variables.push_back(clear[i].variable);
+  }
+  const auto readings = streaming::readNow(endpoint.link, variables, kDeadline);
+  const auto ended = endpoint.control.reset();
+  if (!readings || !ended) {
+    return base::fail(!readings ? readings.error() : ended.error());
+  }
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i + 1 < readings->size() && (*readings)[i].number >= 0.0; i += 2) {
+    steps.push_back(
+        {Instant{} + base::fromSeconds((*readings)[i].number), (*readings)[i + 1].number});
+  }
+  if (steps.size() < 2) {
+    return base::fail(ExperimentError::Failed,
+                      "The program on the control saw no changes. Is another client writing?");
+  }
+  return steps;
+}
+
+Experiment figure2(const std::vector<std::vector<Step>>& runs, double cycleMs,
+                   const std::string& where) {
+  std::vector<double> holdsMs;
+  double worstRemainderMs = 0.0;
+  for (const std::vector<Step>& steps : runs) {
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      const double holdMs = base::toMilliseconds(steps[i].at - steps[i - 1].at);
+      holdsMs.push_back(holdMs);
+      worstRemainderMs =
+          std::max(worstRemainderMs, std::abs(holdMs - cycleMs * std::round(holdMs / cycleMs)));
+    }
+  }
+  Experiment result;
+  result.name = "figure2";
+  result.title = "Values written back to back, as the NC sees them";
+  result.setup = fmt::format(
+      "1, 0, 2, 0, 3, 0, 4, 0, 5, 0 written one after another to an R-parameter, {} runs "
+      "{}; the value is looked at in every interpolation cycle of {} ms.",
+      runs.size(), where, cycleMs);
+  result.checks.push_back({"distance of a hold from a whole number of cycles", "ms", "[P1] Fig. 2",
+                           0.0, worstRemainderMs, 0.0, 1e-6});
+  result.checks.push_back(
+      {"median hold", "ms", "[P1] Fig. 2", 4.0, medianOf(holdsMs), cycleMs, cycleMs});
+  Table table{"Holds", {"held (ms)", "share (%)"}, {}};
+  for (int cycles = 1; cycles <= 6; ++cycles) {
+    const auto count = std::count_if(holdsMs.begin(), holdsMs.end(), [&](double hold) {
+      return std::lround(hold / cycleMs) == cycles;
+    });
+    table.rows.push_back({fmt::format("{:.0f}", cycles * cycleMs),
+                          fmt::format("{:.1f}", 100.0 * static_cast<double>(count) /
+                                                    static_cast<double>(holdsMs.size()))});
+  }
+  result.tables.push_back(std::move(table));
+  Plot plot{"An R-parameter, written 1, 0, 2, 0, ... back to back", "time (ms)", "value", {}};
+  Series series{"seen by the NC", SeriesStyle::Steps, false, {}, {}, {}};
+  for (const Step& step : runs.front()) {
+    series.x.push_back(base::toMilliseconds(step.at - runs.front().front().at));
+    series.y.push_back(step.value);
+  }
+  plot.series.push_back(std::move(series));
+  result.plots.push_back(std::move(plot));
+  result.notes = {
+      "The paper shows one recording in which every value is held for 4 ms. A single write takes "
+      "5.67 ms on average in its Table I, so some values must be held for two cycles; here they "
+      "are."};
+  return result;
+}
+
 // -------------------------------------------------------------------------------- subscription
 
 /// The program of the test: ten values, each set in a block of its own, with one block between
@@ -259,54 +354,29 @@ Result<Experiment> runTable1On(const Endpoint& endpoint, const ExperimentOptions
 
 Result<Experiment> runFigure2(const ExperimentOptions& options) {
   const std::size_t seeds = options.seeds > 0 ? options.seeds : 50;
-  const double cycleMs = base::toMilliseconds(options.machine.interpolationCycle);
   std::vector<std::vector<Step>> runs(seeds);
   options.executor.forEach(seeds,
                            [&](std::size_t i) { runs[i] = holdValues(options.machine, i + 1); });
-  std::vector<double> holdsMs;
-  double worstRemainderMs = 0.0;
-  for (const std::vector<Step>& steps : runs) {
-    for (std::size_t i = 1; i < steps.size(); ++i) {
-      const double holdMs = base::toMilliseconds(steps[i].at - steps[i - 1].at);
-      holdsMs.push_back(holdMs);
-      worstRemainderMs =
-          std::max(worstRemainderMs, std::abs(holdMs - cycleMs * std::round(holdMs / cycleMs)));
+  return figure2(runs, base::toMilliseconds(options.machine.interpolationCycle),
+                 fmt::format("on the virtual machine {} in virtual time", options.machine.name));
+}
+
+Result<Experiment> runFigure2On(const Endpoint& endpoint, const ExperimentOptions& options) {
+  const std::size_t runs = options.seeds > 0 ? options.seeds : 20;
+  if (!endpoint.control.isVirtualMachine()) {
+    return base::fail(ExperimentError::Failed,
+                      "This experiment starts a program by itself: virtual machines only.");
+  }
+  std::vector<std::vector<Step>> steps;
+  for (std::size_t run = 0; run < runs; ++run) {
+    Result<std::vector<Step>> seen = holdValuesOn(endpoint);
+    if (!seen) {
+      return base::fail(seen.error());
     }
+    steps.push_back(std::move(*seen));
   }
-  Experiment result;
-  result.name = "figure2";
-  result.title = "Values written back to back, as the NC sees them";
-  result.setup = fmt::format(
-      "1, 0, 2, 0, 3, 0, 4, 0, 5, 0 written one after another to an R-parameter, {} runs; the "
-      "value is looked at in every interpolation cycle of {} ms.",
-      seeds, cycleMs);
-  result.checks.push_back({"distance of a hold from a whole number of cycles", "ms", "[P1] Fig. 2",
-                           0.0, worstRemainderMs, 0.0, 1e-6});
-  result.checks.push_back(
-      {"median hold", "ms", "[P1] Fig. 2", 4.0, medianOf(holdsMs), cycleMs, cycleMs});
-  Table table{"Holds", {"held (ms)", "share (%)"}, {}};
-  for (int cycles = 1; cycles <= 6; ++cycles) {
-    const auto count = std::count_if(holdsMs.begin(), holdsMs.end(), [&](double hold) {
-      return std::lround(hold / cycleMs) == cycles;
-    });
-    table.rows.push_back({fmt::format("{:.0f}", cycles * cycleMs),
-                          fmt::format("{:.1f}", 100.0 * static_cast<double>(count) /
-                                                    static_cast<double>(holdsMs.size()))});
-  }
-  result.tables.push_back(std::move(table));
-  Plot plot{"An R-parameter, written 1, 0, 2, 0, ... back to back", "time (ms)", "value", {}};
-  Series series{"seen by the NC", SeriesStyle::Steps, false, {}, {}, {}};
-  for (const Step& step : runs.front()) {
-    series.x.push_back(base::toMilliseconds(step.at - runs.front().front().at));
-    series.y.push_back(step.value);
-  }
-  plot.series.push_back(std::move(series));
-  result.plots.push_back(std::move(plot));
-  result.notes = {
-      "The paper shows one recording in which every value is held for 4 ms. A single write takes "
-      "5.67 ms on average in its Table I, so some values must be held for two cycles; here they "
-      "are."};
-  return result;
+  return figure2(steps, base::toMilliseconds(options.machine.interpolationCycle),
+                 fmt::format("over OPC UA on {}", endpoint.name));
 }
 
 Result<Experiment> runSubscription(const ExperimentOptions& options) {

@@ -43,7 +43,7 @@ Result<Experiment> equations(const ExperimentOptions& options) {
 
 constexpr std::array kEntries{
     Entry{"table1", runTable1, runTable1On},
-    Entry{"figure2", runFigure2, nullptr},
+    Entry{"figure2", runFigure2, runFigure2On},
     Entry{"subscription", runSubscription, nullptr},
     Entry{"figure3", runFigure3, nullptr},
     Entry{"figure4", runFigure4, nullptr},

@@ -120,6 +120,39 @@ class TestCli : public QObject {
     QCOMPARE(outcome.parsed()["feasible"].get<bool>(), false);
   }
 
+  void experimentsWriteTheirFigures() {
+    const QString path = m_folder.filePath(QStringLiteral("figures.json"));
+    const QString plot = m_folder.filePath(QStringLiteral("figure.svg"));
+    const Outcome outcome = run(words("experiment figure2 subscription --seeds 30 --json")
+                                << path << QStringLiteral("--plot") << plot);
+    QCOMPARE(outcome.exit, 0);
+    QFile figures(path);
+    QVERIFY(figures.open(QIODevice::ReadOnly));
+    const auto parsed = nlohmann::json::parse(figures.readAll().toStdString());
+    QCOMPARE(parsed.size(), std::size_t{2});
+    QVERIFY(parsed[0]["passed"].get<bool>());
+    QVERIFY(QFileInfo(plot).size() > 1000);
+    // Another machine is not the paper's.
+    QCOMPARE(run(words("experiment table1 --seeds 20 --preset plc")).exit, 1);
+  }
+
+  void measuredAccessTimesAreUsed() {
+    const QString path = m_folder.filePath(QStringLiteral("access.json"));
+    QCOMPARE(
+        run(words("calibrate --simulate --preset plc --first-cell 0 --last-cell 19 -o") << path)
+            .exit,
+        0);
+    const QStringList point = words(
+        "feasibility --method signal --points 7 --d-min 0.3 --feed "
+        "2000 --json");
+    QCOMPARE(run(point).parsed()["feasible"].get<bool>(), false);
+    QCOMPARE(run(QStringList(point) << QStringLiteral("--calibration") << path)
+                 .parsed()["feasible"]
+                 .get<bool>(),
+             true);
+    QCOMPARE(run(QStringList(point) << QStringLiteral("--calibration") << kScorpion).exit, 2);
+  }
+
   void badInput_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("exit");
@@ -130,6 +163,11 @@ class TestCli : public QObject {
       return QStringList{QStringLiteral("stream"), program};
     };
     QTest::newRow("no command") << QStringList() << 2;
+    QTest::newRow("no such experiment") << words("experiment figure9") << 2;
+    QTest::newRow("no recordings") << words("experiment lookahead") << 2;
+    QTest::newRow("no cells") << words("calibrate --simulate") << 2;
+    QTest::newRow("cells that are not there")
+        << words("calibrate --simulate --first-cell 90 --last-cell 120") << 2;
     QTest::newRow("missing file") << stream(QStringLiteral("/nowhere.nc")) + point << 2;
     QTest::newRow("folder") << stream(m_folder.path()) + point << 2;
     QTest::newRow("empty") << stream(empty) + point << 2;
