@@ -110,7 +110,7 @@ Result<Calibration> calibrate(opcua::Link& link, const CalibrationPlan& plan,
   std::vector<opcua::Assignment> restore;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if ((*before)[i].status) {
-      return base::fail((*before)[i].status,
+      return base::fail(CalibrationError::NoCells,
                         fmt::format("R{} cannot be read. Choose cells that exist (MD28050).",
                                     variables[i].index));
     }
