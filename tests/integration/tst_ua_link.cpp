@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "machine/front/variable_service.h"
 #include "support/loopback_machine.h"
 
 using namespace rivulet;
@@ -405,7 +406,7 @@ class TestUaLink : public QObject {
     second->read(parameters(30, 30), kPatience, Grouping::List);
     QCOMPARE(next(*second).readings.size(), std::size_t{30});
     QCOMPARE(next(*first).readings.size(), std::size_t{30});
-    QVERIFY(first->now() - begin >= together);
+    QVERIFY(first->now() - begin >= together - machine::VariableService::kOnTheWay);
     QCOMPARE(cell.server().requestsServed(), 2U);
     QCOMPARE(cell.server().nodesServed(), 60U);
   }
@@ -416,7 +417,7 @@ class TestUaLink : public QObject {
     const auto link = cell.connect();
     link->write(assignments(0, std::vector<double>(20, 1.0)), kPatience, Grouping::List);
     const Event event = next(*link);
-    QVERIFY(event.at - event.sent >= list);
+    QVERIFY(event.at - event.sent >= list - machine::VariableService::kOnTheWay);
   }
 
   void theHostIsUsedAsTyped() {
