@@ -5,7 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/contract.h"
+#include "base/text.h"
 
 namespace rivulet::gcode {
 
@@ -41,8 +44,7 @@ CodeText textOf(DiagnosticCode code) {
               "program without it."};
     case DiagnosticCode::UnsupportedExpression:
       return {"unsupported-expression",
-              "\"{}\" is a variable, a calculation or a jump, which Rivulet does not run: "
-              "post-process the program to plain coordinates."};
+              "\"{}\" is not run by Rivulet: what it does to the path is unknown."};
     case DiagnosticCode::IgnoredCode:
       return {"ignored-code", "{} is not sent to the control: it does not change the path."};
     case DiagnosticCode::ConflictingGCodes:
@@ -89,6 +91,49 @@ CodeText textOf(DiagnosticCode code) {
     case DiagnosticCode::TooManyPoints:
       return {"too-many-points",
               "The program has more than {} points: it is not read further. Split it."};
+    case DiagnosticCode::EndlessLoop:
+      return {"endless-loop",
+              "The loop that ends here does not come to an end: {} blocks were run again, then "
+              "reading stopped. Check its condition."};
+    case DiagnosticCode::ExpressionFault:
+      return {"expression-fault", "The calculation has no result: {}."};
+    case DiagnosticCode::FlowFault:
+      return {"flow-fault", "The order of the blocks is not known from here on: {}."};
+    case DiagnosticCode::SubprogramMissing:
+      return {
+          "subprogram-missing",
+          "The subprogram {} is not in this file and not beside it: the points it would give are "
+          "missing."};
+    case DiagnosticCode::CycleNotRun:
+      return {"cycle-not-run",
+              "{} is a cycle of the control: the motions it makes are missing here."};
+    case DiagnosticCode::MachineCoordinates:
+      return {
+          "machine-coordinates",
+          "{} moves in machine coordinates, whose place in the workpiece is not known: the move "
+          "is left out."};
+    case DiagnosticCode::RotaryAxes:
+      return {
+          "rotary-axes",
+          "{} turns on the path: the points carry it, but no streaming method sends more than X, "
+          "Y and Z."};
+    case DiagnosticCode::NotAnyDialect:
+      return {"not-any-dialect",
+              "The file holds bytes that no NC text has: choose a text file, not an archive or a "
+              "picture."};
+    case DiagnosticCode::CentreReading:
+      return {"centre-reading",
+              "All arcs of the program fit if I, J and K are read as {}: check how the "
+              "post-processor writes them, and load the program that way."};
+    case DiagnosticCode::NoMotion:
+      return {
+          "no-motion",
+          "The program moves no axis: there is nothing to stream. Choose a program with G0, G1, "
+          "G2 or G3 and X, Y or Z."};
+    case DiagnosticCode::Accepted:
+      return {"accepted",
+              "{} is left out, as you have accepted: the path may differ from the "
+              "control's."};
     case DiagnosticCode::MoreFindings:
       return {"more-findings", "{} more findings from here on are not listed."};
   }
@@ -111,6 +156,37 @@ std::string_view severityName(Severity severity) {
       break;
   }
   return "error";
+}
+
+std::string acceptableName(const Diagnostic& diagnostic) {
+  if (diagnostic.severity != Severity::Error) {
+    return {};
+  }
+  switch (diagnostic.code) {
+    case DiagnosticCode::UnknownGCode:
+    case DiagnosticCode::UnknownWord:
+    case DiagnosticCode::UnsupportedGCode:
+    case DiagnosticCode::UnsupportedExpression:
+    case DiagnosticCode::SubprogramMissing:
+    case DiagnosticCode::CycleNotRun:
+    case DiagnosticCode::MachineCoordinates:
+      break;
+    default:
+      return {};
+  }
+  // E5 and E7 are one address; a calculated word goes by what stands in front of its value.
+  std::string name = base::toUpper(diagnostic.argument);
+  if (diagnostic.code == DiagnosticCode::UnknownWord) {
+    std::size_t end = 0;
+    while (end < name.size() &&
+           ((name[end] >= 'A' && name[end] <= 'Z') || name[end] == '_' || name[end] == '$')) {
+      ++end;
+    }
+    name.resize(end);
+  } else {
+    name.resize(std::min(name.find_first_of("(="), name.size()));
+  }
+  return name;
 }
 
 std::string describe(const Diagnostic& diagnostic) {
