@@ -127,6 +127,9 @@ gcode::LoadOptions LoadingOptions::loadOptions() const {
   options.blockSkip = blockSkip;
   options.dialect = gcode::dialectOfName(dialect);
   options.accepted = accepted;
+  for (const gcode::CentreReading reading : gcode::kCentreReadings) {
+    options.centres = gcode::centreReadingName(reading) == centres ? reading : options.centres;
+  }
   for (std::string& name : options.accepted) {
     name = base::toUpper(name);
   }

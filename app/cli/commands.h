@@ -22,8 +22,18 @@ struct LoadingOptions {
   std::string dialect = "auto";
   std::vector<std::string> accepted;
   bool blockSkip = false;
+  std::string centres = "as-programmed";
 
   [[nodiscard]] gcode::LoadOptions loadOptions() const;
+};
+
+/// Fewer or more points on the same path.
+struct ResamplingOptions {
+  double thinMm = 0.0;   ///< 0: not
+  double splitMm = 0.0;  ///< 0: not
+
+  /// Says on standard error what was left out.
+  [[nodiscard]] gcode::Trajectory resampled(gcode::Trajectory trajectory) const;
 };
 
 struct CheckOptions {
@@ -36,9 +46,8 @@ struct CheckOptions {
 struct PointsOptions {
   std::string file;
   LoadingOptions loading;
-  std::string output;    ///< file; empty: standard output
-  double thinMm = 0.0;   ///< 0: not
-  double splitMm = 0.0;  ///< 0: not
+  ResamplingOptions resampling;
+  std::string output;  ///< file; empty: standard output
   bool keepArcs = false;
 };
 [[nodiscard]] Exit points(const PointsOptions& options);
@@ -47,6 +56,7 @@ struct FeasibilityOptions {
   OperatingOptions point;
   std::string program;  ///< file; empty: none
   LoadingOptions loading;
+  ResamplingOptions resampling;
   std::optional<double> pointDistanceMm;  ///< d_min where no program is given
   double accessTimeMs = 4.3;
   std::string calibration;  ///< file whose time per node takes its place; empty: none
@@ -67,6 +77,7 @@ struct StreamOptions {
   OperatingOptions point;
   std::string file;
   LoadingOptions loading;
+  ResamplingOptions resampling;
   std::string endpoint;
   bool simulate = false;
   std::string preset = "dmu75";

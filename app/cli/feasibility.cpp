@@ -58,10 +58,11 @@ Exit feasibility(const FeasibilityOptions& options) {
   feasibility::ProgramDistances distances;
   nlohmann::ordered_json json;
   if (!options.program.empty()) {
-    const auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
+    auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
     if (!program) {
       return reportError(program.error(), options.json);
     }
+    program->trajectory = options.resampling.resampled(std::move(program->trajectory));
     const gcode::PointList list = gcode::streamPoints(program->trajectory, kOriginMm);
     if (list.points.size() < 2) {
       return reportError(

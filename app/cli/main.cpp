@@ -61,7 +61,21 @@ void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
       ->capture_default_str();
   command->add_option("--accept", loading.accepted,
                       "Leave out what is not understood, by the name check gives (repeatable)");
+  command
+      ->add_option("--arc-centres", loading.centres,
+                   "What I, J and K of arcs are, where a post-processor differs from the dialect")
+      ->check(CLI::IsMember({"as-programmed", "absolute", "start-minus-centre"}))
+      ->capture_default_str();
   command->add_flag("--block-skip", loading.blockSkip, "Leave out blocks that begin with /");
+}
+
+void addResampling(CLI::App* command, rivulet::cli::ResamplingOptions& resampling) {
+  command
+      ->add_option("--thin", resampling.thinMm,
+                   "Leave out points within this distance of the path, mm")
+      ->check(kPositive);
+  command->add_option("--split", resampling.splitMm, "Longest move; longer ones are divided, mm")
+      ->check(kPositive);
 }
 
 void addJson(CLI::App* command, bool& json) {
@@ -92,11 +106,7 @@ int main(int argc, char** argv) {
   pointsCommand->add_flag("--csv", csv, "As comma-separated values (the only form)");
   pointsCommand->add_option("-o,--output", points.output, "File to write");
   pointsCommand->add_flag("--keep-arcs", points.keepArcs, "One point per arc instead of chords");
-  pointsCommand
-      ->add_option("--thin", points.thinMm, "Leave out points within this distance of the path, mm")
-      ->check(kPositive);
-  pointsCommand->add_option("--split", points.splitMm, "Longest move; longer ones are divided, mm")
-      ->check(kPositive);
+  addResampling(pointsCommand, points.resampling);
   pointsCommand->callback([&] { exit = rivulet::cli::points(points); });
 
   rivulet::cli::FeasibilityOptions feasibility;
@@ -106,6 +116,7 @@ int main(int argc, char** argv) {
   addDelta(feasibilityCommand, feasibility.point);
   addFeed(feasibilityCommand, feasibility.point)->required();
   addLoading(feasibilityCommand, feasibility.loading);
+  addResampling(feasibilityCommand, feasibility.resampling);
   auto* program = feasibilityCommand->add_option("--program", feasibility.program, "NC program");
   auto* distance = feasibilityCommand
                        ->add_option("--d-min", feasibility.pointDistanceMm,
@@ -146,6 +157,7 @@ int main(int argc, char** argv) {
   CLI::App* streamCommand = app.add_subcommand("stream", "Stream an NC program to a control");
   streamCommand->add_option("FILE", stream.file, "NC program")->required();
   addLoading(streamCommand, stream.loading);
+  addResampling(streamCommand, stream.resampling);
   addPoint(streamCommand, stream.point);
   addDelta(streamCommand, stream.point);
   addFeed(streamCommand, stream.point)->required();

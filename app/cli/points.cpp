@@ -64,6 +64,16 @@ void print(const gcode::Trajectory& trajectory, std::FILE* out) {
 
 }  // namespace
 
+gcode::Trajectory ResamplingOptions::resampled(gcode::Trajectory trajectory) const {
+  if (thinMm > 0.0) {
+    gcode::ThinnedTrajectory thinned = gcode::thin(trajectory, thinMm);
+    fmt::print(stderr, "{} points left out; the path moves by at most {:.6f} mm.\n",
+               thinned.leftOut, thinned.errorMmMax);
+    trajectory = std::move(thinned.trajectory);
+  }
+  return splitMm > 0.0 ? gcode::split(trajectory, splitMm) : trajectory;
+}
+
 Exit points(const PointsOptions& options) {
   gcode::LoadOptions loading = options.loading.loadOptions();
   loading.keepArcs = options.keepArcs;
@@ -71,16 +81,7 @@ Exit points(const PointsOptions& options) {
   if (!program) {
     return reportError(program.error(), false);
   }
-  gcode::Trajectory trajectory = std::move(program->trajectory);
-  if (options.thinMm > 0.0) {
-    gcode::ThinnedTrajectory thinned = gcode::thin(trajectory, options.thinMm);
-    fmt::print(stderr, "{} points left out; the path moves by at most {:.6f} mm.\n",
-               thinned.leftOut, thinned.errorMmMax);
-    trajectory = std::move(thinned.trajectory);
-  }
-  if (options.splitMm > 0.0) {
-    trajectory = gcode::split(trajectory, options.splitMm);
-  }
+  const gcode::Trajectory trajectory = options.resampling.resampled(std::move(program->trajectory));
   if (options.output.empty()) {
     print(trajectory, stdout);
   } else {

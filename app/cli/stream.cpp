@@ -149,10 +149,19 @@ void print(const streaming::RunReport& report, bool feasible) {
 }  // namespace
 
 Exit stream(const StreamOptions& options) {
-  const auto program = gcode::loadProgram(options.file, options.loading.loadOptions());
+  auto program = gcode::loadProgram(options.file, options.loading.loadOptions());
   if (!program) {
     return reportError(program.error(), options.json);
   }
+  if (program->trajectory.points.empty()) {
+    return reportError(
+        base::makeError(
+            gcode::GcodeError::NoMotion,
+            "The program moves no axis: choose one with G0, G1, G2 or G3 and X, Y or Z.",
+            program->name),
+        options.json);
+  }
+  program->trajectory = options.resampling.resampled(std::move(program->trajectory));
   streaming::RunSettings settings;
   settings.parameters = options.point.parameters();
   settings.deltaMm = options.point.deltaMm;

@@ -22,15 +22,6 @@ constexpr double kChordAngleMax = std::numbers::pi / 2.0;
 
 constexpr double kFullCircle = 2.0 * std::numbers::pi;
 
-/// Chords of an arc, none further from it than the tolerance.
-std::size_t chordCount(double sweepRad, double radiusMm, double chordToleranceMm) {
-  // A chord over the angle a is r(1 - cos(a/2)) = 2 r sin²(a/4) away from its arc.
-  const double ratio = std::min(1.0, chordToleranceMm / (2.0 * std::max(radiusMm, 1e-12)));
-  const double chordAngle = std::min(kChordAngleMax, 4.0 * std::asin(std::sqrt(ratio)));
-  // A sweep that is a whole number of chords but for rounding needs no chord more.
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(sweepRad / chordAngle - 1e-9)));
-}
-
 struct Plane {
   std::size_t first;
   std::size_t second;
@@ -47,6 +38,14 @@ double distanceInPlane(const Plane& plane, base::Vec3 a, base::Vec3 b) {
 }
 
 }  // namespace
+
+double chordCount(double sweepRad, double radiusMm, double chordToleranceMm) {
+  // A chord over the angle a is r(1 - cos(a/2)) = 2 r sin²(a/4) away from its arc.
+  const double ratio = std::min(1.0, chordToleranceMm / (2.0 * std::max(radiusMm, 1e-12)));
+  const double chordAngle = std::min(kChordAngleMax, 4.0 * std::asin(std::sqrt(ratio)));
+  // A sweep that is a whole number of chords but for rounding needs no chord more.
+  return std::max(1.0, std::ceil(sweepRad / chordAngle - 1e-9));
+}
 
 ArcRadii arcRadii(const Arc& arc) {
   const Plane plane = planeOf(arc);
@@ -225,7 +224,8 @@ double flattenSpaceArc(const SpaceArc& arc, base::Vec3 startMm, base::Vec3 endMm
   const base::Vec3 from = startMm - arc.centreMm;
   const base::Vec3 across = base::cross(arc.axis, from);
   const double radiusMm = base::norm(from);
-  const std::size_t chords = chordCount(arc.sweepRad, radiusMm, chordToleranceMm);
+  const auto chords =
+      static_cast<std::size_t>(chordCount(arc.sweepRad, radiusMm, chordToleranceMm));
   for (std::size_t chord = 1; chord < chords; ++chord) {
     const double angle = arc.sweepRad * static_cast<double>(chord) / static_cast<double>(chords);
     points.push_back(arc.centreMm + std::cos(angle) * from + std::sin(angle) * across);
@@ -241,8 +241,8 @@ double flattenArc(const Arc& arc, double chordToleranceMm, std::vector<base::Vec
   const double startAngle = std::atan2(arc.startMm[plane.second] - arc.centreMm[plane.second],
                                        arc.startMm[plane.first] - arc.centreMm[plane.first]);
   const double sweep = arcSweep(arc);
-  const std::size_t chords =
-      chordCount(sweep, std::max(radii.startMm, radii.endMm), chordToleranceMm);
+  const auto chords = static_cast<std::size_t>(
+      chordCount(sweep, std::max(radii.startMm, radii.endMm), chordToleranceMm));
   const double riseMm = arc.endMm[plane.third] - arc.startMm[plane.third];
   for (std::size_t chord = 1; chord < chords; ++chord) {
     const double share = static_cast<double>(chord) / static_cast<double>(chords);

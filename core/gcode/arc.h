@@ -94,6 +94,9 @@ struct SpaceArc {
 double flattenSpaceArc(const SpaceArc& arc, base::Vec3 startMm, base::Vec3 endMm,
                        double chordToleranceMm, std::vector<base::Vec3>& points);
 
+/// How many chords an arc becomes, so that none is further from it than the tolerance.
+[[nodiscard]] double chordCount(double sweepRad, double radiusMm, double chordToleranceMm);
+
 /// Appends the corner points of the chords after the start; the last is exactly `endMm`.
 /// If start and end coincide in the plane, the arc is a full circle. The radius runs linearly
 /// over the angle from its value at the start to its value at the end, the third axis likewise.

@@ -143,6 +143,36 @@ std::string relevantPart(std::string_view line) {
   return text;
 }
 
+bool isLetter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// True for the many lines of single letters and numbers, in which only a G function can tell.
+bool isPlain(std::string_view line) {
+  bool afterLetter = false;
+  for (const char c : line) {
+    const bool letter = isLetter(c);
+    if ((letter && afterLetter) ||
+        std::string_view("%$;=#([:<\"/oO").find(c) != std::string_view::npos) {
+      return false;
+    }
+    afterLetter = letter;
+  }
+  return true;
+}
+
+/// A place in a plain line where a G function stands that tells.
+bool hasTellingG(std::string_view line) {
+  for (std::size_t at = 0; at + 1 < line.size(); ++at) {
+    if ((line[at] == 'G' || line[at] == 'g') &&
+        (line[at + 1] == '5' || line[at + 1] == '6' || line[at + 1] == '7' || line[at + 1] == '4' ||
+         line[at + 1] == '0')) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view dialectName(Dialect dialect) {
@@ -178,7 +208,11 @@ DialectGuess detectDialect(std::string_view text) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     // No word of a dialect fits into a line of coordinates only.
     constexpr std::size_t kLongestLookedAt = 400;
-    const std::string line = relevantPart(raw.substr(0, kLongestLookedAt));
+    const std::string_view front = raw.substr(0, kLongestLookedAt);
+    if (isPlain(front) && !hasTellingG(front)) {
+      continue;
+    }
+    const std::string line = relevantPart(front);
     if (line.size() < 2) {
       continue;
     }

@@ -189,12 +189,17 @@ bool Flow::next(Block& block) {
   } else {
     block.line = m_line;
   }
-  if (m_hasJumped && m_executed > m_fileLines + kRepeatedLinesMax) {
-    m_stopped = fault(DiagnosticCode::EndlessLoop, fmt::format("{}", kRepeatedLinesMax));
+  if (m_hasJumped && m_executed > m_fileLines + m_options.repeatedLinesMax) {
+    m_stopped = fault(DiagnosticCode::EndlessLoop, fmt::format("{}", m_options.repeatedLinesMax));
     m_stoppedLine = m_jumpedFrom;
     return false;
   }
   return true;
+}
+
+std::optional<std::string_view> Flow::passLine() {
+  ++m_executed;
+  return m_lexer.nextLine();
 }
 
 void Flow::jump(Place target) {
@@ -471,7 +476,7 @@ Flow::Outcome Flow::execute(std::string_view statement) {
 std::string Flow::skipStructure(std::string_view open, std::string_view close,
                                 std::string_view alternative) {
   int depth = 0;
-  while (const auto line = m_lexer.nextLine()) {
+  while (const auto line = passLine()) {
     const LineHead head = headOf(*line);
     const bool jumps =
         open == "IF" &&
@@ -880,7 +885,7 @@ Flow::Outcome Flow::iso(const std::string& word, std::string_view rest) {
       level().controls.push_back({Control::Kind::While, digits, m_current, {}, 0.0, 0});
       return {};
     }
-    while (const auto line = m_lexer.nextLine()) {
+    while (const auto line = passLine()) {
       LineHead head = headOf(*line);
       if (head.word == "END" + digits || (head.word == "END" && takeDigits(head.rest) == digits)) {
         return {};
@@ -912,7 +917,7 @@ Flow::Outcome Flow::iso(const std::string& word, std::string_view rest) {
 std::string Flow::skipNumbered(const std::string& id, const std::vector<std::string_view>& words) {
   while (true) {
     const Place place = m_lexer.place();
-    const auto line = m_lexer.nextLine();
+    const auto line = passLine();
     if (!line) {
       return {};
     }
@@ -986,7 +991,7 @@ Flow::Outcome Flow::oWord(std::string_view statement) {
         if (found == "ENDIF") {
           return {};
         }
-        (void)m_lexer.nextLine();
+        (void)passLine();
       }
     }
     if (*value != 0.0) {
@@ -1085,7 +1090,7 @@ Flow::Outcome Flow::oWord(std::string_view statement) {
     // Go on with the line that closes the loop.
     for (;;) {
       const Place place = m_lexer.place();
-      const auto line = m_lexer.nextLine();
+      const auto line = passLine();
       if (!line) {
         return missing(end);
       }

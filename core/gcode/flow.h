@@ -24,9 +24,6 @@
 
 namespace rivulet::gcode {
 
-/// Lines executed a second time before a program counts as endless.
-inline constexpr std::size_t kRepeatedLinesMax = 5'000'000;
-
 class Flow {
  public:
   /// What came of a statement or call.
@@ -104,6 +101,8 @@ class Flow {
     Scope scope;  ///< as at the call, for further rounds
   };
 
+  /// Steps over a line without executing it; it counts like one that is.
+  [[nodiscard]] std::optional<std::string_view> passLine();
   [[nodiscard]] Level& level() { return m_levels.back(); }
   void index(Source& source);
   void jump(Place target);

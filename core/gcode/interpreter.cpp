@@ -1582,6 +1582,11 @@ class Interpreter {
       m_path.unknownWay(target, details);
       return;
     }
+    const ArcRadii radii = arcRadii(resolved.arc);
+    if (!hasFewChords(arcSweep(resolved.arc), std::max(radii.startMm, radii.endMm), words)) {
+      m_path.unknownWay(target, details);
+      return;
+    }
     MoveWords arcDetails = details;
     if (m_feedMode == FeedMode::InverseTime && words.hasFeed) {
       arcDetails.feedMmPerS = arcLength(resolved.arc) * words.feed / 60.0;
@@ -1662,6 +1667,17 @@ class Interpreter {
     return false;
   }
 
+  /// One block may not fill the memory, however large its arc and small the tolerance.
+  bool hasFewChords(double sweepRad, double radiusMm, const BlockWords& words) {
+    constexpr double kChordsMax = 1e6;
+    if (chordCount(sweepRad, radiusMm, m_options.chordToleranceMm) <= kChordsMax) {
+      return true;
+    }
+    m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::TooManyPoints,
+                      fmt::format("{:.0f}", kChordsMax));
+    return false;
+  }
+
   /// @return true if there is none
   bool reportArcProblem(const ResolvedArc& resolved, const BlockWords& words) {
     const int column = words.motionColumn;
@@ -1735,6 +1751,10 @@ class Interpreter {
     }
     if (!arc) {
       m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ArcWithoutCentre, {});
+      m_path.unknownWay(target, details);
+      return;
+    }
+    if (!hasFewChords(arc->sweepRad, base::distance(arc->centreMm, from), words)) {
       m_path.unknownWay(target, details);
       return;
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -21,11 +22,21 @@ namespace rivulet::gcode {
 
 namespace {
 
-/// FNV-1a, 64 bit: tells versions of a program apart; it is no protection against intent.
+/// FNV-1a over words of eight bytes, folded after each: byte by byte it took an eighth of the time
+/// a program takes to load. Tells versions apart; it is no protection against intent.
 std::string hashOf(std::string_view text) {
   std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const char c : text) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
+  const auto mix = [&hash](std::uint64_t word) {
+    hash = (hash ^ word) * 0x100000001B3ULL;
+    hash ^= hash >> 32U;
+  };
+  mix(text.size());
+  while (!text.empty()) {
+    std::uint64_t word = 0;
+    const std::size_t bytes = std::min(text.size(), sizeof word);
+    std::memcpy(&word, text.data(), bytes);
+    mix(word);
+    text.remove_prefix(bytes);
   }
   return fmt::format("{:016x}", hash);
 }

@@ -31,6 +31,9 @@ inline constexpr std::size_t kTrajectoryPointsMax = 32'000'000;
 /// Bytes of a program file: 512 MiB.
 inline constexpr std::uintmax_t kProgramBytesMax = std::uintmax_t{512} * 1024 * 1024;
 
+/// Lines executed again by loops and calls before a program counts as endless.
+inline constexpr std::size_t kRepeatedLinesMax = 5'000'000;
+
 struct LoadOptions {
   double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
   CentreReading centres = CentreReading::AsProgrammed;  ///< what I, J and K of arcs are
@@ -40,6 +43,7 @@ struct LoadOptions {
   /// Names (`acceptableName`) of what Rivulet does not understand and the user knows to be
   /// harmless: the finding becomes a warning, the word is left out.
   std::vector<std::string> accepted;
+  std::size_t repeatedLinesMax = kRepeatedLinesMax;
   /// The text of a subprogram by its name (upper case, no ending), nothing if there is none.
   /// `loadProgram` looks in the folder of the file if this is empty.
   std::function<std::optional<std::string>(std::string_view name)> subprogram;
@@ -62,7 +66,7 @@ struct Statistics {
 struct Program {
   std::string name;  ///< file name without folders
   std::string text;  ///< as read
-  std::string hash;  ///< 16 hex digits (FNV-1a 64) of the text, shown to tell versions apart
+  std::string hash;  ///< 16 hex digits of the text, shown to tell versions apart
   Dialect dialect = Dialect::Iso;
   std::string dialectEvidence;  ///< what decided, "" if nothing did or it was ordered
   Trajectory trajectory;

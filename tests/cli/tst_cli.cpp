@@ -60,7 +60,54 @@ class TestCli : public QObject {
     QCOMPARE(result["motions"]["g0"].get<int>(), 7);
     QCOMPARE(result["motions"]["g1"].get<int>(), 266);
     QCOMPARE(result["streamable"].get<bool>(), true);
+    QCOMPARE(result["dialect"].get<std::string>(), std::string("iso"));
+    QCOMPARE(result["facts"]["n_G1"].get<int>(), 266);
+    QCOMPARE(result["facts"]["bbox_programmed"]["X"][1].get<double>(), 206.12);
+    QCOMPARE(result["facts"]["units"].get<std::string>(), std::string("mm"));
+    QVERIFY(std::abs(result["facts"]["g1_length"].get<double>() - 2450.806) < 1e-3);
     QCOMPARE(run({QStringLiteral("check"), file("bad.nc", "G1 X1 F100\nG87 X2\n")}).exit, 1);
+    QCOMPARE(run({QStringLiteral("check"), file("bad.nc", "G1 X1 F100\nG87 X2\n"),
+                  QStringLiteral("--accept"), QStringLiteral("g87")})
+                 .exit,
+             0);
+  }
+
+  void checksFolders() {
+    const QTemporaryDir folder;
+    const auto put = [&folder](const char* name, const char* text) {
+      QFile out(folder.filePath(QString::fromLatin1(name)));
+      QVERIFY(out.open(QIODevice::WriteOnly));
+      out.write(text);
+    };
+    put("a.nc", "G1 X1 F100\n");
+    put("b.mpf", "TRAORI\nG1 X1 Y2 F100\n");
+    put("readme.md", "no program");
+    const Outcome table = run({QStringLiteral("check"), folder.path()});
+    QCOMPARE(table.exit, 0);
+    QVERIFY(table.output.contains(QStringLiteral("2 of 2 understood")));
+    put("c.tap", "G1 X1 G87\n");
+    const Outcome all = run({QStringLiteral("check"), folder.path(), QStringLiteral("--json")});
+    QCOMPARE(all.exit, 1);
+    const json list = all.parsed();
+    QCOMPARE(list.size(), std::size_t{3});
+    QCOMPARE(list[1]["dialect"].get<std::string>(), std::string("sinumerik"));
+    const QTemporaryDir empty;
+    QCOMPARE(run({QStringLiteral("check"), empty.path()}).exit, 2);
+  }
+
+  void writesPoints() {
+    const QString program = file("p.nc", "G0 X0 Y0 Z0\nG1 X1 F60\nX2\nX3 Y1\n");
+    const Outcome all = run({QStringLiteral("points"), program, QStringLiteral("--csv")});
+    QCOMPARE(all.exit, 0);
+    QCOMPARE(all.output, QString::fromLatin1("line,kind,x_mm,y_mm,z_mm,feed_mm_per_min\n1,rapid,0,0,0,\n"
+                                    "2,line,1,0,0,60\n3,line,2,0,0,60\n4,line,3,1,0,60\n"));
+    const Outcome thinned =
+        run({QStringLiteral("points"), program, QStringLiteral("--thin"), QStringLiteral("0.001")});
+    QCOMPARE(thinned.output.count(QLatin1Char('\n')), 4);
+    QVERIFY(thinned.errors.contains(QStringLiteral("1 points left out")));
+    const Outcome split =
+        run({QStringLiteral("points"), program, QStringLiteral("--split"), QStringLiteral("0.5")});
+    QCOMPARE(split.output.count(QLatin1Char('\n')), 9);
   }
 
   void judges() {
