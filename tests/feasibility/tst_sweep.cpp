@@ -97,7 +97,7 @@ class TestSweep : public QObject {
 
   /// A border is where the verdict changes.
   void bordersAgreeWithTheVerdict() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       for (const SweepAxis axis :
            {SweepAxis::PointDistance, SweepAxis::PointsPerLoop, SweepAxis::Delta}) {
         OperatingPoint point;

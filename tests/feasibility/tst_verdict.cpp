@@ -114,7 +114,7 @@ class TestVerdict : public QObject {
   }
 
   void nothingIsFeasibleWithoutDistance() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       const auto verdict = judge(at(method, 1), only(0.0));
       QVERIFY(!verdict->feasible);
       QCOMPARE(verdict->feedMmPerSMax, 0.0);

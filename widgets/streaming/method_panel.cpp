@@ -71,7 +71,7 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_useFeed(makeTouchButton(this)),
       m_useDelta(makeTouchButton(this)) {
   setMinimumWidth(330);
-  for (const base::MethodKind method : base::kMethodKinds) {
+  for (const base::MethodKind method : base::kPaperMethods) {
     m_method->addItem(QString(), static_cast<int>(method));
   }
   for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
