@@ -43,7 +43,7 @@ enum class SignalStop {
 };
 
 struct TemplateParameters {
-  base::MethodKind method = base::MethodKind::Signal;
+  base::MethodKind method = base::MethodKind::Window;
   int pointsPerLoop = 7;  ///< N; method window: points per window
   int windows = 2;        ///< method window: k, 1 to 8
   int baseCell = 0;       ///< method window: R number of its first cell

@@ -38,6 +38,12 @@ std::vector<TemplateParameters> variants() {
   return all;
 }
 
+TemplateParameters signal() {
+  TemplateParameters parameters;
+  parameters.method = MethodKind::Signal;
+  return parameters;
+}
+
 TemplateParameters window() {
   TemplateParameters parameters;
   parameters.method = MethodKind::Window;
@@ -51,7 +57,7 @@ class TestCells : public QObject {
 
  private Q_SLOTS:
   void paperLayoutIsThatOfThePaper() {
-    const auto cells = templates::planCells({});
+    const auto cells = templates::planCells(signal());
     QVERIFY(cells.has_value());
     QCOMPARE(cells->slotCells(0), (std::vector<int>{11, 12, 13}));
     QCOMPARE(cells->slotCells(1), (std::vector<int>{21, 22, 23}));
@@ -60,7 +66,7 @@ class TestCells : public QObject {
   }
 
   void paperLayoutKeepsThePlaceOfAnAxis() {
-    TemplateParameters parameters;
+    TemplateParameters parameters = signal();
     parameters.axes = {true, false, true};
     const auto cells = templates::planCells(parameters);
     QVERIFY(cells.has_value());
@@ -202,7 +208,7 @@ class TestCells : public QObject {
   }
 
   void refusalSaysWhatToDo() {
-    TemplateParameters parameters;
+    TemplateParameters parameters = signal();
     parameters.pointsPerLoop = 12;
     const auto refused = templates::planCells(parameters);
     QVERIFY(!refused);
@@ -214,7 +220,7 @@ class TestCells : public QObject {
   }
 
   void refusesTooFewPointsAndNoAxis() {
-    TemplateParameters parameters;
+    TemplateParameters parameters = signal();
     for (const int n : {1, 0, -3}) {
       parameters.pointsPerLoop = n;
       const auto refused = templates::planCells(parameters);
@@ -265,14 +271,15 @@ class TestCells : public QObject {
   void layoutNumberIsStable() {
     // A number may change only together with the version of the generator: programs with it are
     // stored on machines.
-    QCOMPARE(templates::layoutNumber({}), kDefaultLayoutNumber);
-    TemplateParameters other;
+    QCOMPARE(templates::layoutNumber(signal()), kDefaultLayoutNumber);
+    TemplateParameters other = signal();
     other.rParameterCount = 500;
     QCOMPARE(templates::layoutNumber(other), kDefaultLayoutNumber);
     other.method = MethodKind::Position;
     const int position = templates::layoutNumber(other);
     other.signalStop = SignalStop::OncePerLoop;  // without meaning for method position
     QCOMPARE(templates::layoutNumber(other), position);
+    QCOMPARE(templates::layoutNumber({}), kWindowLayoutNumber);
   }
 
   void layoutNames() {
@@ -283,6 +290,7 @@ class TestCells : public QObject {
   }
 
  private:
+  static constexpr int kWindowLayoutNumber = 179345;
   static constexpr int kDefaultLayoutNumber = 149451;
 };
 

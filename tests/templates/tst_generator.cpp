@@ -212,7 +212,7 @@ class TestGenerator : public QObject {
   }
 
   void fileNames() {
-    QCOMPARE(templates::templateFileName({}), std::string("RIVULET_SIGNAL_7.MPF"));
+    QCOMPARE(templates::templateFileName({}), std::string("RIVULET_WINDOW_7X2.MPF"));
     QCOMPARE(templates::templateFileName(make(MethodKind::Position, 12)),
              std::string("RIVULET_POSITION_12.MPF"));
     std::set<std::string> names;
@@ -247,8 +247,8 @@ class TestGenerator : public QObject {
         }
       }
     }
-    QCOMPARE(templates::templateFileName(make(MethodKind::Window, 7)),
-             std::string("RIVULET_WINDOW_7X2.MPF"));
+    QCOMPARE(templates::templateFileName(make(MethodKind::Signal, 7)),
+             std::string("RIVULET_SIGNAL_7.MPF"));
     QCOMPARE(names.size(), count);
   }
 };

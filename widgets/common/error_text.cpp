@@ -68,6 +68,8 @@ struct ErrorTexts {
             "contiguous layout, or enlarge MD28050.");
       case TemplateError::NoAxis:
         return tr("No axis is chosen. Choose at least one axis.");
+      case TemplateError::BadCells:
+        return tr("The cells of method window are out of range. See base, stride and windows.");
       case TemplateError::FileNotWritable:
         return tr("The file cannot be written. Choose another folder.");
     }
