@@ -157,6 +157,7 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   streaming::Checkpoint checkpoint;
   checkpoint.runNumber = static_cast<int>(*run);
   checkpoint.firstPoint = static_cast<std::size_t>(*first);
+  checkpoint.granted = json.value(nlohmann::json::json_pointer("/checkpoint/granted"), true);
   checkpoint.startMm = {*start[0], *start[1], *start[2]};
   return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
 }

@@ -113,6 +113,7 @@ ordered_json runJson(const streaming::RunReport& report) {
     json["checkpoint"] = {
         {"run_number", checkpoint.runNumber},
         {"first_point", checkpoint.firstPoint},
+        {"granted", checkpoint.granted},
         {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}}};
   }
   if (report.stopConfirmedAfter) {

@@ -60,8 +60,8 @@ StreamEnd Driver::run() {
     }
     const Instant now = m_link.now();
     Instant until = now + kOrderInterval;
-    if (!m_methodPending && !m_monitorPending) {
-      until = std::min(until, std::max(now, m_nextStatus));
+    if (!m_methodPending && !m_monitorPending && m_nextStatus > now) {
+      until = std::min(until, m_nextStatus);
     }
     if (const std::optional<opcua::Event> event = m_link.wait(until)) {
       handle(*event);

@@ -125,7 +125,7 @@ class Job {
   /// nanoseconds, and no two clients were switched on in the same one.
   [[nodiscard]] int makeRunNumber() const {
     constexpr std::uint64_t kNumbers = 999'983;
-    std::uint64_t mixed = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count());
+    std::uint64_t mixed = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count()) + 1;
     for (const char letter : m_program.hash) {
       mixed = mixed * 1'099'511'628'211ULL + static_cast<unsigned char>(letter);
     }
@@ -146,6 +146,10 @@ class Job {
     }
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
+    if (isWindow()) {
+      const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm});
+      m_report.checkpoint = Checkpoint{m_settings.runNumber, from.point, from.startMm, false};
+    }
     startRecording();
     return {};
   }
@@ -274,13 +278,11 @@ class Job {
     const std::unique_ptr<Method> method = makeMethod(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
                   {opcua::rParameter(m_cells.stop), isWindow() ? 2.0 : 1.0});
-    if (isWindow()) {
-      const std::size_t first = m_settings.resume ? m_settings.resume->point : 0;
-      const base::Vec3 startMm = m_settings.resume ? m_settings.resume->startMm : m_flight.toolMm;
-      m_report.checkpoint = Checkpoint{m_settings.runNumber, first, startMm};
-    }
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();
+    if (m_report.checkpoint) {
+      m_report.checkpoint->granted = method->progress().granted;
+    }
     m_report.counters = driver.counters();
     m_report.pauses = driver.pauses();
     m_report.duration = m_link.now() - from;

@@ -45,6 +45,7 @@ struct Progress {
   base::Instant nextEarliest{};   ///< the next access is not needed before
   base::Instant nextLatest{};     ///< progress after this means something is slower than planned
   bool allSent = false;           ///< every point is on the control
+  bool granted = false;           ///< method window: the control obeys this run
   bool stopWritten = false;       ///< the program on the control has been told to end
 };
 

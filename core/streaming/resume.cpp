@@ -33,6 +33,10 @@ constexpr double kReachedMm = 1e-3;
 /// Two places of the path this much farther apart along it are two passes, not one.
 constexpr double kPassMm = 0.5;
 
+constexpr const char* kMoved =
+    "The tool does not stand where the run was left. Bring it back to the last point that was "
+    "executed, or start from the beginning.";
+
 Result<std::vector<double>> numbersOf(opcua::Link& link, std::span<const Variable> variables,
                                       Duration deadline) {
   const auto readings = readNow(link, variables, deadline);
@@ -157,21 +161,31 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   const double latched = (*numbers)[1];
   const double executed = (*numbers)[2];
   const bool isOurs = (*numbers)[0] == static_cast<double>(last.runNumber);
+  const auto tool = [&] { return Vec3{(*numbers)[3], (*numbers)[4], (*numbers)[5]}; };
+  if (!isOurs && !last.granted) {
+    // It never came to be obeyed: nothing has moved for it.
+    if (last.firstPoint >= total ||
+        (last.firstPoint > 0 &&
+         base::distance(points[last.firstPoint - 1].positionMm, tool()) > kBesideMm)) {
+      return base::fail(StreamError::CannotResume, kMoved);
+    }
+    return Resume{last.firstPoint, last.startMm};
+  }
   if (!isOurs || !(executed >= 0.0) || !(latched == executed || latched == executed + 1.0) ||
       latched > static_cast<double>(total)) {
     return base::fail(StreamError::CannotResume,
                       "The control has run something else since: where this run was left is not "
-                      "known. Start from the beginning, or name the point.");
+                      "known. Start from the beginning.");
   }
   const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
   const auto pointOf = [&](double windows) {
     return std::min(last.firstPoint + static_cast<std::size_t>(windows) * perWindow, total);
   };
   std::size_t next = pointOf(executed);
+  const Vec3 toolMm = tool();
   if (latched > executed) {
     // Reset in the middle of a window: the tool stands on its way, or at its end.
     const std::size_t end = pointOf(latched);
-    const Vec3 toolMm{(*numbers)[3], (*numbers)[4], (*numbers)[5]};
     std::vector<Vec3> path{next > 0 ? points[next - 1].positionMm : last.startMm};
     for (std::size_t i = next; i < end; ++i) {
       path.push_back(points[i].positionMm);
@@ -181,9 +195,13 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     if (!ahead) {
       return base::fail(StreamError::CannotResume,
                         "The tool does not stand on the path of the window that was broken off, "
-                        "or the path passes there twice. Name the point to go on with.");
+                        "or the path passes there twice. Start from the beginning.");
     }
     next += *ahead - 1;
+  } else if (base::distance(next > 0 ? points[next - 1].positionMm : last.startMm, toolMm) >
+             kBesideMm) {
+    // Cells can be written by others; where the tool stands cannot.
+    return base::fail(StreamError::CannotResume, kMoved);
   }
   if (next >= total) {
     return base::fail(StreamError::CannotResume, "Every point has been executed already.",

@@ -64,6 +64,7 @@ struct Checkpoint {
   int runNumber = 0;           ///< what the control was asked to obey
   std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
   base::Vec3 startMm;          ///< where the tool stood before the first run
+  bool granted = false;        ///< the control is known to have obeyed this run
 };
 
 struct RunSettings {
@@ -126,8 +127,8 @@ struct RunReport {
   base::Duration duration{};  ///< first motion to end of program
   AccessStatistics access;
   std::optional<base::Duration> stopConfirmedAfter;
-  /// Method window, once the stream has begun. `counters` and `integrity` of a run that was
-  /// resumed speak of the points from `firstPoint` on.
+  /// Method window, from the moment the control was changed for it. `counters` and `integrity` of a
+  /// run that was resumed speak of the points from `firstPoint` on.
   std::optional<Checkpoint> checkpoint;
   std::string programName;
   RunSettings settings;

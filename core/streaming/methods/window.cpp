@@ -167,6 +167,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       const double owner = answer.readings[0].number;
       m_owned = owner == static_cast<double>(m_plan.settings().runNumber);
       if (m_owned) {
+        m_progress.granted = true;
         m_progress.lastProgress = now;
         m_progress.nextLatest = now + kOurTurn;
       } else if (owner != 0.0) {
@@ -249,6 +250,7 @@ void WindowMethod::look(const Answer& answer, Instant now) {
   if (answer.readings[3].number != static_cast<double>(templates::WindowState::Runs)) {
     // The driver sees that the channel is in reset; nothing more is to be written.
     m_trouble = Trouble::Ended;
+    m_progress.nextEarliest = now + kOurTurn;
     return;
   }
   // An earlier write that was late may have put back our number or our stop.
