@@ -115,7 +115,8 @@ class Exposure {
   /// then the axes stand, and the channel comes to reset by itself.
   void leaveAlone(const RunReport& report) {
     m_intrusionAt.reset();
-    if (!m_isWindow) {
+    if (!m_isWindow ||
+        (m_scenario.hurries && report.error.code == opcua::LinkError::ConnectionLost)) {
       return;
     }
     const bool stopped = report.outcome == Outcome::Stopped && report.stopConfirmedAfter;
@@ -176,6 +177,8 @@ class Exposure {
       if (resume.error().code == StreamError::CannotResume) {
         return false;
       }
+      // A program that nobody feeds ends by itself: in a while.
+      m_link.wait(m_machine.now() + std::chrono::seconds{5});
     }
     return false;
   }
@@ -186,12 +189,16 @@ class Exposure {
     segment.endMm = m_machine.state().commandMm;
     segment.wasReset = m_wasReset;
     m_wasReset = false;
+    m_delivered = 0;
     m_evidence.segments.push_back(std::move(segment));
   }
 
   /// A window's cells must not be written between its number and the control's copy.
-  void seeWrite(int cell, double, bool stray) {
+  void seeWrite(int cell, double value, bool stray) {
     m_evidence.strayWrites += stray ? 1 : 0;
+    if (m_isWindow && !stray && cell == m_cells.delivered) {
+      m_delivered = static_cast<long long>(value);
+    }
     if (!m_isWindow || stray || cell < m_cells.windowCount(0)) {
       return;
     }
@@ -200,8 +207,7 @@ class Exposure {
     }
     const int window = (cell - m_cells.windowCount(0)) / m_cells.windowStride;
     const auto latched = static_cast<long long>(m_machine.ncRParameter(m_cells.latched));
-    const auto delivered = static_cast<long long>(m_machine.rParameter(m_cells.delivered));
-    for (long long number = latched + 1; number <= std::min(delivered, latched + 64); ++number) {
+    for (long long number = latched + 1; number <= m_delivered; ++number) {
       if ((number - 1) % m_cells.windows == window) {
         m_evidence.violations.push_back(
             fmt::format("R{} written while window {} waits to be taken", cell, number));
@@ -273,6 +279,7 @@ class Exposure {
   templates::CellMap m_cells;
   bool m_isWindow;
   bool m_wasReset = false;
+  long long m_delivered = 0;  ///< windows, as the client of this connection has said
   Instant m_startedAt{};
   std::optional<Instant> m_resetAt;
   std::optional<Instant> m_intrusionAt;
@@ -321,7 +328,7 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   faults.lostAnswerProbability = often(3, 0.03);
   faults.stallProbability = often(3, 0.02);
   faults.stallMax = base::fromSeconds(10.0 * random.uniform());
-  faults.disconnectProbability = often(3, 0.01);
+  faults.disconnectProbability = often(3, 0.02);
   faults.strayMax = random.below(3) == 0 ? Duration{} : base::fromSeconds(20.0 * random.uniform());
   if (random.below(4) == 0) {
     drawn.stopAfter = sometime();
@@ -338,6 +345,7 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   }
   drawn.wrongProgram = random.below(25) == 0;
   drawn.resumes = random.below(5) != 0;
+  drawn.hurries = random.below(2) == 0;
   return drawn;
 }
 

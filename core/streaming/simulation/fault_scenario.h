@@ -29,6 +29,8 @@ struct FaultScenario {
   std::optional<base::Duration> intruderAfter;  ///< from then on someone else writes now and then
   bool wrongProgram = false;  ///< the control runs another template than the one transferred
   bool resumes = true;        ///< an operator takes the run up again
+  /// … the moment the connection is lost, while requests of the old one are still on their way.
+  bool hurries = false;
 };
 
 /// One start of the program on the control, up to the next or to the end.
