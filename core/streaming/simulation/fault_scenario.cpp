@@ -22,9 +22,9 @@ using base::Instant;
 using base::MethodKind;
 using base::Random;
 
-constexpr int kAttemptsMax = 400;
-/// The program gives up 1000 passes after the client's last sign of life.
-constexpr Duration kAloneMax = std::chrono::minutes{4};
+constexpr int kAttemptsMax = 2000;
+/// Some windows at a slow feed, then the 1000 passes after which the program gives the client up.
+constexpr Duration kAloneMax = std::chrono::minutes{30};
 /// Long enough to see whether something moves that must not.
 constexpr Duration kWatched = std::chrono::seconds{30};
 constexpr double kStillMm = 1e-9;
