@@ -278,6 +278,30 @@
         <source>The program on the control ended before all points were sent.</source>
         <translation>Das Programm auf der Steuerung endete, bevor alle Punkte gesendet waren.</translation>
     </message>
+    <message>
+        <source>The cells of method window are out of range. See base, stride and windows.</source>
+        <translation>Die Zellen der Methode Fenster liegen außerhalb des Bereichs. Siehe Anfang, Schrittweite und Fensterzahl.</translation>
+    </message>
+    <message>
+        <source>Another client uses the program on the control. Nothing more is written: let it finish, or reset the control.</source>
+        <translation>Ein anderer Client benutzt das Programm auf der Steuerung. Es wird nichts mehr geschrieben: Lassen Sie ihn fertig werden, oder setzen Sie die Steuerung zurück.</translation>
+    </message>
+    <message>
+        <source>The program on the control was started anew in the middle of the run. Reset the control, then resume.</source>
+        <translation>Das Programm auf der Steuerung wurde mitten im Lauf neu gestartet. Setzen Sie die Steuerung zurück, dann den Lauf fort.</translation>
+    </message>
+    <message>
+        <source>The control refused a window that did not fit its check number and did not execute it. Something else writes these R-parameters: find it, then resume.</source>
+        <translation>Die Steuerung hat ein Fenster abgelehnt, das nicht zu seiner Prüfzahl passte, und es nicht ausgeführt. Etwas anderes schreibt diese R-Parameter: Finden Sie es, dann setzen Sie den Lauf fort.</translation>
+    </message>
+    <message>
+        <source>The control ended its program because nothing came from here for too long. Check the network, then resume.</source>
+        <translation>Die Steuerung hat ihr Programm beendet, weil von hier zu lange nichts kam. Prüfen Sie das Netzwerk, dann setzen Sie den Lauf fort.</translation>
+    </message>
+    <message>
+        <source>Where the run was left is not known for certain. Start from the beginning.</source>
+        <translation>Wo der Lauf verlassen wurde, ist nicht sicher bekannt. Beginnen Sie von vorn.</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -334,6 +358,10 @@
     <message>
         <source>Aborted</source>
         <translation>Abbruch</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Halten</translation>
     </message>
 </context>
 <context>
@@ -578,6 +606,50 @@ GPL-3.0-or-later</translation>
         <source>Feed (mm/min)</source>
         <translation>Vorschub (mm/min)</translation>
     </message>
+    <message>
+        <source>Window %1: points</source>
+        <translation>Fenster %1: Punkte</translation>
+    </message>
+    <message>
+        <source>Window %1: feed (mm/min)</source>
+        <translation>Fenster %1: Vorschub (mm/min)</translation>
+    </message>
+    <message>
+        <source>Window %1: check number</source>
+        <translation>Fenster %1: Prüfzahl</translation>
+    </message>
+    <message>
+        <source>Window %1 point %2: %3</source>
+        <translation>Fenster %1 Punkt %2: %3</translation>
+    </message>
+    <message>
+        <source>Windows delivered</source>
+        <translation>Gelieferte Fenster</translation>
+    </message>
+    <message>
+        <source>Windows taken</source>
+        <translation>Übernommene Fenster</translation>
+    </message>
+    <message>
+        <source>Windows executed</source>
+        <translation>Ausgeführte Fenster</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Number of the run</source>
+        <translation>Nummer des Laufs</translation>
+    </message>
+    <message>
+        <source>Run obeyed</source>
+        <translation>Befolgter Lauf</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Lebenszeichen</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ConnectionPanel</name>
@@ -760,10 +832,6 @@ GPL-3.0-or-later</translation>
         <translation>Den Ring ziehen, um δ und den Vorschub zu ändern.</translation>
     </message>
     <message>
-        <source>Method signal does not use δ: the borders do not depend on it.</source>
-        <translation>Das Verfahren Signal benutzt δ nicht: Die Grenzen hängen nicht davon ab.</translation>
-    </message>
-    <message>
         <source>Operating point</source>
         <translation>Arbeitspunkt</translation>
     </message>
@@ -834,6 +902,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Model: 0.1 % to 50 % fail</source>
         <translation>Modell: 0,1 % bis 50 % misslingen</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: the borders do not depend on it.</source>
+        <translation>Diese Methode benutzt δ nicht: Die Grenzen hängen nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>Without waiting</source>
+        <translation>Ohne Warten</translation>
+    </message>
+    <message>
+        <source>reach: the client keeps up</source>
+        <translation>Reichweite: Der Client kommt mit</translation>
     </message>
 </context>
 <context>
@@ -924,10 +1004,6 @@ GPL-3.0-or-later</translation>
         <translation>Abstand vom Werkzeug, ab dem ein Punkt als erreicht gilt</translation>
     </message>
     <message>
-        <source>Method signal does not use δ: it watches a cell, not the tool</source>
-        <translation>Das Verfahren Signal benutzt δ nicht: Es beobachtet eine Zelle, nicht das Werkzeug</translation>
-    </message>
-    <message>
         <source>Equation (1): the tool must not pass a point between two polls.</source>
         <translation>Gleichung (1): Das Werkzeug darf zwischen zwei Abfragen keinen Punkt überfahren.</translation>
     </message>
@@ -1000,16 +1076,52 @@ GPL-3.0-or-later</translation>
         <translation>Signal</translation>
     </message>
     <message>
-        <source>Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced.</source>
-        <translation>Position: Der Client beobachtet das Werkzeug und ersetzt überfahrene Punkte. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf.</translation>
-    </message>
-    <message>
         <source>Paper (R11, R21 …)</source>
         <translation>Artikel (R11, R21 …)</translation>
     </message>
     <message>
         <source>Contiguous (R10 …)</source>
         <translation>Dicht (R10 …)</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced.</source>
+        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf.</translation>
+    </message>
+    <message>
+        <source>N (points per window)</source>
+        <translation>N (Punkte je Fenster)</translation>
+    </message>
+    <message>
+        <source>Method window has a layout of its own</source>
+        <translation>Die Methode Fenster hat eine eigene Belegung</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches a cell, not the tool</source>
+        <translation>Diese Methode benutzt δ nicht: Sie beobachtet eine Zelle, nicht das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Reach: the next window must be written while the tool works off another.</source>
+        <translation>Reichweite: Das nächste Fenster muss geschrieben sein, während das Werkzeug ein anderes abarbeitet.</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Größter Vorschub ohne Warten</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting</source>
+        <translation>Sicher, mit Warten</translation>
+    </message>
+    <message>
+        <source>The machine will wait for points: %1</source>
+        <translation>Die Maschine wird auf Punkte warten: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (waits below 1)</source>
+        <translation>%1 × (wartet unter 1)</translation>
     </message>
 </context>
 <context>
@@ -1187,6 +1299,10 @@ GPL-3.0-or-later</translation>
         <source>δ, mm</source>
         <translation>δ, mm</translation>
     </message>
+    <message>
+        <source>reach</source>
+        <translation>Reichweite</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ReportPanel</name>
@@ -1325,6 +1441,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Feed</source>
         <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
     </message>
 </context>
 <context>

@@ -84,6 +84,7 @@ struct StreamOptions {
   std::uint64_t seed = 1;
   std::string record;
   double stopAfterS = 0.0;  ///< 0: not
+  std::string resume;       ///< report of an earlier run; empty: from the beginning
   bool single = false;
   bool noMonitor = false;
   bool acceptInfeasible = false;

@@ -34,6 +34,8 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.method = base::methodFromName(method).value_or(parameters.method);
   parameters.layout = templates::layoutFromName(layout).value_or(parameters.layout);
   parameters.pointsPerLoop = pointsPerLoop;
+  parameters.windows = windows;
+  parameters.baseCell = baseCell;
   return parameters;
 }
 

@@ -30,8 +30,10 @@ Exit reportError(const base::Error& error, bool asJson);
 
 /// Options that describe an operating point, as several commands take them.
 struct OperatingOptions {
-  std::string method = "signal";
-  int pointsPerLoop = 7;
+  std::string method = "window";
+  int pointsPerLoop = 7;  ///< method window: per window
+  int windows = 2;
+  int baseCell = 0;
   double deltaMm = 0.3;
   double feedMmPerMin = 0.0;
   std::string layout = "paper";

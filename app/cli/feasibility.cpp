@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/units.h"
 #include "cli/commands.h"
 #include "gcode/program.h"
@@ -18,7 +20,9 @@ namespace {
 constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
 
 void print(const feasibility::Verdict& verdict) {
-  fmt::print("{}\n", verdict.feasible ? "feasible" : "NOT feasible");
+  fmt::print("{}\n", !verdict.feasible ? "NOT feasible"
+                     : verdict.waits   ? "feasible, but the machine will wait for the client"
+                                       : "feasible");
   for (const feasibility::Condition& condition : verdict.conditions) {
     fmt::print("  {:<18} margin {:.3f}  {}{}", feasibility::equationLabel(condition.equation),
                condition.margin, condition.margin > 1.0 ? "holds" : "does not hold",
@@ -29,8 +33,9 @@ void print(const feasibility::Verdict& verdict) {
     }
     fmt::print("\n");
   }
-  fmt::print("  limiting: {}; largest feed {:.0f} mm/min\n",
-             feasibility::equationLabel(verdict.limiting.equation),
+  const bool reach = verdict.limiting.equation == feasibility::Equation::Reach;
+  fmt::print("  limiting: {}; largest feed{} {:.0f} mm/min\n",
+             feasibility::equationLabel(verdict.limiting.equation), reach ? " without waiting" : "",
              base::mmPerMinFromMmPerS(verdict.feedMmPerSMax));
 }
 
@@ -56,6 +61,7 @@ Exit feasibility(const FeasibilityOptions& options) {
   safety.delta = options.deltaSafety;
 
   feasibility::ProgramDistances distances;
+  std::optional<std::size_t> pauses;
   nlohmann::ordered_json json;
   if (!options.program.empty()) {
     auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
@@ -74,6 +80,11 @@ Exit feasibility(const FeasibilityOptions& options) {
     json["program"] = program->name;
     json["points"] = list.points.size();
     json["distances"] = report::distancesJson(distances);
+    if (point.method == base::MethodKind::Window) {
+      const auto perWindow = static_cast<std::size_t>(std::max(point.pointsPerLoop, 1));
+      pauses = (list.points.size() - 1) / perWindow;
+      json["planned_pauses"] = *pauses;
+    }
   } else {
     distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
     json["d_min_mm"] = distances.pointDistanceMmMin;
@@ -100,6 +111,9 @@ Exit feasibility(const FeasibilityOptions& options) {
           distances.windowPlace.lastLine.value);
     }
     print(*verdict);
+    if (pauses) {
+      fmt::print("  {} planned pauses, one between windows\n", *pauses);
+    }
   }
   return verdict->feasible ? Exit::Done : Exit::Wrong;
 }

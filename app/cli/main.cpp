@@ -29,9 +29,11 @@ CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
 
 void addPoint(CLI::App* command, OperatingOptions& point) {
   command->add_option("--method", point.method, "Streaming method")
-      ->check(CLI::IsMember({"position", "signal"}))
+      ->check(CLI::IsMember({"window", "position", "signal"}))
       ->capture_default_str();
-  command->add_option("--points", point.pointsPerLoop, "Points per loop N")->capture_default_str();
+  command
+      ->add_option("--points", point.pointsPerLoop, "Points per loop N; method window: per window")
+      ->capture_default_str();
 }
 
 void addDelta(CLI::App* command, OperatingOptions& point) {
@@ -41,8 +43,13 @@ void addDelta(CLI::App* command, OperatingOptions& point) {
 }
 
 void addLayout(CLI::App* command, OperatingOptions& point) {
-  command->add_option("--layout", point.layout, "How slots lie in the R-parameters")
+  command
+      ->add_option("--layout", point.layout,
+                   "How slots lie in the R-parameters (methods position and signal)")
       ->check(CLI::IsMember({"paper", "contiguous"}))
+      ->capture_default_str();
+  command->add_option("--windows", point.windows, "Windows (method window)")->capture_default_str();
+  command->add_option("--base-cell", point.baseCell, "First R-parameter (method window)")
       ->capture_default_str();
 }
 
@@ -172,6 +179,8 @@ int main(int argc, char** argv) {
   streamCommand->add_option("--record", stream.record, "File for the recording of the run");
   streamCommand->add_option("--stop-after", stream.stopAfterS, "Order a stop after so many seconds")
       ->check(kPositive);
+  streamCommand->add_option("--resume", stream.resume,
+                            "Take up again the run of this JSON report (method window)");
   streamCommand->add_flag("--single", stream.single, "One service call per variable");
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
   streamCommand->add_flag("--accept-infeasible", stream.acceptInfeasible,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <ctime>
 #include <memory>
@@ -14,6 +15,8 @@
 #include "gcode/program.h"
 #include "report/report_json.h"
 #include "streaming/job.h"
+#include "streaming/resume.h"
+#include "trace/file.h"
 #include "trace/recording.h"
 
 namespace rivulet::cli {
@@ -116,6 +119,49 @@ std::optional<base::Error> objection(const StreamOptions& options, const Connect
                   base::mmPerMinFromMmPerS(verdict->feedMmPerSMax)));
 }
 
+/// Where the run of a report of `stream --json` goes on: the control is asked.
+base::Result<streaming::Resume> resumeOf(const std::string& path, const Connection& connection,
+                                         const gcode::Program& program,
+                                         const streaming::RunSettings& settings) {
+  const base::Result<std::string> text = trace::readFile(path);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  const auto number = [&json](const char* pointer) {
+    const nlohmann::json::json_pointer at(pointer);
+    return json.is_object() && json.contains(at) && json.at(at).is_number()
+               ? std::optional(json.at(at).get<double>())
+               : std::nullopt;
+  };
+  const auto run = number("/checkpoint/run_number");
+  const auto first = number("/checkpoint/first_point");
+  const auto points = number("/settings/points_per_loop");
+  const auto windows = number("/settings/windows");
+  const auto base = number("/settings/base_cell");
+  const std::array<std::optional<double>, 3> start{number("/checkpoint/start_mm/0"),
+                                                   number("/checkpoint/start_mm/1"),
+                                                   number("/checkpoint/start_mm/2")};
+  if (!run || !first || *first < 0.0 || !points || !windows || !base || !start[0] || !start[1] ||
+      !start[2]) {
+    return base::fail(streaming::StreamError::CannotResume,
+                      "This is no report of a run of method window. Give the output of stream "
+                      "--json of the run to be resumed.",
+                      path);
+  }
+  streaming::RunSettings earlier = settings;
+  earlier.parameters.method = base::MethodKind::Window;
+  earlier.parameters.pointsPerLoop = static_cast<int>(*points);
+  earlier.parameters.windows = static_cast<int>(*windows);
+  earlier.parameters.baseCell = static_cast<int>(*base);
+  streaming::Checkpoint checkpoint;
+  checkpoint.runNumber = static_cast<int>(*run);
+  checkpoint.firstPoint = static_cast<std::size_t>(*first);
+  checkpoint.granted = json.value(nlohmann::json::json_pointer("/checkpoint/granted"), true);
+  checkpoint.startMm = {*start[0], *start[1], *start[2]};
+  return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
+}
+
 void print(const streaming::RunReport& report, bool feasible) {
   fmt::print("{}: {} of {} points executed", streaming::outcomeName(report.outcome),
              report.counters.executed, report.counters.total);
@@ -180,6 +226,14 @@ Exit stream(const StreamOptions& options) {
   bool feasible = false;
   if (const auto error = objection(options, *connection, *program, settings, feasible)) {
     return reportError(*error, options.json);
+  }
+
+  if (!options.resume.empty()) {
+    const auto resume = resumeOf(options.resume, *connection, *program, settings);
+    if (!resume) {
+      return reportError(resume.error(), options.json);
+    }
+    settings.resume = *resume;
   }
 
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(nullptr, std::fclose);

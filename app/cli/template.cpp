@@ -23,17 +23,34 @@ Exit makeTemplate(const TemplateOptions& options) {
     }
   }
   if (options.json) {
-    printJson({{"name", templates::templateFileName(parameters)},
-               {"layout_number", templates::layoutNumber(parameters)},
-               {"r_parameters", cells->last() + 1},
-               {"cells",
-                {{"signal", cells->signal},
+    nlohmann::ordered_json numbers;
+    if (parameters.method == base::MethodKind::Window) {
+      numbers = {{"run", cells->run},
+                 {"delivered", cells->delivered},
+                 {"latched", cells->latched},
+                 {"executed", cells->executed},
+                 {"layout", cells->layout},
+                 {"state", cells->state},
+                 {"client", cells->client},
+                 {"owner", cells->owner},
+                 {"heartbeat", cells->heartbeat},
+                 {"first_window", cells->windowCount(0)},
+                 {"window_stride", cells->windowStride},
+                 {"windows", cells->windows},
+                 {"slot_stride", cells->slotStride}};
+    } else {
+      numbers = {{"signal", cells->signal},
                  {"run", cells->run},
                  {"stop", cells->stop},
                  {"feed", cells->feed},
                  {"layout", cells->layout},
                  {"first_slot", cells->firstSlot},
-                 {"slot_stride", cells->slotStride}}},
+                 {"slot_stride", cells->slotStride}};
+    }
+    printJson({{"name", templates::templateFileName(parameters)},
+               {"layout_number", templates::layoutNumber(parameters)},
+               {"r_parameters", cells->last() + 1},
+               {"cells", numbers},
                {"file", options.output},
                {"text", *text}});
   } else if (options.output.empty()) {

@@ -71,6 +71,8 @@ ordered_json faultsJson(const std::vector<trace::IntegrityFault>& faults, base::
 ordered_json settingsJson(const streaming::RunSettings& settings) {
   return {{"method", base::methodName(settings.parameters.method)},
           {"points_per_loop", settings.parameters.pointsPerLoop},
+          {"windows", settings.parameters.windows},
+          {"base_cell", settings.parameters.baseCell},
           {"layout", templates::layoutName(settings.parameters.layout)},
           {"delta_mm", settings.deltaMm},
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
@@ -107,6 +109,14 @@ ordered_json runJson(const streaming::RunReport& report) {
   if (!report.integrity.faults.empty()) {
     json["faults"] = faultsJson(report.integrity.faults, origin);
   }
+  if (report.checkpoint) {
+    const streaming::Checkpoint& checkpoint = *report.checkpoint;
+    json["checkpoint"] = {
+        {"run_number", checkpoint.runNumber},
+        {"first_point", checkpoint.firstPoint},
+        {"granted", checkpoint.granted},
+        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}}};
+  }
   if (report.stopConfirmedAfter) {
     json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);
   }
@@ -132,6 +142,7 @@ ordered_json verdictJson(const feasibility::Verdict& verdict) {
     conditions.push_back(condition(item));
   }
   return {{"feasible", verdict.feasible},
+          {"waits", verdict.waits},
           {"limiting", condition(verdict.limiting)},
           {"feed_mm_per_min_max", base::mmPerMinFromMmPerS(verdict.feedMmPerSMax)},
           {"delta_mm_min", verdict.deltaMmMin},

@@ -14,13 +14,26 @@ namespace rivulet::base {
 enum class MethodKind {
   Position,  ///< method 1 of [P1], Algorithm II: polls the position
   Signal,    ///< method 2 of [P1], Algorithm III: polls a signal cell
+  Window,    ///< numbered windows: the control takes none that has not been delivered
 };
 
-inline constexpr std::array<MethodKind, 2> kMethodKinds{MethodKind::Position, MethodKind::Signal};
+/// In the order they are offered.
+inline constexpr std::array<MethodKind, 3> kMethodKinds{MethodKind::Window, MethodKind::Position,
+                                                        MethodKind::Signal};
+/// Those of [P1], kept as published.
+inline constexpr std::array<MethodKind, 2> kPaperMethods{MethodKind::Position, MethodKind::Signal};
 
 /// The name used in files, on the command line and in templates.
 [[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
-  return method == MethodKind::Position ? "position" : "signal";
+  switch (method) {
+    case MethodKind::Position:
+      return "position";
+    case MethodKind::Signal:
+      return "signal";
+    case MethodKind::Window:
+      break;
+  }
+  return "window";
 }
 
 /// Inverse of `methodName`; nothing for an unknown name.

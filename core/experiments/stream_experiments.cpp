@@ -160,7 +160,7 @@ Result<Experiment> runFigure3(const ExperimentOptions& options) {
               {"method", "runs right", "mean (ms)", "deviation (ms)", "shortest (ms)",
                "longest (ms)", "per loop"},
               {}};
-  for (const MethodKind method : base::kMethodKinds) {
+  for (const MethodKind method : base::kPaperMethods) {
     const bool position = method == MethodKind::Position;
     std::vector<RunReport> reports(seeds);
     Meter meter(options, 2 * seeds);

@@ -59,4 +59,11 @@ double realWindowMargin(double feedMmPerS, base::Duration accessTime, int points
                   safetyFactor);
 }
 
+double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,
+                   double windowLengthMmMin, double safetyFactor) {
+  RIVULET_ASSERT(pointsPerWindow >= 1);
+  const double nodes = kWriteNodesPerPoint * pointsPerWindow + kWindowNodes;
+  return marginOf(windowLengthMmMin, feedMmPerS, base::toSeconds(accessTime) * nodes, safetyFactor);
+}
+
 }  // namespace rivulet::feasibility

@@ -45,4 +45,13 @@ struct PollTime {
                                       int pointsPerLoop, double windowLengthMmMin,
                                       double safetyFactor);
 
+/// Method window: margin of F·t·(3M+5) < length of a window of M points. Of the 3M+5 accesses 3M+3
+/// carry the window with its count, feed and check number, one its number, one reads whether the
+/// control has taken the one before. Below 1 the machine waits; it never repeats. The stand-still
+/// is not counted: conservative.
+/// @param pointsPerWindow  M >= 1 @param windowLengthMmMin  of M consecutive steps, mm
+/// @threadsafety pure.
+[[nodiscard]] double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,
+                                 double windowLengthMmMin, double safetyFactor);
+
 }  // namespace rivulet::feasibility

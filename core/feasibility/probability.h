@@ -23,6 +23,7 @@
 /// - Requests for the display are left out: they are made only where the client has slack.
 /// - A run that has missed one deadline has failed; what comes after it is not followed.
 /// - Method signal: a STOPRE at each signal (`SignalStop::EachSignal`).
+/// - Method window cannot fail: mean times tell how long it takes and how long the machine waits.
 ///
 /// Error found against simulation on the preset dmu75 (tests/simulation/tst_probability): see the
 /// three constants below. Where the probability rises from 0 to 1 the model tends to the low side.
@@ -47,6 +48,8 @@ inline constexpr double kProbabilityError = 0.1;
 inline constexpr double kFeedErrorFactor = 1.15;
 /// Relative error of the duration of a run that does not fail.
 inline constexpr double kDurationError = 0.03;
+/// The same for method window, where the machine waits for the client.
+inline constexpr double kWaitingDurationError = 0.08;
 
 /// What one access costs. The time of a node is normal, but never below its least.
 struct AccessTimes {
@@ -109,13 +112,14 @@ struct Prediction {
   double failureProbability = 0.0;  ///< of the whole program: at least one deadline is missed
   base::Duration duration{};        ///< expected, first motion to end: motion and stand-stills
   base::Duration standing{};        ///< of which the axes stand
+  base::Duration waiting{};         ///< of which only because the client is late (method window)
   std::size_t stops = 0;            ///< stand-stills within the run
   base::PointIndex weakest;  ///< first point of the window or the point that fails most often
   double weakestProbability = 0.0;  ///< that it is the one that fails
 };
 
 /// @param points  at least 1, as they are streamed
-/// @param operatingPoint  N >= 2 (signal) or 1 (position), δ > 0 (position), feed > 0
+/// @param operatingPoint  N >= 2 (signal) or 1 (position, window), δ > 0 (position), feed > 0
 /// @param startMm  where the tool stands before the run; its way to the first point counts
 /// @threadsafety pure; 10 to 40 ms per 1000 points.
 [[nodiscard]] Prediction predict(const std::vector<gcode::StreamPoint>& points,

@@ -29,7 +29,9 @@ std::optional<Place> placeOf(Equation equation, const ProgramDistances& distance
   if (distances.windowSteps == 0 || equation == Equation::Delta) {
     return std::nullopt;
   }
-  return equation == Equation::RealWindow ? distances.windowPlace : distances.pointDistancePlace;
+  return equation == Equation::RealWindow || equation == Equation::Reach
+             ? distances.windowPlace
+             : distances.pointDistancePlace;
 }
 
 }  // namespace
@@ -47,6 +49,8 @@ std::string_view equationLabel(Equation equation) {
       return "(2)";
     case Equation::Window:
       return "(3)";
+    case Equation::Reach:
+      return "reach";
     case Equation::RealWindow:
       break;
   }
@@ -57,6 +61,9 @@ std::vector<MethodEquation> equationsOf(base::MethodKind method,
                                         const ProgramDistances& distances) {
   if (method == base::MethodKind::Position) {
     return {{Equation::PointDistance, true}, {Equation::Delta, true}};
+  }
+  if (method == base::MethodKind::Window) {
+    return {{Equation::Reach, true}};
   }
   if (distances.windowSteps > 0) {
     return {{Equation::RealWindow, true}, {Equation::Window, false}};
@@ -85,6 +92,12 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
       return windowMargin(operatingPoint.feedMmPerS, access.accessTime,
                           operatingPoint.pointsPerLoop, distances.pointDistanceMmMin,
                           safety.window);
+    case Equation::Reach:
+      return reachMargin(operatingPoint.feedMmPerS, access.accessTime, operatingPoint.pointsPerLoop,
+                         distances.windowSteps > 0
+                             ? windowLengthMmBound(distances, operatingPoint.pointsPerLoop)
+                             : operatingPoint.pointsPerLoop * distances.pointDistanceMmMin,
+                         safety.window);
     case Equation::RealWindow:
       break;
   }
@@ -127,7 +140,10 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
       first = false;
     }
   }
-  verdict.feasible = holds(verdict.limiting.margin);
+  const bool inTime = holds(verdict.limiting.margin);
+  const bool window = operatingPoint.method == base::MethodKind::Window;
+  verdict.feasible = inTime || window;
+  verdict.waits = window && !inTime;
   // Every left side is proportional to the feed, so the margin is the factor left for it.
   verdict.feedMmPerSMax = operatingPoint.feedMmPerS * verdict.limiting.margin;
   if (position) {

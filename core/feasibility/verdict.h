@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Will this program stream without wrong motion? Names the limiting equation, the place in the
-/// program and the change that would help. @threadsafety pure.
+/// Will this program stream without wrong motion, and with method window: without waiting? Names
+/// the limiting equation, the place in the program and the change that would help. @threadsafety
+/// pure.
 #pragma once
 
 #include <optional>
@@ -31,14 +32,15 @@ enum class Equation {
   Delta,          ///< (2) of [P1]
   Window,         ///< (3) of [P1], with ⌊N/2⌋·d_min
   RealWindow,     ///< (3) with the program's real d_min^N
+  Reach,          ///< method window: a window is brought in the time another is executed
 };
 
-/// "(1)", "(2)", "(3)", "(3) with d_min^N".
+/// "(1)", "(2)", "(3)", "(3) with d_min^N", "reach".
 [[nodiscard]] std::string_view equationLabel(Equation equation);
 
 struct OperatingPoint {
-  base::MethodKind method = base::MethodKind::Signal;
-  int pointsPerLoop = 7;  ///< N, >= 2
+  base::MethodKind method = base::MethodKind::Window;
+  int pointsPerLoop = 7;  ///< N, >= 2; method window: points per window
   double deltaMm = 0.3;   ///< δ; used by method position only
   double feedMmPerS = 500.0 / 60.0;
 };
@@ -83,15 +85,19 @@ struct Condition {
 };
 
 struct Verdict {
-  bool feasible = false;
+  bool feasible = false;  ///< no wrong motion; method window: always
+  /// Method window: the client is slower than the machine, which will wait for it now and then.
+  bool waits = false;
   Condition limiting;  ///< the deciding condition with the smallest margin
   std::vector<Condition> conditions;
-  double feedMmPerSMax = 0.0;  ///< largest feed at which all deciding conditions hold
-  double deltaMmMin = 0.0;     ///< smallest δ at this feed (method position; else 0)
+  /// Largest feed at which all deciding conditions hold; method window: without waiting.
+  double feedMmPerSMax = 0.0;
+  double deltaMmMin = 0.0;  ///< smallest δ at this feed (method position; else 0)
 };
 
 /// Position is decided by (1) and (2) with the longer poll time; signal by (3). If the
 /// program is known, (3) with its real d_min^N decides for signal and (3) as published is shown.
+/// Method window is always feasible: there the question is how fast, and the reach says so.
 /// @param distances of the loaded program, or d_min alone in `pointDistanceMmMin` with
 ///        windowSteps = 0 for a program that is not loaded
 /// @return FeedNotPositive, DeltaNotPositive, TooFewPointsPerLoop

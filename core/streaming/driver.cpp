@@ -33,12 +33,12 @@ constexpr double kChannelReset = 0.0;
 }  // namespace
 
 Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-               RunSink& sink, std::size_t total, int stopCell)
+               RunSink& sink, std::size_t total, opcua::Assignment stop)
     : m_link(link), m_method(method), m_settings(settings), m_orders(orders), m_sink(sink) {
   m_counters.total = total;
-  m_stopCell = stopCell;
+  m_stop = stop;
   // Method position reads the axes itself; for it only the feed is missing on the display.
-  if (settings.parameters.method == base::MethodKind::Signal) {
+  if (settings.parameters.method != base::MethodKind::Position) {
     for (int axis = 0; axis < static_cast<int>(base::kAxisCount); ++axis) {
       m_display.push_back({opcua::VariableKind::ActualPosition, axis});
     }
@@ -50,7 +50,7 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
 
 StreamEnd Driver::run() {
   while (!m_done) {
-    checkStop();
+    checkOrders();
     if (m_abandonedAt) {
       submitStop();
     }
@@ -60,8 +60,8 @@ StreamEnd Driver::run() {
     }
     const Instant now = m_link.now();
     Instant until = now + kOrderInterval;
-    if (!m_methodPending && !m_monitorPending) {
-      until = std::min(until, std::max(now, m_nextStatus));
+    if (!m_methodPending && !m_monitorPending && m_nextStatus > now) {
+      until = std::min(until, m_nextStatus);
     }
     if (const std::optional<opcua::Event> event = m_link.wait(until)) {
       handle(*event);
@@ -77,7 +77,21 @@ StreamEnd Driver::run() {
   return m_end;
 }
 
-void Driver::checkStop() {
+RunState Driver::state() const {
+  if (m_stopWantedAt) {
+    return RunState::Stopping;
+  }
+  return m_holding ? RunState::Holding : RunState::Running;
+}
+
+void Driver::checkOrders() {
+  const bool hold = m_orders.holdRequested(m_link.now());
+  if (hold != m_holding && !m_stopWantedAt) {
+    m_holding = hold;
+    m_method.requestHold(hold);
+    m_sink.note({m_link.now(), hold ? "hold requested" : "continue requested"});
+    publish();
+  }
   if (m_stopWantedAt || !m_orders.stopRequested(m_link.now())) {
     return;
   }
@@ -159,13 +173,19 @@ void Driver::handle(const opcua::Event& event) {
   if (event.kind == opcua::EventKind::ConnectionLost) {
     m_end.error = event.error;
     m_end.error.message +=
-        " The control goes on with the points it has and repeats them: stop it at the control.";
+        m_settings.parameters.method == base::MethodKind::Window
+            ? " The control executes the windows it has and waits; it repeats nothing. Connect "
+              "again and resume the run, or reset the control."
+            : " The control goes on with the points it has and repeats them: stop it at the "
+              "control.";
     m_done = true;
     return;
   }
   if (m_stopPending == event.request) {
     m_stopPending.reset();
-    return;  // whether it worked shows in the state of the channel
+    // Whether it worked shows in the state of the channel; an order that was lost is given again.
+    m_stopSent = event.kind != opcua::EventKind::RequestFailed;
+    return;
   }
   const bool forMethod = m_methodPending && m_methodPending->id == event.request;
   const bool forMonitor = m_monitorPending && m_monitorPending->id == event.request;
@@ -175,7 +195,11 @@ void Driver::handle(const opcua::Event& event) {
   const Pending pending = forMethod ? *m_methodPending : *m_monitorPending;
   (forMethod ? m_methodPending : m_monitorPending).reset();
   if (event.kind == opcua::EventKind::RequestFailed) {
-    abandon(event.error);
+    if (!forgives(event, forMethod)) {
+      abandon(event.error);
+    } else if (forMethod) {
+      m_counters.sent -= pending.points;
+    }
     return;
   }
   m_sink.access({event.sent, event.at - event.sent, pending.write, pending.nodes});
@@ -207,8 +231,26 @@ void Driver::handle(const opcua::Event& event) {
   }
 }
 
+bool Driver::forgives(const opcua::Event& event, bool forMethod) {
+  if (event.error.code != opcua::LinkError::DeadlineExceeded || m_abandonedAt) {
+    return false;
+  }
+  if (forMethod ? !m_method.answerLost(event.at)
+                : m_settings.parameters.method != base::MethodKind::Window) {
+    return false;
+  }
+  m_sink.note({event.at, "no answer in time: asked again"});
+  return true;
+}
+
 void Driver::handleMethod(const opcua::Event& event) {
   m_method.handle({event.sent, event.at, event.readings}, event.at);
+  if (std::optional<base::Error> failure = m_method.failure()) {
+    m_sink.note({event.at, "stream given up: " + failure->text()});
+    m_end.error = *std::move(failure);
+    m_done = true;
+    return;
+  }
   const Progress& progress = m_method.progress();
   m_counters.executed = progress.executed;
   if (progress.brokenSignals > m_brokenSeen) {
@@ -273,7 +315,7 @@ void Driver::settleInferred(bool all) {
 void Driver::publishPause(const trace::Pause& pause) {
   m_pauses.push_back(pause);
   LiveUpdate update;
-  update.state = m_stopWantedAt ? RunState::Stopping : RunState::Running;
+  update.state = state();
   update.at = m_link.now();
   update.counters = m_counters;
   update.pause = pause;
@@ -322,13 +364,12 @@ void Driver::submitStop() {
     return;
   }
   m_stopSent = true;
-  const opcua::Assignment stop{opcua::rParameter(m_stopCell), 1.0};
-  m_stopPending = m_link.write({&stop, 1}, m_settings.requestDeadline, opcua::Grouping::List);
+  m_stopPending = m_link.write({&m_stop, 1}, m_settings.requestDeadline, opcua::Grouping::List);
 }
 
 void Driver::publish(std::optional<trace::LiveSample> sample) {
   LiveUpdate update;
-  update.state = m_stopWantedAt ? RunState::Stopping : RunState::Running;
+  update.state = state();
   update.at = m_link.now();
   update.counters = m_counters;
   update.sample = std::move(sample);

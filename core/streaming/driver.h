@@ -33,6 +33,8 @@ class RunOrders {
   virtual ~RunOrders() = default;
   /// True from the moment the operator wants the run to stop. @param now the link's time
   [[nodiscard]] virtual bool stopRequested(base::Instant now) = 0;
+  /// True while the machine is to wait in front of its next window (method window only).
+  [[nodiscard]] virtual bool holdRequested(base::Instant /*now*/) { return false; }
 };
 
 /// How the stream ended, as far as the client can know.
@@ -46,10 +48,10 @@ struct StreamEnd {
 class Driver {
  public:
   /// @param total     points of the program, for the counters
-  /// @param stopCell  R number that ends the program; written by the driver itself only when the
-  ///                  stream has to be abandoned
+  /// @param stop      what ends the program; written by the driver itself only when the stream has
+  ///                  to be abandoned
   Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-         RunSink& sink, std::size_t total, int stopCell);
+         RunSink& sink, std::size_t total, opcua::Assignment stop);
 
   /// Streams until the program on the control has ended, or until nothing more can be done.
   [[nodiscard]] StreamEnd run();
@@ -71,7 +73,10 @@ class Driver {
   void handle(const opcua::Event& event);
   void handleMethod(const opcua::Event& event);
   void handleMonitor(const opcua::Event& event);
-  void checkStop();
+  void checkOrders();
+  [[nodiscard]] RunState state() const;
+  /// No answer in time is no harm for method window: the machine waits, the method asks again.
+  [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
   [[nodiscard]] bool hasSlackFor(int nodes) const;
   [[nodiscard]] bool wantsStatus() const;
@@ -89,7 +94,7 @@ class Driver {
   RunOrders& m_orders;
   RunSink& m_sink;
   Counters m_counters;
-  int m_stopCell = 0;
+  opcua::Assignment m_stop;
   std::optional<Pending> m_methodPending;
   std::optional<Pending> m_monitorPending;
   bool m_monitorIsStatus = false;
@@ -102,6 +107,7 @@ class Driver {
   std::optional<base::Instant> m_abandonedAt;
   std::optional<base::RequestId> m_stopPending;
   bool m_stopSent = false;
+  bool m_holding = false;
   trace::LivePauseDetector m_detector;
   std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
   std::vector<trace::Pause> m_pauses;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "base/contract.h"
 #include "base/units.h"
@@ -97,6 +99,9 @@ class Job {
 
   RunReport run() {
     m_report.programName = m_program.name;
+    if (isWindow() && m_settings.runNumber == 0) {
+      m_settings.runNumber = makeRunNumber();
+    }
     m_report.settings = m_settings;
     Result<void> result = prepare();
     if (result) {
@@ -112,6 +117,23 @@ class Job {
   }
 
  private:
+  [[nodiscard]] bool isWindow() const {
+    return m_settings.parameters.method == base::MethodKind::Window;
+  }
+
+  /// Two runs must not have the same number by accident: the clock of the link counts
+  /// nanoseconds, and no two clients were switched on in the same one.
+  [[nodiscard]] int makeRunNumber() const {
+    constexpr std::uint64_t kNumbers = 999'983;
+    std::uint64_t mixed = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count()) + 1;
+    for (const char letter : m_program.hash) {
+      mixed = mixed * 1'099'511'628'211ULL + static_cast<unsigned char>(letter);
+    }
+    mixed ^= mixed >> 29;
+    mixed *= 0x9E3779B97F4A7C15ULL;
+    return static_cast<int>((mixed >> 20) % kNumbers) + 1;
+  }
+
   Result<void> prepare() {
     Result<templates::CellMap> cells = templates::planCells(m_settings.parameters);
     if (!cells) {
@@ -124,6 +146,10 @@ class Job {
     }
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
+    if (isWindow()) {
+      const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm});
+      m_report.checkpoint = Checkpoint{m_settings.runNumber, from.point, from.startMm, false};
+    }
     startRecording();
     return {};
   }
@@ -172,7 +198,10 @@ class Job {
     const std::array<opcua::Assignment, 3> clear{{{opcua::rParameter(m_cells.layout), 0.0},
                                                   {opcua::rParameter(m_cells.run), 0.0},
                                                   {opcua::rParameter(m_cells.stop), 0.0}}};
-    if (Result<void> done = writeNow(m_link, clear, m_settings.requestDeadline); !done) {
+    const std::size_t cells = isWindow() ? 2 : 3;  // there the run cell is the stop cell too
+    if (Result<void> done =
+            writeNow(m_link, std::span(clear).first(cells), m_settings.requestDeadline);
+        !done) {
       return done;
     }
     publish(RunState::Armed, "cycle-start");
@@ -248,9 +277,12 @@ class Job {
     MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings};
     const std::unique_ptr<Method> method = makeMethod(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
-                  m_cells.stop);
+                  {opcua::rParameter(m_cells.stop), isWindow() ? 2.0 : 1.0});
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();
+    if (m_report.checkpoint) {
+      m_report.checkpoint->granted = method->progress().granted;
+    }
     m_report.counters = driver.counters();
     m_report.pauses = driver.pauses();
     m_report.duration = m_link.now() - from;
@@ -263,6 +295,57 @@ class Job {
       m_report.outcome = Outcome::Stopped;
     } else {
       m_report.outcome = Outcome::Completed;
+    }
+    if (isWindow() && end.programEnded) {
+      takeEndOfWindows();
+    }
+  }
+
+  /// How the program ended and how far it came, in its own words.
+  void takeEndOfWindows() {
+    const std::array<Variable, 3> watched{opcua::rParameter(m_cells.state),
+                                          opcua::rParameter(m_cells.executed),
+                                          opcua::rParameter(m_cells.owner)};
+    const auto readings = readNow(m_link, watched, m_settings.requestDeadline);
+    if (!readings || (*readings)[0].status || (*readings)[1].status || (*readings)[2].status) {
+      m_ledger.note({m_link.now(), "how the program ended could not be read"});
+      if (m_report.outcome == Outcome::Completed) {
+        m_report.outcome = Outcome::Failed;
+        m_report.error = base::makeError(StreamError::EndedEarly,
+                                         "The program on the control has ended, but how could not "
+                                         "be read. Resume the run to have it looked at again.");
+      }
+      return;
+    }
+    const double executed = (*readings)[1].number;
+    const bool isOurs = (*readings)[2].number == static_cast<double>(m_settings.runNumber);
+    if (isOurs && executed >= 0.0) {
+      const double points = executed * m_settings.parameters.pointsPerLoop;
+      m_report.counters.executed =
+          static_cast<std::size_t>(std::min(points, static_cast<double>(m_report.counters.total)));
+    }
+    if (m_report.error.code) {
+      return;  // what came first is the cause
+    }
+    const auto fail = [this](StreamError code, const char* text) {
+      m_report.outcome = Outcome::Failed;
+      m_report.error = base::makeError(code, text);
+    };
+    const auto state = static_cast<templates::WindowState>((*readings)[0].number);
+    if (!isOurs) {
+      fail(StreamError::Restarted,
+           "The program on the control has been started for another run. Nothing more is written.");
+    } else if (state == templates::WindowState::Damaged) {
+      fail(StreamError::WindowDamaged,
+           "The control refused a window whose check number did not fit: something else writes "
+           "these R-parameters. The window was not executed. Find the other writer, then resume.");
+    } else if (state == templates::WindowState::Abandoned) {
+      fail(StreamError::ClientSilent,
+           "The control ended its program because nothing came from here for too long. Check the "
+           "network, then resume.");
+    } else if (m_report.outcome == Outcome::Completed && state != templates::WindowState::Done) {
+      fail(StreamError::EndedEarly,
+           "The program on the control ended before every point was executed.");
     }
   }
 
@@ -343,7 +426,7 @@ class Job {
   opcua::Link& m_link;
   opcua::Control& m_control;
   const gcode::Program& m_program;
-  const RunSettings& m_settings;
+  RunSettings m_settings;
   RunOrders& m_orders;
   Ledger m_ledger;
   JobRecorder m_recorder;
@@ -444,7 +527,17 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   }
   Preflight flight;
   flight.toolMm = {(*readings)[1].number, (*readings)[2].number, (*readings)[3].number};
-  flight.points = gcode::streamPoints(program.trajectory, flight.toolMm);
+  flight.points = gcode::streamPoints(program.trajectory,
+                                      settings.resume ? settings.resume->startMm : flight.toolMm);
+  if (settings.resume) {
+    std::vector<gcode::StreamPoint>& points = flight.points.points;
+    const std::size_t done = std::min(settings.resume->point, points.size());
+    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(done));
+    if (points.empty()) {
+      return base::fail(StreamError::CannotResume, "Every point has been executed already.",
+                        program.name);
+    }
+  }
   if (flight.points.points.empty()) {
     return base::fail(StreamError::ProgramNotStreamable, "The program moves nothing.",
                       program.name);

@@ -45,6 +45,7 @@ struct Progress {
   base::Instant nextEarliest{};   ///< the next access is not needed before
   base::Instant nextLatest{};     ///< progress after this means something is slower than planned
   bool allSent = false;           ///< every point is on the control
+  bool granted = false;           ///< method window: the control obeys this run
   bool stopWritten = false;       ///< the program on the control has been told to end
 };
 
@@ -53,14 +54,26 @@ class Method {
   virtual ~Method() = default;
 
   /// The next access; nothing while an answer is outstanding or there is nothing left to do.
-  /// The order is: cells of the first N points, then `run`, then the stream.
+  /// The order is: cells of the first N points, then `run`, then the stream. Method window asks for
+  /// the cells first.
   [[nodiscard]] virtual std::optional<Action> poll(base::Instant now) = 0;
 
   /// Exactly one call per action polled.
   virtual void handle(const Answer& answer, base::Instant now) = 0;
 
-  /// The operator wants the program to end after the loop it is in. Refilling goes on until the
-  /// control has left the loop: what it still passes must be new points, never old ones.
+  /// In place of `handle`: no answer came in time, the request may or may not have been carried
+  /// out. @return true if the method goes on and asks again; false: the stream is to be abandoned
+  virtual bool answerLost(base::Instant /*now*/) { return false; }
+
+  /// Why the stream must end without another write; nothing while all is well.
+  [[nodiscard]] virtual std::optional<base::Error> failure() const { return std::nullopt; }
+
+  /// Method window: the machine is to wait in front of the next window, or to go on.
+  virtual void requestHold(bool /*hold*/) {}
+
+  /// The operator wants the program to end after the loop or window it is in. Refilling goes on
+  /// until the control has left the loop: what it still passes must be new points, never old ones.
+  /// (Method window brings nothing more: its control waits by itself.)
   virtual void requestStop() = 0;
 
   [[nodiscard]] virtual const Progress& progress() const = 0;

@@ -18,6 +18,8 @@ std::string_view runStateName(RunState state) {
       return "armed";
     case RunState::Running:
       return "running";
+    case RunState::Holding:
+      return "holding";
     case RunState::Stopping:
       return "stopping";
     case RunState::Done:

@@ -6,6 +6,7 @@
 /// @threadsafety plain values.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,15 +37,35 @@ enum class StreamError {
   StopNotConfirmed,          ///< stop was written, the control did not confirm it in time
   ControlAlarm,              ///< the control ended the program with an alarm
   EndedEarly,                ///< the program on the control ended before all points were sent
+  OtherClient,               ///< another client has the cells (method window)
+  Restarted,      ///< the program was started anew in the middle of a run (method window)
+  WindowDamaged,  ///< the control refused a window that did not fit its check number
+  ClientSilent,   ///< the control gave up waiting for the client (method window)
+  CannotResume,   ///< where the run was left cannot be told for certain
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
 
 /// The states an operator sees.
-enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted };
+enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding };
 
 /// "idle", "armed", ...
 [[nodiscard]] std::string_view runStateName(RunState state);
+
+/// Where a run is taken up again. The list of points depends on where the tool stood before the
+/// first run: it must be the same list.
+struct Resume {
+  std::size_t point = 0;  ///< the first to be streamed, counted in that list
+  base::Vec3 startMm;     ///< where the tool stood before the first run
+};
+
+/// What has to be known of a run of method window to take it up again (`resumeFrom`).
+struct Checkpoint {
+  int runNumber = 0;           ///< what the control was asked to obey
+  std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
+  base::Vec3 startMm;          ///< where the tool stood before the first run
+  bool granted = false;        ///< the control is known to have obeyed this run
+};
 
 struct RunSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
@@ -57,6 +78,10 @@ struct RunSettings {
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
+  /// Method window: by which the control tells this run from others, 1 to 999 999; 0: made from
+  /// the time and the program.
+  int runNumber = 0;
+  std::optional<Resume> resume;  ///< nothing: from the beginning
   bool monitor = true;  ///< read position and feed for the display where the stream has slack
 };
 
@@ -102,6 +127,9 @@ struct RunReport {
   base::Duration duration{};  ///< first motion to end of program
   AccessStatistics access;
   std::optional<base::Duration> stopConfirmedAfter;
+  /// Method window, from the moment the control was changed for it. `counters` and `integrity` of a
+  /// run that was resumed speak of the points from `firstPoint` on.
+  std::optional<Checkpoint> checkpoint;
   std::string programName;
   RunSettings settings;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "base/contract.h"
@@ -22,6 +23,15 @@ constexpr int kPaperFirstSlot = 11;
 constexpr int kPaperStride = 10;
 constexpr int kContiguousFirstSlot = 10;
 
+/// Method window: counted up like the generator's version, for its own text.
+constexpr std::uint64_t kWindowVersion = 1;
+/// Cells in front of the first window, and in front of the slots of each window.
+constexpr int kWindowHeader = 10;
+constexpr int kWindowOwn = 3;
+constexpr int kWindowsMax = 8;
+/// Far beyond every control; keeps the arithmetic of cells small.
+constexpr int kRParametersMax = 1'000'000;
+
 int chosenAxes(const std::array<bool, base::kAxisCount>& axes) {
   return static_cast<int>(std::count(axes.begin(), axes.end(), true));
 }
@@ -35,6 +45,25 @@ CellMap cellsOf(const TemplateParameters& parameters) {
   CellMap cells;
   cells.axes = parameters.axes;
   cells.pointsPerLoop = parameters.pointsPerLoop;
+  if (parameters.method == base::MethodKind::Window) {
+    const int first = parameters.baseCell;
+    cells.run = first;
+    cells.delivered = first + 1;
+    cells.latched = first + 2;
+    cells.executed = first + 3;
+    cells.layout = first + 4;  // where the methods of [P1] have it: each sees the other's number
+    cells.state = first + 5;
+    cells.client = first + 6;
+    cells.owner = first + 7;
+    cells.heartbeat = first + 8;
+    cells.signal = cells.stop = cells.feed = cells.run;
+    cells.slotStride =
+        parameters.slotStride > 0 ? parameters.slotStride : chosenAxes(parameters.axes);
+    cells.windows = parameters.windows;
+    cells.windowStride = kWindowOwn + cells.slotStride * parameters.pointsPerLoop;
+    cells.firstSlot = first + kWindowHeader + kWindowOwn;
+    return cells;
+  }
   if (parameters.layout == Layout::Paper) {
     cells.firstSlot = kPaperFirstSlot;
     cells.slotStride = kPaperStride;
@@ -67,12 +96,14 @@ std::optional<Layout> layoutFromName(std::string_view name) {
 
 std::vector<int> CellMap::slotCells(int slot) const {
   RIVULET_ASSERT(slot >= 0);
-  RIVULET_ASSERT(slot < pointsPerLoop);
+  RIVULET_ASSERT(slot < slotCount());
   // Where a slot has room for all axes, an axis keeps its place whichever of them are chosen.
-  const bool fixedPlaces = slotStride >= static_cast<int>(base::kAxisCount);
+  const bool fixedPlaces = windows == 0 && slotStride >= static_cast<int>(base::kAxisCount);
   std::vector<int> cells;
   cells.reserve(base::kAxisCount);
-  const int first = firstSlot + slot * slotStride;
+  const int window = windows > 0 ? slot / pointsPerLoop : 0;
+  const int place = windows > 0 ? slot % pointsPerLoop : slot;
+  const int first = firstSlot + window * windowStride + place * slotStride;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (axes[axis]) {
       cells.push_back(first + static_cast<int>(fixedPlaces ? axis : cells.size()));
@@ -82,13 +113,20 @@ std::vector<int> CellMap::slotCells(int slot) const {
 }
 
 int CellMap::last() const {
-  int last = std::max({signal, run, stop, feed, layout});
-  if (pointsPerLoop > 0) {
-    for (const int cell : slotCells(pointsPerLoop - 1)) {
+  int last = std::max({signal, run, stop, feed, layout, heartbeat});
+  if (slotCount() > 0) {
+    for (const int cell : slotCells(slotCount() - 1)) {
       last = std::max(last, cell);
     }
   }
   return last;
+}
+
+double checkFactor(int place) {
+  // The fractions of multiples of the golden ratio lie far apart and in no simple proportion, so
+  // that changes of coordinates do not cancel. Six digits: the number as the program prints it.
+  const double turn = 0.618033988749895 * (place + 1);
+  return 1.0 + std::floor((turn - std::floor(turn)) * 1e6) / 1e6;
 }
 
 base::Result<CellMap> planCells(const TemplateParameters& parameters) {
@@ -102,8 +140,25 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
         fmt::format("Method {} needs N of at least {}; it is {}.",
                     base::methodName(parameters.method), min, parameters.pointsPerLoop));
   }
+  if (parameters.method == base::MethodKind::Window) {
+    if (parameters.windows < 1 || parameters.windows > kWindowsMax) {
+      return base::fail(TemplateError::BadCells, fmt::format("{} windows: choose 1 to {}.",
+                                                             parameters.windows, kWindowsMax));
+    }
+    if (parameters.baseCell < 0 || parameters.baseCell > kRParametersMax) {
+      return base::fail(TemplateError::BadCells,
+                        fmt::format("The cells cannot begin at R{}.", parameters.baseCell));
+    }
+    constexpr int kStrideMax = 100;
+    if (parameters.slotStride != 0 && (parameters.slotStride < chosenAxes(parameters.axes) ||
+                                       parameters.slotStride > kStrideMax)) {
+      return base::fail(
+          TemplateError::BadCells,
+          fmt::format("{} cells per point: choose {} to {}, or 0 for as many as axes.",
+                      parameters.slotStride, chosenAxes(parameters.axes), kStrideMax));
+    }
+  }
   // Before any arithmetic with N: more points than R-parameters never fit.
-  constexpr int kRParametersMax = 1'000'000;
   if (parameters.pointsPerLoop > kRParametersMax) {
     return base::fail(TemplateError::DoesNotFit,
                       fmt::format("N = {} is beyond every control: choose at most {}.",
@@ -132,6 +187,18 @@ int pointsPerLoopMax(const TemplateParameters& parameters) {
   TemplateParameters one = parameters;
   one.pointsPerLoop = 1;
   const CellMap cells = cellsOf(one);
+  if (parameters.method == base::MethodKind::Window) {
+    const int perWindow = (parameters.rParameterCount - cells.windowCount(0)) /
+                              std::clamp(parameters.windows, 1, kWindowsMax) -
+                          kWindowOwn;
+    // The last cells of the last slot may stay unused where the stride leaves room.
+    int fits = std::max(0, perWindow / cells.slotStride);
+    for (one.pointsPerLoop = fits + 1; cellsOf(one).last() < parameters.rParameterCount;
+         ++one.pointsPerLoop) {
+      fits = one.pointsPerLoop;
+    }
+    return fits;
+  }
   const int room = parameters.rParameterCount - 1 - cells.last();
   const int fits = room < 0 ? 0 : 1 + room / cells.slotStride;
   return fits < pointsPerLoopMin(parameters.method) ? 0 : fits;
@@ -142,20 +209,31 @@ int layoutNumber(const TemplateParameters& parameters) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     axes |= static_cast<std::uint64_t>(parameters.axes[axis]) << axis;
   }
-  const bool signal = parameters.method == base::MethodKind::Signal;
-  const std::uint64_t program =
-      !signal ? 0 : (parameters.signalStop == SignalStop::EachSignal ? 1 : 2);
-  const std::uint64_t layout = parameters.layout == Layout::Paper ? 0 : 1;
-  const std::uint64_t code =
-      ((static_cast<std::uint64_t>(std::max(parameters.pointsPerLoop, 0)) * 3 + program) * 2 +
-       layout) *
-          8 +
-      axes;
   // A prime below a million: multiplying and shifting modulo it keeps different programs apart
   // (as long as N < 20833) and spreads the numbers, so that a stray value is not taken for one.
   constexpr std::uint64_t kPrime = 999'983;
   constexpr std::uint64_t kSpread = 618'033;
   constexpr std::uint64_t kVersionShift = 271'829;
+  const auto points = static_cast<std::uint64_t>(std::max(parameters.pointsPerLoop, 0));
+  if (parameters.method == base::MethodKind::Window) {
+    // Numbers of their own: apart from those of [P1]'s methods below N = 10416, and from each
+    // other below N = 7812 with the cells where they are by default.
+    constexpr std::uint64_t kWindowFirst = 500'000;
+    constexpr std::uint64_t kCellsSpread = 367'879;
+    const std::uint64_t where = static_cast<std::uint64_t>(std::max(parameters.baseCell, 0)) * 128 +
+                                static_cast<std::uint64_t>(std::max(parameters.slotStride, 0));
+    const std::uint64_t windows =
+        static_cast<std::uint64_t>(std::clamp(parameters.windows, 1, kWindowsMax) - 1);
+    const std::uint64_t code =
+        kWindowFirst + (points * kWindowsMax + windows) * 8 + axes + where % kPrime * kCellsSpread;
+    return static_cast<int>((code % kPrime * kSpread + kWindowVersion * kVersionShift) % kPrime) +
+           1;
+  }
+  const bool signal = parameters.method == base::MethodKind::Signal;
+  const std::uint64_t program =
+      !signal ? 0 : (parameters.signalStop == SignalStop::EachSignal ? 1 : 2);
+  const std::uint64_t layout = parameters.layout == Layout::Paper ? 0 : 1;
+  const std::uint64_t code = ((points * 3 + program) * 2 + layout) * 8 + axes;
   return static_cast<int>((code % kPrime * kSpread + kGeneratorVersion * kVersionShift) % kPrime) +
          1;
 }

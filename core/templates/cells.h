@@ -18,9 +18,10 @@
 namespace rivulet::templates {
 
 enum class TemplateError {
-  TooFewPointsPerLoop = 1,  ///< N < 1 (position) or < 2 (signal)
+  TooFewPointsPerLoop = 1,  ///< N < 1 (position, window) or < 2 (signal)
   DoesNotFit,               ///< N points do not fit the R-parameters of the control
   NoAxis,                   ///< no axis chosen
+  BadCells,                 ///< base, stride or number of windows out of range
   FileNotWritable,
 };
 
@@ -42,8 +43,11 @@ enum class SignalStop {
 };
 
 struct TemplateParameters {
-  base::MethodKind method = base::MethodKind::Signal;
-  int pointsPerLoop = 7;  ///< N
+  base::MethodKind method = base::MethodKind::Window;
+  int pointsPerLoop = 7;  ///< N; method window: points per window
+  int windows = 2;        ///< method window: k, 1 to 8
+  int baseCell = 0;       ///< method window: R number of its first cell
+  int slotStride = 0;     ///< method window: cells per point; 0: as many as axes
   Layout layout = Layout::Paper;
   SignalStop signalStop = SignalStop::EachSignal;
   std::array<bool, base::kAxisCount> axes{true, true, true};
@@ -62,11 +66,49 @@ struct CellMap {
   int pointsPerLoop = 7;
   std::array<bool, base::kAxisCount> axes{true, true, true};
 
-  /// Cells of one slot in axis order, only the chosen axes. @param slot from 0
+  // Method window only. `run` is 0 hold, 1 run, 2 end before the next window; `signal`, `stop`
+  // and `feed` are not used there, and `firstSlot` is the first slot of window 0.
+  int delivered = 0;     ///< client, last of each window: windows it has completed
+  int latched = 0;       ///< NC: windows it has copied; their cells may be written again
+  int executed = 0;      ///< NC: windows whose last point the axes have reached
+  int state = 0;         ///< NC: `WindowState`
+  int client = 0;        ///< client: the number of its run, to be granted the cells
+  int owner = 0;         ///< NC: number of the run it obeys; only the first to ask is granted
+  int heartbeat = 0;     ///< client: changes while it lives
+  int windows = 0;       ///< k; 0: another method
+  int windowStride = 0;  ///< from a cell of a window to that of the next
+
+  /// Cells of one slot in axis order, only the chosen axes.
+  /// @param slot from 0; method window: window · N + place in the window
   [[nodiscard]] std::vector<int> slotCells(int slot) const;
+  /// Slots there are. Method window: N per window.
+  [[nodiscard]] int slotCount() const {
+    return windows > 0 ? windows * pointsPerLoop : pointsPerLoop;
+  }
+  /// Cells in front of a window's slots (method window). @param window from 0, below `windows`
+  [[nodiscard]] int windowCount(int window) const { return firstSlot - 3 + window * windowStride; }
+  [[nodiscard]] int windowFeed(int window) const { return windowCount(window) + 1; }
+  [[nodiscard]] int windowCheck(int window) const { return windowCount(window) + 2; }
   /// Largest R number used.
   [[nodiscard]] int last() const;
 };
+
+/// What the program of method window says in its state cell.
+enum class WindowState {
+  Runs = 0,       ///< it waits or moves
+  Done = 1,       ///< ended behind the last window
+  Stopped = 2,    ///< ended because the client said so
+  Damaged = 3,    ///< ended: a window did not fit its check number; it was not executed
+  Abandoned = 4,  ///< ended: no window and no sign of life from the client for too long
+};
+
+/// Factors of the check number of a window, so that no window passes for another: the program and
+/// the client add up run number, window number, count, feed and coordinates, each times its own.
+inline constexpr double kCheckNumber = 7.31;
+inline constexpr double kCheckCount = 13.7;
+inline constexpr double kCheckFeed = 0.917;
+/// @param place  of the coordinate in the window, from 0
+[[nodiscard]] double checkFactor(int place);
 
 /// Where everything lies. @return DoesNotFit (the message names the MD28050 value that would
 /// do), TooFewPointsPerLoop, NoAxis

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/text.h"
 
@@ -114,6 +116,166 @@ void writeLoop(Listing& out, const TemplateParameters& parameters, const CellMap
   out.line("R{}=1", cells.signal);
 }
 
+/// Pieces on as few lines as take them, each line begun anew.
+void writePieces(Listing& out, const std::string& begin, const std::vector<std::string>& pieces,
+                 std::string_view between) {
+  constexpr std::size_t kLineMax = 110;
+  std::string line;
+  for (const std::string& piece : pieces) {
+    if (!line.empty() && line.size() + between.size() + piece.size() > kLineMax) {
+      out.line("{}", line);
+      line.clear();
+    }
+    line += line.empty() ? begin : std::string(between);
+    line += piece;
+  }
+  if (!line.empty()) {
+    out.line("{}", line);
+  }
+}
+
+/// Passes of the waiting loop without a window and without a change of the heartbeat, before the
+/// program ends. A pass takes 20 ms and more.
+constexpr int kSilentPassesMax = 1000;
+
+void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const CellMap& cells) {
+  const int count = cells.pointsPerLoop;
+  const std::string axes = slotText(cells, 0).axes;
+  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO WHAT THE R-PARAMETERS SAY, WINDOW BY WINDOW");
+  out.line("; Do not edit: the client relies on every line. Axes move only while it runs.");
+  out.line("; Method {}, {} point{} per window, {} window{}, axes {}",
+           base::methodName(parameters.method), count, count == 1 ? "" : "s", cells.windows,
+           cells.windows == 1 ? "" : "s", axes);
+  out.line("; A window is executed only once its number has been delivered and its check number");
+  out.line("; fits: where the client is late, the axes wait.");
+  out.line(";");
+  out.line("; R{}  run, by the client: 0 hold, 1 run, 2 end before the next window", cells.run);
+  out.line("; R{}  windows delivered, written by the client last of each window", cells.delivered);
+  out.line("; R{}  windows copied by this program: their cells may be written again",
+           cells.latched);
+  out.line("; R{}  windows executed to the end", cells.executed);
+  out.line("; R{}  number of this program's layout, checked by the client", cells.layout);
+  out.line("; R{}  state: 0 runs, 1 done, 2 stopped, 3 window damaged, 4 client silent",
+           cells.state);
+  out.line("; R{}  number of the client's run, R{} number of the run this program obeys",
+           cells.client, cells.owner);
+  out.line("; R{}  heartbeat of the client", cells.heartbeat);
+  for (int window = 0; window < cells.windows; ++window) {
+    out.line("; R{} R{} R{}  window {}: points (negative: the last window), feed in mm/min, check",
+             cells.windowCount(window), cells.windowFeed(window), cells.windowCheck(window),
+             window + 1);
+    for (int place = 0; place < count; ++place) {
+      const SlotText slot = slotText(cells, window * count + place);
+      out.line("; {}  window {} point {}: {}", slot.cells, window + 1, place + 1, axes);
+    }
+  }
+  out.line(";");
+}
+
+/// "G1 X=RIV_C[3] Y=RIV_C[4] F=RIV_F": from the program's own copy, never from the cells.
+void writeCopiedPoint(Listing& out, const CellMap& cells, int place, int axisCount) {
+  std::string words;
+  int next = place * axisCount;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (cells.axes[axis]) {
+      words += fmt::format("{}=RIV_C[{}] ", base::kAxisNames[axis], next++);
+    }
+  }
+  out.line("G1 {}F=RIV_F", words);
+}
+
+std::string windowTemplate(const TemplateParameters& parameters, const CellMap& cells) {
+  const int count = cells.pointsPerLoop;
+  const int first = cells.windowCount(0);
+  const std::vector<int> slot = cells.slotCells(0);
+  const int axisCount = static_cast<int>(slot.size());
+  Listing out;
+  writeWindowHeader(out, parameters, cells);
+  // What the program relies on it keeps in variables of its own, which no client can write.
+  out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT", count * axisCount);
+  out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE");
+  // The layout number comes last: a client that sees it knows that the resets are done.
+  out.line("R{}=0 R{}=0 R{}=0 R{}=0", cells.run, cells.delivered, cells.latched, cells.executed);
+  out.line("R{}=0 R{}=0 R{}=0", cells.state, cells.client, cells.owner);
+  out.line("RIV_L=0 RIV_OWN=0 RIV_B={} RIV_IDLE=0", first);
+  out.line("G90 G94 G64");
+  out.line("STOPRE");
+  out.line("RIV_BEAT=R{}", cells.heartbeat);
+  out.line("R{}={}", cells.layout, layoutNumber(parameters));
+  // Behind this STOPRE the axes stand and what the client has written is read afresh.
+  out.line("RIV_NEXT:");
+  out.line("STOPRE");
+  out.line("R{}=RIV_L R{}=RIV_L", cells.latched, cells.executed);
+  out.line("IF R{}>1 GOTOF RIV_STOPPED", cells.run);
+  out.line("IF (R{}>0) AND (RIV_OWN>0) AND (R{}>RIV_L) AND (R{}<=RIV_L+{}) GOTOF RIV_TAKE",
+           cells.run, cells.delivered, cells.delivered, cells.windows);
+  out.line("IF R{}==RIV_BEAT GOTOF RIV_SILENT", cells.heartbeat);
+  out.line("RIV_BEAT=R{} RIV_IDLE=0", cells.heartbeat);
+  out.line("RIV_SILENT:");
+  out.line("RIV_IDLE=RIV_IDLE+1");
+  out.line("IF RIV_IDLE>{} GOTOF RIV_LOST", kSilentPassesMax);
+  out.line("IF RIV_OWN>0 GOTOF RIV_PAUSE");
+  out.line("RIV_OWN=R{}", cells.client);
+  out.line("R{}=RIV_OWN", cells.owner);
+  out.line("RIV_PAUSE:");
+  out.line("G4 F0.02");
+  out.line("GOTOB RIV_NEXT");
+  // First a copy, then the check of the copy, then the motion from the copy: whatever is written
+  // meanwhile, and by whom, the axes go where the client of this run meant them to go.
+  out.line("RIV_TAKE:");
+  out.line("RIV_IDLE=0 RIV_K=R[RIV_B] RIV_F=R[RIV_B+1] RIV_S=R[RIV_B+2]");
+  std::vector<std::string> copies;
+  std::vector<std::string> terms;
+  for (int place = 0; place < count; ++place) {
+    for (int axis = 0; axis < axisCount; ++axis) {
+      const int number = place * axisCount + axis;
+      const int offset = 3 + place * cells.slotStride + axis;
+      copies.push_back(fmt::format("RIV_C[{}]=R[RIV_B+{}]", number, offset));
+      terms.push_back(fmt::format("{:.6f}*RIV_C[{}]", checkFactor(number), number));
+    }
+  }
+  writePieces(out, "", copies, " ");
+  out.line("RIV_S=RIV_OWN+{}*(RIV_L+1)+{}*RIV_K+{}*RIV_F-RIV_S", kCheckNumber, kCheckCount,
+           kCheckFeed);
+  writePieces(out, "RIV_S=RIV_S+", terms, "+");
+  out.line("IF ABS(RIV_S)>0.000001 GOTOF RIV_DAMAGED");
+  out.line("RIV_L=RIV_L+1 RIV_N=ABS(RIV_K)");
+  out.line("R{}=RIV_L", cells.latched);
+  if (cells.windows > 1) {
+    out.line("RIV_B=RIV_B+{}", cells.windowStride);
+    out.line("IF RIV_B<={} GOTOF RIV_MOVE", cells.windowCount(cells.windows - 1));
+    out.line("RIV_B={}", first);
+    out.line("RIV_MOVE:");
+  }
+  out.line("IF RIV_K<{} GOTOF RIV_SHORT", count);
+  for (int place = 0; place < count; ++place) {
+    writeCopiedPoint(out, cells, place, axisCount);
+  }
+  out.line("GOTOB RIV_NEXT");
+  out.line("RIV_SHORT:");
+  for (int place = 0; place < count; ++place) {
+    writeCopiedPoint(out, cells, place, axisCount);
+    if (place + 1 < count) {
+      out.line("IF RIV_N<{} GOTOF RIV_TAIL", place + 2);
+    }
+  }
+  out.line("RIV_TAIL:");
+  out.line("IF RIV_K>0 GOTOB RIV_NEXT");
+  out.line("STOPRE");
+  out.line("R{}=RIV_L R{}={}", cells.executed, cells.state, static_cast<int>(WindowState::Done));
+  out.line("M30");
+  out.line("RIV_STOPPED:");
+  out.line("R{}={}", cells.state, static_cast<int>(WindowState::Stopped));
+  out.line("M30");
+  out.line("RIV_DAMAGED:");
+  out.line("R{}={}", cells.state, static_cast<int>(WindowState::Damaged));
+  out.line("M30");
+  out.line("RIV_LOST:");
+  out.line("R{}={}", cells.state, static_cast<int>(WindowState::Abandoned));
+  out.line("M30");
+  return out.take();
+}
+
 }  // namespace
 
 base::Result<std::string> generateTemplate(const TemplateParameters& parameters) {
@@ -122,6 +284,9 @@ base::Result<std::string> generateTemplate(const TemplateParameters& parameters)
     return base::fail(plan.error());
   }
   const CellMap& cells = *plan;
+  if (parameters.method == base::MethodKind::Window) {
+    return windowTemplate(parameters, cells);
+  }
   Listing out;
   writeHeader(out, parameters, cells);
   // The layout number comes last: a client that sees it knows that the resets are done.
@@ -148,7 +313,13 @@ std::string templateFileName(const TemplateParameters& parameters) {
   std::string name = base::toUpper(
       fmt::format("RIVULET_{}_{}", base::methodName(parameters.method), parameters.pointsPerLoop));
   // Letters tell variants apart, so that one never takes the place of another on the control.
-  name += parameters.layout == Layout::Contiguous ? "C" : "";
+  const bool window = parameters.method == base::MethodKind::Window;
+  if (window) {
+    name += fmt::format("X{}", parameters.windows);
+    name += parameters.baseCell != 0 ? fmt::format("B{}", parameters.baseCell) : "";
+    name += parameters.slotStride != 0 ? fmt::format("S{}", parameters.slotStride) : "";
+  }
+  name += !window && parameters.layout == Layout::Contiguous ? "C" : "";
   const bool once = parameters.method == base::MethodKind::Signal &&
                     parameters.signalStop == SignalStop::OncePerLoop;
   name += once ? "L" : "";

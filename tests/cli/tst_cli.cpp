@@ -158,6 +158,46 @@ class TestCli : public QObject {
     QVERIFY(analyse.parsed()["complete"].get<bool>());
   }
 
+  /// Without another word the method is window: always feasible, never wrong, one pause a window.
+  void windowIsTheDefault() {
+    const Outcome judged = run(words("feasibility --feed 20000 --json --program") << kScorpion);
+    QCOMPARE(judged.exit, 0);
+    QVERIFY(judged.parsed()["feasible"].get<bool>());
+    QVERIFY(judged.parsed()["waits"].get<bool>());
+    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 38);
+    const json made = run(words("template --windows 3 --base-cell 5 --points 5 --json")).parsed();
+    QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_5X3B5.MPF"));
+    QCOMPARE(made["cells"]["run"].get<int>(), 5);
+    QCOMPARE(made["cells"]["windows"].get<int>(), 3);
+    const Outcome outcome = run(QStringList{QStringLiteral("stream"), kScorpion}
+                                << words("--feed 20000 --simulate --json"));
+    QCOMPARE(outcome.exit, 0);
+    const json report = outcome.parsed();
+    QCOMPARE(report["method"].get<std::string>(), std::string("window"));
+    QCOMPARE(report["executed"].get<int>(), 270);
+    QVERIFY(report["faultless"].get<bool>());
+    QVERIFY(report["pauses"].size() >= std::size_t{38});
+    QVERIFY(report["checkpoint"]["run_number"].get<int>() > 0);
+  }
+
+  void resumesOnlyFromAReport() {
+    const QString path = file("none.json", "{\"checkpoint\": {\"run_number\": 3}}");
+    const Outcome refused = run(QStringList{QStringLiteral("stream"), kScorpion}
+                                << words("--feed 3000 --simulate --json --resume") << path);
+    QCOMPARE(refused.exit, 2);
+    QVERIFY(refused.parsed()["error"]["message"].get<std::string>().find("no report") !=
+            std::string::npos);
+    // A machine that has never run it cannot say where it was left.
+    const Outcome report = run(QStringList{QStringLiteral("stream"), kScorpion}
+                               << words("--feed 3000 --simulate --json --stop-after 20"));
+    const Outcome other = run(QStringList{QStringLiteral("stream"), kScorpion}
+                              << words("--feed 3000 --simulate --json --resume")
+                              << file("report.json", report.output.toUtf8().constData()));
+    QCOMPARE(other.exit, 2);
+    QVERIFY(other.parsed()["error"]["message"].get<std::string>().find("something else") !=
+            std::string::npos);
+  }
+
   void wrongMotionIsExitOne() {
     const Outcome outcome = run(QStringList{QStringLiteral("stream"), kScorpion}
                                 << words("--method position --points 7 --delta 0.02 --feed 3000 "

@@ -37,7 +37,7 @@ class TestPrediction : public QObject {
 
  private Q_SLOTS:
   void fasterIsNeverSafer() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       double before = 0.0;
       for (double feed = 50.0; feed < 8000.0; feed *= 1.2) {
         const Prediction prediction = predict(line(100, 0.25), at(method, feed), {});
@@ -67,7 +67,7 @@ class TestPrediction : public QObject {
   }
 
   void moreRunsOfTheSameFailMoreOften() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       const double limit =
           feedMmPerSAt(0.1, line(70, 0.25), at(method, 1.0), {}, 0.5, 200.0) * 60.0;
       const double once = predict(line(70, 0.25), at(method, limit), {}).failureProbability;
@@ -102,7 +102,7 @@ class TestPrediction : public QObject {
     for (std::size_t i = 50; i < points.size(); ++i) {
       points[i].positionMm.x -= 0.9 * static_cast<double>(std::min<std::size_t>(i - 49, 6));
     }
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       const double limit = feedMmPerSAt(0.3, points, at(method, 1.0), {}, 0.5, 200.0) * 60.0;
       const Prediction prediction = predict(points, at(method, limit), {});
       QVERIFY(prediction.weakestProbability > 0.01);
@@ -125,7 +125,7 @@ class TestPrediction : public QObject {
   }
 
   void everyLengthIsPossible() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       for (std::size_t count = 1; count < 24; ++count) {
         const Prediction prediction = predict(line(count, 1.0), at(method, 100.0), {});
         QVERIFY(prediction.failureProbability < 1e-3);

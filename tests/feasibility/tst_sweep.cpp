@@ -69,6 +69,7 @@ class TestSweep : public QObject {
 
   void signalOverN() {
     OperatingPoint point;
+    point.method = MethodKind::Signal;
     const auto borders = sweepBorders(point, loaded(), SweepAxis::PointsPerLoop, {0.0, 20.0, 64});
     QCOMPARE(borders.size(), std::size_t{4});
     const Border& window = find(borders, Equation::Window, true);
@@ -90,14 +91,15 @@ class TestSweep : public QObject {
   void signalWithoutAProgramHasNoRealWindow() {
     ProgramDistances distances;
     distances.pointDistanceMmMin = 0.2;
-    const auto borders = sweepBorders({}, distances, SweepAxis::PointDistance, {0.0, 1.0, 11});
+    const auto borders =
+        sweepBorders({MethodKind::Signal}, distances, SweepAxis::PointDistance, {0.0, 1.0, 11});
     QCOMPARE(borders.size(), std::size_t{2});
     QCOMPARE(borders[0].equation, Equation::Window);
   }
 
   /// A border is where the verdict changes.
   void bordersAgreeWithTheVerdict() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       for (const SweepAxis axis :
            {SweepAxis::PointDistance, SweepAxis::PointsPerLoop, SweepAxis::Delta}) {
         OperatingPoint point;

@@ -46,6 +46,24 @@ class TestVerdict : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Method window never moves wrongly; the verdict says up to which feed nobody waits.
+  void windowIsAlwaysFeasibleAndSaysItsReach() {
+    // 3·7 + 5 accesses of 4.3 ms for 7 steps of 0.15 mm: 563.5 mm/min.
+    const auto slow = judge(at(MethodKind::Window, 563), only(0.15));
+    QVERIFY(slow->feasible && !slow->waits);
+    QCOMPARE(slow->limiting.equation, Equation::Reach);
+    QVERIFY(std::abs(base::mmPerMinFromMmPerS(slow->feedMmPerSMax) - 563.506) < 1e-2);
+    const auto fast = judge(at(MethodKind::Window, 564), only(0.15));
+    QVERIFY(fast->feasible && fast->waits);
+    QVERIFY(judge(at(MethodKind::Window, 1e6), only(0.0))->feasible);
+    // A loaded program: 7 steps are twice d_min^N of 3 steps and one single step.
+    const auto program = judge(at(MethodKind::Window, 100), loaded(0.1, 3, 0.9));
+    const double mmPerS = (2 * 0.9 + 0.1) / (26 * 0.0043);
+    QVERIFY(std::abs(program->feedMmPerSMax - mmPerS) < 1e-9);
+    // δ has no part in it.
+    QVERIFY(judge(at(MethodKind::Window, 100, -1.0), only(1)).has_value());
+  }
+
   void initTestCase() {
     if (!qEnvironmentVariableIsSet("RC_PARAMS")) {
       qputenv("RC_PARAMS", "seed=20260101 max_success=500");
@@ -114,7 +132,7 @@ class TestVerdict : public QObject {
   }
 
   void nothingIsFeasibleWithoutDistance() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       const auto verdict = judge(at(method, 1), only(0.0));
       QVERIFY(!verdict->feasible);
       QCOMPARE(verdict->feedMmPerSMax, 0.0);

@@ -81,6 +81,7 @@ class TestEquivalence : public QObject {
  private Q_SLOTS:
   void bothLinksDoTheSame_data() {
     QTest::addColumn<int>("method");
+    QTest::newRow("window") << static_cast<int>(MethodKind::Window);
     QTest::newRow("signal") << static_cast<int>(MethodKind::Signal);
     QTest::newRow("position") << static_cast<int>(MethodKind::Position);
   }
@@ -97,6 +98,7 @@ class TestEquivalence : public QObject {
     settings.deltaMm = 1.0;
     settings.feedMmPerS = base::mmPerSFromMmPerMin(1500.0);
     settings.monitor = true;
+    settings.runNumber = 4711;
 
     machine::Machine simulated(*machine::loadPreset("dmu75"), 1);
     streaming::SimulatedLink simulatedLink(simulated);
@@ -113,7 +115,20 @@ class TestEquivalence : public QObject {
       QCOMPARE(seen->report.integrity.executed, points.size());
     }
     QVERIFY(!virtualRun.writes.empty());
-    QVERIFY(virtualRun.writes == realRun.writes);
+    // How often the heart beats is a matter of time, what is streamed is not.
+    const auto cells = templates::planCells(settings.parameters);
+    const auto streamed = [&](const Seen& seen) {
+      std::vector<std::pair<int, double>> writes;
+      for (std::size_t i = 0; i < seen.writes.size(); ++i) {
+        if (cells->windows > 0 && seen.writes[i].first == cells->heartbeat) {
+          ++i;  // with the end of its request
+        } else {
+          writes.push_back(seen.writes[i]);
+        }
+      }
+      return writes;
+    };
+    QVERIFY(streamed(virtualRun) == streamed(realRun));
     QVERIFY(virtualRun.executed == realRun.executed);
     QCOMPARE(virtualRun.report.pauses.size(), realRun.report.pauses.size());
   }

@@ -103,6 +103,44 @@ class TestProbability : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Method window: how long a run takes, whether the client keeps up or the machine waits for it.
+  void windowTakesAsLongAsPredicted() {
+    std::size_t waited = 0;
+    for (const int points : {4, 7, 12}) {
+      for (const auto& [slower, feedMmPerMin] :
+           {std::pair(1, 200.0), std::pair(1, 1500.0), std::pair(1, 5000.0), std::pair(4, 200.0),
+            std::pair(4, 600.0), std::pair(4, 3000.0)}) {
+        base::Random random(7);
+        streaming::Scenario scenario;
+        scenario.machine = *machine::loadPreset("dmu75");
+        scenario.program = streaming::programOf(streaming::drawContour({200, 0.15, 0.15}, random));
+        scenario.machine.access.nodeTimeMean *= slower;
+        scenario.settings.parameters.method = MethodKind::Window;
+        scenario.settings.parameters.pointsPerLoop = points;
+        scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+        const streaming::RunReport report = streaming::simulate(scenario);
+        QVERIFY2(report.isFaultless(), report.error.text().c_str());
+        const base::Vec3 startMm{0.0, 0.0, 50.0};
+        const auto list = gcode::streamPoints(scenario.program->trajectory, startMm);
+        const feasibility::Prediction prediction = feasibility::predict(
+            list.points, {MethodKind::Window, points, 0.3, scenario.settings.feedMmPerS},
+            experiments::streamModelOf(scenario.machine), startMm);
+        QCOMPARE(prediction.failureProbability, 0.0);
+        const double predicted = base::toSeconds(prediction.duration);
+        const double took = base::toSeconds(report.duration);
+        qInfo("M %d F %.0f: %.2f s, predicted %.2f s, of which waiting %.2f s, %zu pauses", points,
+              feedMmPerMin, took, predicted, base::toSeconds(prediction.waiting),
+              report.pauses.size());
+        QCOMPARE(prediction.stops, report.pauses.size());
+        const bool waits = prediction.waiting > base::Duration{};
+        QVERIFY(std::abs(predicted / took - 1.0) <
+                (waits ? feasibility::kWaitingDurationError : feasibility::kDurationError));
+        waited += waits ? 1 : 0;
+      }
+    }
+    QVERIFY(waited >= 3);
+  }
+
   /// From feeds at which nothing fails to feeds at which everything does.
   void agreesWithTheSimulation() {
     const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());

@@ -99,7 +99,7 @@ class TestJob : public QObject {
  private Q_SLOTS:
   /// Any number of points, whether or not it fills its last loop or window.
   void everyLengthRunsOnce() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       for (const int perLoop : {2, 3, 7, 9}) {
         for (int points = 1; points <= 3 * perLoop + 2; ++points) {
           World world("ideal");
@@ -166,7 +166,7 @@ class TestJob : public QObject {
   }
 
   void stopEndsAfterTheLoop() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       World world("dmu75");
       world.recorder.stopAt = 30;
       const RunReport report =

@@ -30,7 +30,7 @@ class TestMethods : public QObject {
  private Q_SLOTS:
   /// What is due has no slack: a read for the display in front of a refill makes it late.
   void refillIsNeededAtOnce() {
-    for (const MethodKind kind : base::kMethodKinds) {
+    for (const MethodKind kind : base::kPaperMethods) {
       const auto method = streaming::makeMethod(setup(kind));
       base::Instant now{};
       for (int begin = 0; begin < 2; ++begin) {  // fill, run

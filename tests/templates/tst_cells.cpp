@@ -18,7 +18,7 @@ namespace {
 /// All combinations of method, layout, signal stop and axes; N is left to the caller.
 std::vector<TemplateParameters> variants() {
   std::vector<TemplateParameters> all;
-  for (const MethodKind method : base::kMethodKinds) {
+  for (const MethodKind method : base::kPaperMethods) {
     for (const Layout layout : {Layout::Paper, Layout::Contiguous}) {
       for (const SignalStop stop : {SignalStop::EachSignal, SignalStop::OncePerLoop}) {
         if (method == MethodKind::Position && stop == SignalStop::OncePerLoop) {
@@ -38,6 +38,18 @@ std::vector<TemplateParameters> variants() {
   return all;
 }
 
+TemplateParameters signal() {
+  TemplateParameters parameters;
+  parameters.method = MethodKind::Signal;
+  return parameters;
+}
+
+TemplateParameters window() {
+  TemplateParameters parameters;
+  parameters.method = MethodKind::Window;
+  return parameters;
+}
+
 }  // namespace
 
 class TestCells : public QObject {
@@ -45,7 +57,7 @@ class TestCells : public QObject {
 
  private Q_SLOTS:
   void paperLayoutIsThatOfThePaper() {
-    const auto cells = templates::planCells({});
+    const auto cells = templates::planCells(signal());
     QVERIFY(cells.has_value());
     QCOMPARE(cells->slotCells(0), (std::vector<int>{11, 12, 13}));
     QCOMPARE(cells->slotCells(1), (std::vector<int>{21, 22, 23}));
@@ -54,7 +66,7 @@ class TestCells : public QObject {
   }
 
   void paperLayoutKeepsThePlaceOfAnAxis() {
-    TemplateParameters parameters;
+    TemplateParameters parameters = signal();
     parameters.axes = {true, false, true};
     const auto cells = templates::planCells(parameters);
     QVERIFY(cells.has_value());
@@ -92,8 +104,81 @@ class TestCells : public QObject {
     }
   }
 
+  /// Everything a window carries lies in one run of cells: one array node can take it.
+  void windowsAreContiguous() {
+    for (unsigned axes = 1; axes < 8; ++axes) {
+      for (const int windows : {1, 2, 5}) {
+        TemplateParameters parameters = window();
+        parameters.axes = {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0};
+        parameters.windows = windows;
+        parameters.baseCell = 20;
+        parameters.rParameterCount = 400;
+        const auto cells = templates::planCells(parameters);
+        QVERIFY(cells.has_value());
+        std::set<int> used{cells->run,    cells->delivered, cells->latched,
+                           cells->layout, cells->executed,  cells->state,
+                           cells->client, cells->owner,     cells->heartbeat};
+        QCOMPARE(used.size(), std::size_t{9});
+        QVERIFY(*used.begin() == 20 && *used.rbegin() < 30);
+        int next = 30;
+        for (int number = 0; number < windows; ++number) {
+          QCOMPARE(cells->windowCount(number), next++);
+          QCOMPARE(cells->windowFeed(number), next++);
+          QCOMPARE(cells->windowCheck(number), next++);
+          for (int place = 0; place < parameters.pointsPerLoop; ++place) {
+            for (const int cell : cells->slotCells(number * parameters.pointsPerLoop + place)) {
+              QCOMPARE(cell, next++);
+            }
+          }
+        }
+        QCOMPARE(cells->last(), next - 1);
+      }
+    }
+  }
+
+  /// The factors are apart by more than the tolerance of the check leaves open, and print exactly.
+  void checkFactorsAreDistinct() {
+    std::set<double> seen;
+    for (int place = 0; place < 3000; ++place) {
+      const double factor = templates::checkFactor(place);
+      QVERIFY(factor >= 1.0 && factor < 2.0);
+      QCOMPARE(std::stod(QString::number(factor, 'f', 6).toStdString()), factor);
+      seen.insert(factor);
+    }
+    QCOMPARE(seen.size(), std::size_t{3000});
+  }
+
+  void badWindowCellsAreRefused() {
+    for (const int windows : {0, -1, 9}) {
+      TemplateParameters parameters = window();
+      parameters.windows = windows;
+      QVERIFY(templates::planCells(parameters).error().code == TemplateError::BadCells);
+    }
+    for (const int base : {-1, 2'000'000'000}) {
+      TemplateParameters parameters = window();
+      parameters.baseCell = base;
+      QVERIFY(templates::planCells(parameters).error().code == TemplateError::BadCells);
+    }
+    for (const int stride : {-1, 2, 101}) {
+      TemplateParameters parameters = window();
+      parameters.slotStride = stride;
+      QVERIFY(templates::planCells(parameters).error().code == TemplateError::BadCells);
+    }
+  }
+
   void whatFitsFitsAndOneMoreDoesNot() {
-    for (TemplateParameters parameters : variants()) {
+    std::vector<TemplateParameters> all = variants();
+    for (const int windows : {1, 2, 3}) {
+      for (const int base : {0, 30}) {
+        for (const int stride : {0, 7}) {
+          all.push_back(window());
+          all.back().windows = windows;
+          all.back().baseCell = base;
+          all.back().slotStride = stride;
+        }
+      }
+    }
+    for (TemplateParameters parameters : all) {
       for (const int count : {5, 12, 13, 14, 15, 25, 99, 100, 999, 1000, 5000}) {
         parameters.rParameterCount = count;
         const int max = templates::pointsPerLoopMax(parameters);
@@ -123,7 +208,7 @@ class TestCells : public QObject {
   }
 
   void refusalSaysWhatToDo() {
-    TemplateParameters parameters;
+    TemplateParameters parameters = signal();
     parameters.pointsPerLoop = 12;
     const auto refused = templates::planCells(parameters);
     QVERIFY(!refused);
@@ -135,7 +220,7 @@ class TestCells : public QObject {
   }
 
   void refusesTooFewPointsAndNoAxis() {
-    TemplateParameters parameters;
+    TemplateParameters parameters = signal();
     for (const int n : {1, 0, -3}) {
       parameters.pointsPerLoop = n;
       const auto refused = templates::planCells(parameters);
@@ -165,20 +250,36 @@ class TestCells : public QObject {
         ++count;
       }
     }
+    for (const int windows : {1, 2, 3, 8}) {
+      for (unsigned axes = 1; axes < 8; ++axes) {
+        TemplateParameters parameters = window();
+        parameters.windows = windows;
+        parameters.axes = {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0};
+        for (int n = 1; n <= 1000; ++n) {
+          parameters.pointsPerLoop = n;
+          seen.insert(templates::layoutNumber(parameters));
+          ++count;
+        }
+      }
+    }
     QCOMPARE(seen.size(), count);
+    TemplateParameters moved = window();
+    moved.baseCell = 1;
+    QVERIFY(templates::layoutNumber(moved) != templates::layoutNumber(window()));
   }
 
   void layoutNumberIsStable() {
     // A number may change only together with the version of the generator: programs with it are
     // stored on machines.
-    QCOMPARE(templates::layoutNumber({}), kDefaultLayoutNumber);
-    TemplateParameters other;
+    QCOMPARE(templates::layoutNumber(signal()), kDefaultLayoutNumber);
+    TemplateParameters other = signal();
     other.rParameterCount = 500;
     QCOMPARE(templates::layoutNumber(other), kDefaultLayoutNumber);
     other.method = MethodKind::Position;
     const int position = templates::layoutNumber(other);
     other.signalStop = SignalStop::OncePerLoop;  // without meaning for method position
     QCOMPARE(templates::layoutNumber(other), position);
+    QCOMPARE(templates::layoutNumber({}), kWindowLayoutNumber);
   }
 
   void layoutNames() {
@@ -189,6 +290,7 @@ class TestCells : public QObject {
   }
 
  private:
+  static constexpr int kWindowLayoutNumber = 179345;
   static constexpr int kDefaultLayoutNumber = 149451;
 };
 

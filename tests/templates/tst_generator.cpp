@@ -57,6 +57,19 @@ class TestGenerator : public QObject {
                                                      SignalStop::EachSignal, {false, true, false});
   }
 
+  void goldenWindow_data() {
+    QTest::addColumn<TemplateParameters>("parameters");
+    QTest::newRow("window_7") << make(MethodKind::Window, 7);
+    TemplateParameters parameters =
+        make(MethodKind::Window, 3, Layout::Paper, SignalStop::EachSignal, {true, false, true});
+    parameters.windows = 3;
+    parameters.baseCell = 40;
+    parameters.slotStride = 5;
+    parameters.rParameterCount = 200;
+    QTest::newRow("window_3_xz_base_40") << parameters;
+  }
+  void goldenWindow() { golden(); }
+
   void golden() {
     QFETCH(const TemplateParameters, parameters);
     const auto text = templates::generateTemplate(parameters);
@@ -96,7 +109,7 @@ class TestGenerator : public QObject {
   }
 
   void everySlotMovesOnceInOrder() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       for (const SignalStop stop : {SignalStop::EachSignal, SignalStop::OncePerLoop}) {
         const TemplateParameters parameters = make(method, 8, Layout::Paper, stop);
         const auto cells = templates::planCells(parameters);
@@ -111,6 +124,47 @@ class TestGenerator : public QObject {
                                     .arg(numbers[1])
                                     .arg(numbers[2]));
         }
+      }
+    }
+  }
+
+  /// Between the decision to take a window and the motion there is a copy and its check, and no
+  /// motion block reads an R-parameter. Every way into the loop passes a STOPRE and the stop cell.
+  void windowMovesOnlyFromItsCheckedCopy() {
+    for (const int count : {1, 2, 7, 14}) {
+      for (const int windows : {1, 2, 3}) {
+        TemplateParameters parameters = make(MethodKind::Window, count);
+        parameters.windows = windows;
+        parameters.rParameterCount = 300;
+        const auto cells = templates::planCells(parameters);
+        QVERIFY(cells.has_value());
+        const QStringList blocks = blocksOf(parameters);
+        for (const QString& block : blocks.filter(QRegularExpression(QStringLiteral("^G1 ")))) {
+          QVERIFY2(!block.contains(QRegularExpression(QStringLiteral("R[0-9\\[]"))),
+                   qPrintable(block));
+        }
+        const qsizetype take = blocks.indexOf(QStringLiteral("RIV_TAKE:"));
+        const qsizetype check =
+            blocks.indexOf(QStringLiteral("IF ABS(RIV_S)>0.000001 GOTOF RIV_DAMAGED"));
+        const qsizetype firstMove = blocks.indexOf(QRegularExpression(QStringLiteral("^G1 .*")));
+        QVERIFY(take > 0 && take < check && check < firstMove);
+        const QString latched = QStringLiteral("R%1=RIV_L").arg(cells->latched);
+        QCOMPARE(blocks.count(latched), 1);
+        QVERIFY(blocks.indexOf(latched) > check && blocks.indexOf(latched) < firstMove);
+        const qsizetype next = blocks.indexOf(QStringLiteral("RIV_NEXT:"));
+        QCOMPARE(blocks[next + 1], QStringLiteral("STOPRE"));
+        QCOMPARE(blocks[next + 3], QStringLiteral("IF R%1>1 GOTOF RIV_STOPPED").arg(cells->run));
+        // Every label jumped to exists once, behind a GOTOF and in front of a GOTOB.
+        const QRegularExpression jump(QStringLiteral("GOTO([FB]) (RIV_[A-Z]+)$"));
+        for (qsizetype i = 0; i < blocks.size(); ++i) {
+          const auto match = jump.match(blocks[i]);
+          if (match.hasMatch()) {
+            const QString label = match.captured(2) + QLatin1Char(':');
+            QCOMPARE(blocks.count(label), 1);
+            QCOMPARE(blocks.indexOf(label) > i, match.captured(1) == QStringLiteral("F"));
+          }
+        }
+        QCOMPARE(blocks.last(), QStringLiteral("M30"));
       }
     }
   }
@@ -131,7 +185,7 @@ class TestGenerator : public QObject {
   }
 
   void programEndsAndResetsAsAgreed() {
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       const TemplateParameters parameters = make(method, 4);
       const QStringList blocks = blocksOf(parameters);
       QCOMPARE(blocks.last(), QStringLiteral("M30"));
@@ -158,12 +212,12 @@ class TestGenerator : public QObject {
   }
 
   void fileNames() {
-    QCOMPARE(templates::templateFileName({}), std::string("RIVULET_SIGNAL_7.MPF"));
+    QCOMPARE(templates::templateFileName({}), std::string("RIVULET_WINDOW_7X2.MPF"));
     QCOMPARE(templates::templateFileName(make(MethodKind::Position, 12)),
              std::string("RIVULET_POSITION_12.MPF"));
     std::set<std::string> names;
     std::size_t count = 0;
-    for (const MethodKind method : base::kMethodKinds) {
+    for (const MethodKind method : base::kPaperMethods) {
       for (const Layout layout : {Layout::Paper, Layout::Contiguous}) {
         for (unsigned axes = 1; axes < 8; ++axes) {
           for (const int n : {1, 7, 40, 999, 1000, 9999, 16262}) {
@@ -179,6 +233,22 @@ class TestGenerator : public QObject {
         }
       }
     }
+    for (const int n : {1, 7, 999}) {
+      for (const int windows : {1, 2, 8}) {
+        for (const int base : {0, 40, 900}) {
+          for (const int stride : {0, 5}) {
+            TemplateParameters parameters = make(MethodKind::Window, n);
+            parameters.windows = windows;
+            parameters.baseCell = base;
+            parameters.slotStride = stride;
+            names.insert(templates::templateFileName(parameters));
+            ++count;
+          }
+        }
+      }
+    }
+    QCOMPARE(templates::templateFileName(make(MethodKind::Signal, 7)),
+             std::string("RIVULET_SIGNAL_7.MPF"));
     QCOMPARE(names.size(), count);
   }
 };

@@ -68,6 +68,8 @@ struct ErrorTexts {
             "contiguous layout, or enlarge MD28050.");
       case TemplateError::NoAxis:
         return tr("No axis is chosen. Choose at least one axis.");
+      case TemplateError::BadCells:
+        return tr("The cells of method window are out of range. See base, stride and windows.");
       case TemplateError::FileNotWritable:
         return tr("The file cannot be written. Choose another folder.");
     }
@@ -147,6 +149,24 @@ struct ErrorTexts {
         return tr("The control ended the program with an alarm. Clear its cause at the control.");
       case StreamError::EndedEarly:
         return tr("The program on the control ended before all points were sent.");
+      case StreamError::OtherClient:
+        return tr(
+            "Another client uses the program on the control. Nothing more is written: let it "
+            "finish, or reset the control.");
+      case StreamError::Restarted:
+        return tr(
+            "The program on the control was started anew in the middle of the run. Reset the "
+            "control, then resume.");
+      case StreamError::WindowDamaged:
+        return tr(
+            "The control refused a window that did not fit its check number and did not execute "
+            "it. Something else writes these R-parameters: find it, then resume.");
+      case StreamError::ClientSilent:
+        return tr(
+            "The control ended its program because nothing came from here for too long. Check "
+            "the network, then resume.");
+      case StreamError::CannotResume:
+        return tr("Where the run was left is not known for certain. Start from the beginning.");
     }
     return {};
   }

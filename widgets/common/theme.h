@@ -38,7 +38,7 @@ struct ThemeColors {
   QColor path;       ///< path still to be cut
   QColor rapid;
   QColor trace;                     ///< measured curves
-  std::array<QColor, 4> equations;  ///< by `feasibility::Equation`
+  std::array<QColor, 5> equations;  ///< by `feasibility::Equation`
   QColor feasibleFill;
   QColor safetyFill;
   QColor pauseFill;

@@ -190,7 +190,7 @@ void FeasibilityPage::showHint() {
                     : tr("Drag the ring to change N and the feed.");
   } else if (m_tabs->currentIndex() == 2) {
     text = position ? tr("Drag the ring to change δ and the feed.")
-                    : tr("Method signal does not use δ: the borders do not depend on it.");
+                    : tr("This method does not use δ: the borders do not depend on it.");
   }
   const auto* shown = static_cast<RegionChart*>(m_tabs->currentWidget());
   if (shown->region()) {
@@ -206,8 +206,9 @@ void FeasibilityPage::showLegend() {
   std::vector<LegendEntry> entries;
   entries.push_back(
       {LegendEntry::Symbol::Marker, QPen(colors.text, 2.0), {}, tr("Operating point")});
-  entries.push_back(
-      {LegendEntry::Symbol::Fill, QPen(colors.line, 1), colors.feasibleFill, tr("Feasible")});
+  const bool window = m_model && m_model->operatingPoint.method == base::MethodKind::Window;
+  entries.push_back({LegendEntry::Symbol::Fill, QPen(colors.line, 1), colors.feasibleFill,
+                     window ? tr("Without waiting") : tr("Feasible")});
   entries.push_back(
       {LegendEntry::Symbol::Fill, QPen(colors.line, 1), colors.safetyFill, tr("Safety band")});
   const auto* chart = static_cast<RegionChart*>(m_tabs->currentWidget());
@@ -231,6 +232,9 @@ void FeasibilityPage::showLegend() {
         break;
       case Equation::RealWindow:
         text = tr("(3ᴺ) half a loop, real path");
+        break;
+      case Equation::Reach:
+        text = tr("reach: the client keeps up");
         break;
     }
     entries.push_back({LegendEntry::Symbol::Line,

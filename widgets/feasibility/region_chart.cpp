@@ -45,6 +45,8 @@ QString shortLabel(Equation equation) {
       return QStringLiteral("(3)");
     case Equation::RealWindow:
       return QStringLiteral("(3ᴺ)");
+    case Equation::Reach:
+      return RegionChart::tr("reach");
   }
   return {};
 }

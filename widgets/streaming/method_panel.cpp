@@ -170,13 +170,14 @@ void MethodPanel::retranslate() {
   const bool wasShowing = std::exchange(m_isShowing, true);
   m_settingsGroup->setTitle(tr("Method"));
   m_methodLabel->setText(tr("Method"));
-  m_method->setItemText(0, tr("Position"));
-  m_method->setItemText(1, tr("Signal"));
+  m_method->setItemText(0, tr("Window"));
+  m_method->setItemText(1, tr("Position"));
+  m_method->setItemText(2, tr("Signal"));
   m_method->setToolTip(
-      tr("Position: the client watches the tool and replaces points it has "
+      tr("Window: the machine waits when the client is late; it never executes a point twice. "
+         "Position: the client watches the tool and replaces points it has "
          "passed. Signal: the client watches a cell in which the program says "
          "which half of the loop may be replaced."));
-  m_pointsLabel->setText(tr("N (points per loop)"));
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
@@ -204,6 +205,10 @@ bool MethodPanel::usesDelta() const {
   return m_settings.parameters.method == base::MethodKind::Position;
 }
 
+bool MethodPanel::isWindow() const {
+  return m_settings.parameters.method == base::MethodKind::Window;
+}
+
 void MethodPanel::showSettings() {
   const bool wasShowing = std::exchange(m_isShowing, true);
   m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_settings.parameters.method)));
@@ -211,14 +216,18 @@ void MethodPanel::showSettings() {
   m_points->setValue(m_settings.parameters.pointsPerLoop);
   m_delta->setValue(m_settings.deltaMm);
   m_feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
-  for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_layout),
-                         static_cast<QWidget*>(m_points), static_cast<QWidget*>(m_feed)}) {
+  for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_points),
+                         static_cast<QWidget*>(m_feed)}) {
     field->setEnabled(m_editable);
   }
+  const bool window = isWindow();
+  m_pointsLabel->setText(window ? tr("N (points per window)") : tr("N (points per loop)"));
+  m_layout->setEnabled(m_editable && !window);
+  m_layout->setToolTip(window ? tr("Method window has a layout of its own") : QString());
   m_delta->setEnabled(m_editable && usesDelta());
   m_delta->setToolTip(usesDelta()
                           ? tr("Distance from the tool at which a point counts as reached")
-                          : tr("Method signal does not use δ: it watches a cell, not the tool"));
+                          : tr("This method does not use δ: it watches a cell, not the tool"));
   m_deltaLabel->setToolTip(m_delta->toolTip());
   m_isShowing = wasShowing;
 }
@@ -254,6 +263,8 @@ QString MethodPanel::equationText(feasibility::Equation equation) const {
       return tr(
           "Equation (3) with the real path: half a loop must be written before the tool has "
           "used it up.");
+    case feasibility::Equation::Reach:
+      return tr("Reach: the next window must be written while the tool works off another.");
   }
   return {};
 }
@@ -272,16 +283,25 @@ void MethodPanel::showVerdict() {
     return;
   }
 
-  m_headline->setStatus(m_verdict->feasible ? Status::Good : Status::Fault,
-                        m_verdict->feasible ? tr("Feasible") : tr("Not feasible"));
+  const bool waits = m_verdict->waits;
+  m_limitLabel->setText(isWindow() ? tr("Largest feed without waiting") : tr("Largest feed"));
+  if (waits) {
+    m_headline->setStatus(Status::Attention, tr("Safe, with waiting"));
+  } else {
+    m_headline->setStatus(m_verdict->feasible ? Status::Good : Status::Fault,
+                          m_verdict->feasible ? tr("Feasible") : tr("Not feasible"));
+  }
   const feasibility::Condition& limiting = m_verdict->limiting;
-  QString reason = (m_verdict->feasible ? tr("Closest limit: %1") : tr("Violated: %1"))
+  QString reason = (waits                 ? tr("The machine will wait for points: %1")
+                    : m_verdict->feasible ? tr("Closest limit: %1")
+                                          : tr("Violated: %1"))
                        .arg(equationText(limiting.equation));
   if (m_problem && !m_problem->isEmpty()) {
     reason += QLatin1Char('\n') + *m_problem;
   }
   m_reason->setText(reason);
-  m_margin->setText(tr("%1 × (must exceed 1)").arg(factorText(limiting.margin)));
+  m_margin->setText((isWindow() ? tr("%1 × (waits below 1)") : tr("%1 × (must exceed 1)"))
+                        .arg(factorText(limiting.margin)));
   m_limit->setText(feedText(m_verdict->feedMmPerSMax));
   if (limiting.place && limiting.place->lastLine.value > 0) {
     const feasibility::Place& place = *limiting.place;
@@ -294,7 +314,7 @@ void MethodPanel::showVerdict() {
     m_place->setText(noValue());
   }
 
-  if (m_verdict->feasible) {
+  if (m_verdict->feasible && !waits) {
     return;
   }
   // A larger δ costs no time, so it is offered first where it alone would do.

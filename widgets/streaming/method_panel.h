@@ -56,6 +56,7 @@ class MethodPanel final : public Page {
   void takeSettings();
   [[nodiscard]] QString equationText(feasibility::Equation equation) const;
   [[nodiscard]] bool usesDelta() const;
+  [[nodiscard]] bool isWindow() const;
 
   StreamSettings m_settings;
   std::optional<feasibility::Verdict> m_verdict;

@@ -137,8 +137,9 @@ void ReportPanel::showReport() {
   show(Program,
        report.programName.empty() ? noValue() : QString::fromStdString(report.programName));
   const bool position = report.settings.parameters.method == base::MethodKind::Position;
+  const bool window = report.settings.parameters.method == base::MethodKind::Window;
   show(Method, QStringLiteral("%1, N = %2")
-                   .arg(position ? tr("Position") : tr("Signal"),
+                   .arg(position ? tr("Position") : (window ? tr("Window") : tr("Signal")),
                         QString::number(report.settings.parameters.pointsPerLoop)));
   show(Feed, feedText(report.settings.feedMmPerS));
   show(Delta, position ? lengthText(report.settings.deltaMm) : noValue());

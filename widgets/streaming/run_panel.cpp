@@ -177,7 +177,7 @@ void RunPanel::restyle() {
 
 bool RunPanel::isActive() const {
   return m_update.state == RunState::Armed || m_update.state == RunState::Running ||
-         m_update.state == RunState::Stopping;
+         m_update.state == RunState::Holding || m_update.state == RunState::Stopping;
 }
 
 QString RunPanel::waitingText() const {

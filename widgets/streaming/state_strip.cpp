@@ -27,6 +27,8 @@ struct RunStateTexts {
         return tr("Armed");
       case RunState::Running:
         return tr("Running");
+      case RunState::Holding:
+        return tr("Holding");
       case RunState::Stopping:
         return tr("Stopping");
       case RunState::Done:
@@ -43,7 +45,14 @@ constexpr int kHeightPx = 40;
 constexpr double kTipPx = 10.0;
 
 int stepOf(streaming::RunState state) {
-  return state == streaming::RunState::Aborted ? kStepCount - 1 : static_cast<int>(state);
+  switch (state) {
+    case streaming::RunState::Aborted:
+      return kStepCount - 1;
+    case streaming::RunState::Holding:  // a way of running
+      return static_cast<int>(streaming::RunState::Running);
+    default:
+      return static_cast<int>(state);
+  }
 }
 
 }  // namespace

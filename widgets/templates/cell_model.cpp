@@ -9,7 +9,26 @@ namespace rivulet::widgets {
 
 namespace {
 
+/// Rows in front of the points: of the methods of [P1], and of method window.
 enum FixedRow { Signal, Run, Stop, Feed, LayoutNumber, FixedRowCount };
+enum WindowRow {
+  WindowRun,
+  Delivered,
+  Latched,
+  Executed,
+  WindowLayout,
+  State,
+  ClientNumber,
+  Owner,
+  Heartbeat,
+  WindowRowCount
+};
+/// Rows in front of the points of each window.
+enum OwnRow { Count, WindowFeed, Check, OwnRowCount };
+
+QString cellName(int number) {
+  return QStringLiteral("R%1").arg(number);
+}
 
 }  // namespace
 
@@ -30,7 +49,12 @@ void CellModel::retranslate() {
 }
 
 int CellModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !m_cells ? 0 : FixedRowCount + m_cells->pointsPerLoop;
+  if (parent.isValid() || !m_cells) {
+    return 0;
+  }
+  return m_cells->windows > 0
+             ? WindowRowCount + m_cells->windows * (OwnRowCount + m_cells->pointsPerLoop)
+             : FixedRowCount + m_cells->pointsPerLoop;
 }
 
 int CellModel::columnCount(const QModelIndex& parent) const {
@@ -66,27 +90,85 @@ QVariant CellModel::headerData(int section, Qt::Orientation orientation, int rol
   }
 }
 
+QString CellModel::pointText(int slot, const QString& role, int column) const {
+  if (column == Role) {
+    QStringList axes;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (m_cells->axes[axis]) {
+        axes.append(QString(QLatin1Char(base::kAxisNames[axis])));
+      }
+    }
+    return role.arg(axes.join(QLatin1Char(' ')));
+  }
+  if (column == Parameters) {
+    QStringList cells;
+    for (const int number : m_cells->slotCells(slot)) {
+      cells.append(cellName(number));
+    }
+    return cells.join(QLatin1Char(' '));
+  }
+  return tr("Client");
+}
+
+QString CellModel::windowText(int row, int column) const {
+  const templates::CellMap& cells = *m_cells;
+  const auto pick = [column](const QString& role, int number, const QString& writer) {
+    return column == Role ? role : (column == Parameters ? cellName(number) : writer);
+  };
+  const QString client = tr("Client");
+  const QString nc = tr("NC");
+  if (row >= WindowRowCount) {
+    const int perWindow = OwnRowCount + cells.pointsPerLoop;
+    const int window = (row - WindowRowCount) / perWindow;
+    const int own = (row - WindowRowCount) % perWindow;
+    const QString number = QString::number(window + 1);
+    switch (own) {
+      case Count:
+        return pick(tr("Window %1: points").arg(number), cells.windowCount(window), client);
+      case WindowFeed:
+        return pick(tr("Window %1: feed (mm/min)").arg(number), cells.windowFeed(window), client);
+      case Check:
+        return pick(tr("Window %1: check number").arg(number), cells.windowCheck(window), client);
+      default: {
+        const int place = own - OwnRowCount;
+        return pointText(window * cells.pointsPerLoop + place,
+                         tr("Window %1 point %2: %3").arg(number, QString::number(place + 1)),
+                         column);
+      }
+    }
+  }
+  switch (row) {
+    case WindowRun:
+      return pick(tr("Run"), cells.run, client);
+    case Delivered:
+      return pick(tr("Windows delivered"), cells.delivered, client);
+    case Latched:
+      return pick(tr("Windows taken"), cells.latched, nc);
+    case Executed:
+      return pick(tr("Windows executed"), cells.executed, nc);
+    case WindowLayout:
+      return pick(tr("Layout number"), cells.layout, nc);
+    case State:
+      return pick(tr("State"), cells.state, nc);
+    case ClientNumber:
+      return pick(tr("Number of the run"), cells.client, client);
+    case Owner:
+      return pick(tr("Run obeyed"), cells.owner, nc);
+    case Heartbeat:
+      return pick(tr("Heartbeat"), cells.heartbeat, client);
+    default:
+      return {};
+  }
+}
+
 QString CellModel::text(int row, int column) const {
-  const auto cell = [](int number) { return QStringLiteral("R%1").arg(number); };
+  if (m_cells->windows > 0) {
+    return windowText(row, column);
+  }
+  const auto cell = cellName;
   if (row >= FixedRowCount) {
     const int slot = row - FixedRowCount;
-    if (column == Role) {
-      QStringList axes;
-      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (m_cells->axes[axis]) {
-          axes.append(QString(QLatin1Char(base::kAxisNames[axis])));
-        }
-      }
-      return tr("Point %1: %2").arg(QString::number(slot + 1), axes.join(QLatin1Char(' ')));
-    }
-    if (column == Parameters) {
-      QStringList cells;
-      for (const int number : m_cells->slotCells(slot)) {
-        cells.append(cell(number));
-      }
-      return cells.join(QLatin1Char(' '));
-    }
-    return tr("Client");
+    return pointText(slot, tr("Point %1: %2").arg(slot + 1), column);
   }
   const QString client = tr("Client");
   const QString both = tr("Client, NC");

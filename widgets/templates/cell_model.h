@@ -32,6 +32,9 @@ class CellModel final : public QAbstractTableModel {
 
  private:
   [[nodiscard]] QString text(int row, int column) const;
+  [[nodiscard]] QString windowText(int row, int column) const;
+  /// @param role  with one place left for the names of the axes
+  [[nodiscard]] QString pointText(int slot, const QString& role, int column) const;
 
   std::optional<templates::CellMap> m_cells;
 };

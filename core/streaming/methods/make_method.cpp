@@ -3,14 +3,20 @@
 
 #include "streaming/methods/position.h"
 #include "streaming/methods/signal.h"
+#include "streaming/methods/window.h"
 
 namespace rivulet::streaming {
 
 std::unique_ptr<Method> makeMethod(MethodSetup setup) {
-  if (setup.settings.parameters.method == base::MethodKind::Position) {
-    return std::make_unique<PositionMethod>(std::move(setup));
+  switch (setup.settings.parameters.method) {
+    case base::MethodKind::Position:
+      return std::make_unique<PositionMethod>(std::move(setup));
+    case base::MethodKind::Signal:
+      return std::make_unique<SignalMethod>(std::move(setup));
+    case base::MethodKind::Window:
+      break;
   }
-  return std::make_unique<SignalMethod>(std::move(setup));
+  return std::make_unique<WindowMethod>(std::move(setup));
 }
 
 }  // namespace rivulet::streaming

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the methods of [P1] share: the points in order, the slots they go to, and the loops of
+/// What the methods share: the points in order, the slots they go to, and the loops of
 /// the flexible program. Beyond the last point a slot gets the last point again: the axes stand
 /// there already, so the block moves nothing. @threadsafety one object, one thread.
 #pragma once
@@ -21,7 +21,7 @@ class SlotPlan {
  public:
   explicit SlotPlan(MethodSetup setup) : m_setup(std::move(setup)) {
     RIVULET_ASSERT(!m_setup.points.empty());
-    const auto slots = static_cast<std::size_t>(m_setup.cells.pointsPerLoop);
+    const auto slots = static_cast<std::size_t>(m_setup.cells.slotCount());
     for (std::size_t slot = 0; slot < slots; ++slot) {
       m_cells.push_back(m_setup.cells.slotCells(static_cast<int>(slot)));
     }
@@ -62,9 +62,9 @@ class SlotPlan {
   void clearWrites() { m_writes.clear(); }
   void addCell(int cell, double value) { m_writes.push_back({opcua::rParameter(cell), value}); }
   /// Point `index` (or the last one) into its slot.
-  void addPoint(std::size_t index) {
-    const std::vector<int>& cells = m_cells[index % slotCount()];
-    const base::Vec3 point = pointMm(index);
+  void addPoint(std::size_t index) { addPointAt(index % slotCount(), pointMm(index)); }
+  void addPointAt(std::size_t slot, base::Vec3 point) {
+    const std::vector<int>& cells = m_cells[slot];
     std::size_t next = 0;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (m_setup.cells.axes[axis]) {

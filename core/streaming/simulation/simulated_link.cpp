@@ -136,6 +136,9 @@ void SimulatedLink::access(Request& request) {
   } else if (!m_machine.hasRParameter(variable.index)) {
     status = LinkError::VariableMissing;
   } else {
+    if (onWrite) {
+      onWrite(request.id, variable.index, request.values[request.next]);
+    }
     m_machine.writeRParameter(variable.index, request.values[request.next]);
   }
   request.event.statuses.push_back(status);

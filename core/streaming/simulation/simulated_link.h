@@ -9,6 +9,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <vector>
 
 #include "machine/machine.h"
@@ -20,6 +21,9 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
  public:
   /// @param machine  must outlive the link
   explicit SimulatedLink(machine::Machine& machine) : m_machine(machine) {}
+
+  /// Looks on: called in front of each R-parameter that is written, at the machine's time.
+  std::function<void(base::RequestId request, int cell, double value)> onWrite;
 
   [[nodiscard]] base::Instant now() const override { return m_machine.now(); }
   base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,

@@ -226,7 +226,7 @@ class TestFeasibilityPage : public QObject {
     QVERIFY(test::visibleText(page).contains("Load a program"));
     page.setModel(test::feasibilityModel(base::MethodKind::Signal, 300.0));
     page.showChart(SweepAxis::Delta);
-    QVERIFY(test::visibleText(page).contains("Method signal does not use δ"));
+    QVERIFY(test::visibleText(page).contains("This method does not use δ"));
     language.german();
     QVERIFY(test::visibleText(page).contains("benutzt δ nicht"));
   }

@@ -56,7 +56,7 @@ class TestMethodPanel : public QObject {
     QCOMPARE(changes.count(), 1);
     auto changed = changes.takeFirst().first().value<StreamSettings>();
     QCOMPARE(changed.parameters.pointsPerLoop, 11);
-    panel.findChild<QComboBox*>()->setCurrentIndex(0);
+    panel.findChild<QComboBox*>()->setCurrentIndex(1);
     QCOMPARE(changes.count(), 1);
     changed = changes.takeFirst().first().value<StreamSettings>();
     QCOMPARE(changed.parameters.method, base::MethodKind::Position);
@@ -74,6 +74,30 @@ class TestMethodPanel : public QObject {
     panel.findChild<QSpinBox*>()->setValue(12);
     QCOMPARE(panel.settings().feedMmPerS, 1.23456);
     QCOMPARE(panel.settings().deltaMm, 0.1234567);
+  }
+
+  /// Method window is never infeasible: it says whether the machine will wait, and up to which feed
+  /// it does not.
+  void windowIsSafeAndSaysWhenItWaits() {
+    test::Language language;
+    MethodPanel panel;
+    StreamSettings settings;
+    QCOMPARE(settings.parameters.method, base::MethodKind::Window);
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(50000.0);
+    panel.setSettings(settings);
+    panel.setVerdict(verdictOf(settings), std::nullopt);
+    QVERIFY(test::visibleText(panel).contains("Safe, with waiting"));
+    QVERIFY(test::visibleText(panel).contains("Reach:"));
+    QVERIFY(test::visibleText(panel).contains("N (points per window)"));
+    QPushButton* offer = buttonWith(panel, "Use F = ");
+    QVERIFY(offer != nullptr);
+    offer->click();
+    panel.setVerdict(verdictOf(panel.settings()), std::nullopt);
+    QVERIFY(test::visibleText(panel).contains("Feasible"));
+    QVERIFY(buttonWith(panel, "Use F = ") == nullptr);
+    for (const QComboBox* box : panel.findChildren<QComboBox*>()) {
+      QCOMPARE(box->isEnabled(), box->count() == 3);  // the layout is that of the method
+    }
   }
 
   void deltaBelongsToMethodPosition() {

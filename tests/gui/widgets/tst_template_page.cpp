@@ -29,7 +29,8 @@ class TestTemplatePage : public QObject {
     for (const QPushButton* button : page.findChildren<QPushButton*>()) {
       QVERIFY(!button->isEnabled());
     }
-    const templates::TemplateParameters parameters;
+    templates::TemplateParameters parameters;
+    parameters.method = base::MethodKind::Signal;
     const QString text = QString::fromStdString(templates::generateTemplate(parameters).value());
     page.setTemplate(text, QString::fromStdString(templates::templateFileName(parameters)),
                      templates::planCells(parameters).value(), templates::layoutNumber(parameters));
@@ -43,12 +44,41 @@ class TestTemplatePage : public QObject {
     QVERIFY(test::visibleText(page).contains("No template: N = 20 does not fit."));
   }
 
+  void cellsOfWindowsAreNamed() {
+    test::Language language;
+    CellModel model;
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    templates::TemplateParameters parameters;
+    parameters.method = base::MethodKind::Window;
+    parameters.pointsPerLoop = 3;
+    const auto cells = templates::planCells(parameters).value();
+    model.setCells(cells);
+    QCOMPARE(model.rowCount(), 9 + 2 * (3 + 3));
+    QSet<QString> seen;
+    for (int row = 0; row < model.rowCount(); ++row) {
+      QVERIFY(!model.index(row, CellModel::Role).data().toString().isEmpty());
+      for (const QString& cell :
+           model.index(row, CellModel::Parameters).data().toString().split(u' ')) {
+        QVERIFY2(!seen.contains(cell), qPrintable(cell));
+        seen.insert(cell);
+      }
+    }
+    QVERIFY(seen.contains(QStringLiteral("R%1").arg(cells.last())));
+    QCOMPARE(model.index(model.rowCount() - 1, CellModel::Role).data().toString(),
+             QString("Window 2 point 3: X Y Z"));
+    QCOMPARE(model.index(2, CellModel::Writer).data().toString(), QString("NC"));
+    language.german();
+    QCOMPARE(model.index(model.rowCount() - 1, CellModel::Role).data().toString(),
+             QString("Fenster 2 Punkt 3: X Y Z"));
+  }
+
   void cellsAreNamed() {
     test::Language language;
     CellModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QCOMPARE(model.rowCount(), 0);
     templates::TemplateParameters parameters;
+    parameters.method = base::MethodKind::Signal;
     parameters.axes = {true, true, false};
     model.setCells(templates::planCells(parameters).value());
     QCOMPARE(model.rowCount(), 5 + 7);

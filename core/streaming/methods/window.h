@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Windows with numbers: the program on the control enters none that has not been delivered, so a
+/// client that is late makes the machine wait and never repeat. The client writes a window's
+/// content, waits for the answer, and only then writes its number; it writes into a window again
+/// only after the control has said that it holds a copy. Every request says the same when it is
+/// made twice, so an answer that is lost costs time and nothing else.
+///
+/// Against writes that come from elsewhere (another client, a request of an earlier connection
+/// that arrives late) each window carries a check number made of the run's number, its own number
+/// and its content; the program refuses what does not fit.
+/// @threadsafety one object, one thread.
+#pragma once
+
+#include <array>
+
+#include "streaming/methods/slots.h"
+
+namespace rivulet::streaming {
+
+class WindowMethod final : public Method {
+ public:
+  explicit WindowMethod(MethodSetup setup);
+
+  std::optional<Action> poll(base::Instant now) override;
+  void handle(const Answer& answer, base::Instant now) override;
+  bool answerLost(base::Instant now) override;
+  void requestStop() override { m_stopWanted = true; }
+  void requestHold(bool hold) override { m_holdWanted = hold; }
+  const Progress& progress() const override { return m_progress; }
+  std::optional<base::Error> failure() const override;
+
+ private:
+  enum class Step { Claim, AwaitOwner, Content, Number, Run, Beat, Watch, Look };
+  enum class Trouble { None, OtherClient, Restarted, Ended };
+
+  [[nodiscard]] Action write(Step step, std::size_t points = 0);
+  [[nodiscard]] Action read(Step step, std::span<const opcua::Variable> variables);
+  void addContent(std::size_t window);
+  void observe(double latched, const Answer& answer, base::Instant now);
+  void look(const Answer& answer, base::Instant now);
+  [[nodiscard]] std::size_t windowBegin(std::size_t window) const;
+  [[nodiscard]] base::Duration windowTime(std::size_t window) const;
+  /// The value the run cell should have now.
+  [[nodiscard]] double runWanted() const;
+
+  SlotPlan m_plan;
+  std::size_t m_perWindow;
+  std::size_t m_slots;        ///< k
+  std::size_t m_windowCount;  ///< windows the points make
+  std::array<opcua::Variable, 1> m_ownerCell;
+  std::array<opcua::Variable, 1> m_latchedCell;
+  std::array<opcua::Variable, 5> m_header;
+  Step m_step = Step::Claim;
+  bool m_waiting = false;
+  bool m_stopWanted = false;
+  bool m_holdWanted = false;
+  bool m_renumber = false;  ///< the number on the control is not ours: it is written again
+  Trouble m_trouble = Trouble::None;
+  bool m_owned = false;         ///< the control has granted us its cells
+  double m_run = 0.0;           ///< value of the run cell, as far as confirmed
+  double m_runAsked = 0.0;      ///< value in the write under way
+  std::size_t m_filled = 0;     ///< windows whose content is confirmed
+  std::size_t m_delivered = 0;  ///< windows whose number is confirmed
+  std::size_t m_latched = 0;    ///< windows the control has copied
+  base::Instant m_nextBeat{};
+  base::Instant m_nextLook{};
+  double m_beat = 0.0;
+  Progress m_progress;
+};
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/resume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/contract.h"
+#include "streaming/job.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::Result;
+using base::Vec3;
+using opcua::Variable;
+using opcua::VariableKind;
+
+constexpr double kReset = 0.0;
+constexpr double kEnd = 2.0;
+constexpr Duration kPollInterval = std::chrono::milliseconds{100};
+
+/// A tool farther from the path than this has been moved since: roundings of the control are
+/// smaller by far.
+constexpr double kBesideMm = 0.05;
+/// A point this close ahead counts as reached.
+constexpr double kReachedMm = 1e-3;
+/// Two places of the path this much farther apart along it are two passes, not one.
+constexpr double kPassMm = 0.5;
+
+constexpr const char* kMoved =
+    "The tool does not stand where the run was left. Bring it back to the last point that was "
+    "executed, or start from the beginning.";
+
+Result<std::vector<double>> numbersOf(opcua::Link& link, std::span<const Variable> variables,
+                                      Duration deadline) {
+  const auto readings = readNow(link, variables, deadline);
+  if (!readings) {
+    return base::fail(readings.error());
+  }
+  std::vector<double> numbers;
+  for (const opcua::Reading& reading : *readings) {
+    if (reading.status) {
+      return base::fail(reading.status,
+                        "A variable of the control cannot be read. Check the access rights.");
+    }
+    numbers.push_back(reading.number);
+  }
+  return numbers;
+}
+
+/// A program that waits for our windows ends; nothing else is touched.
+Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
+                           const templates::CellMap& cells, const Checkpoint& last) {
+  const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
+                                         opcua::rParameter(cells.layout),
+                                         opcua::rParameter(cells.owner)}};
+  const Instant until = link.now() + settings.stopDeadline;
+  const int layout = templates::layoutNumber(settings.parameters);
+  for (bool told = false;; told = true) {
+    const auto numbers = numbersOf(link, watched, settings.requestDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    if ((*numbers)[0] == kReset) {
+      return {};
+    }
+    if ((*numbers)[1] != static_cast<double>(layout) ||
+        (*numbers)[2] != static_cast<double>(last.runNumber)) {
+      return base::fail(StreamError::ChannelBusy,
+                        "Another program runs on the control. Let it end or reset the control.");
+    }
+    if (link.now() >= until) {
+      return base::fail(StreamError::StopNotConfirmed,
+                        "The program on the control did not end. Reset the control, then resume.");
+    }
+    if (!told) {
+      const opcua::Assignment end{opcua::rParameter(cells.run), kEnd};
+      if (Result<void> done = writeNow(link, {&end, 1}, settings.requestDeadline); !done) {
+        return done;
+      }
+    }
+    for (const Instant next = link.now() + kPollInterval; link.now() < next;) {
+      if (const auto event = link.wait(next);
+          event && event->kind == opcua::EventKind::ConnectionLost) {
+        return base::fail(event->error);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<std::size_t> pointAhead(const std::vector<Vec3>& path, Vec3 toolMm) {
+  RIVULET_ASSERT(path.size() >= 2);
+  struct Foot {
+    double distanceMm;
+    double arcMm;
+  };
+  std::vector<Foot> feet;
+  std::vector<double> arcMm{0.0};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec3 way = path[i] - path[i - 1];
+    const double lengthMm = base::norm(way);
+    const double share =
+        lengthMm > 0.0
+            ? std::clamp(base::dot(toolMm - path[i - 1], way) / (lengthMm * lengthMm), 0.0, 1.0)
+            : 0.0;
+    feet.push_back(
+        {base::distance(toolMm, path[i - 1] + share * way), arcMm.back() + share * lengthMm});
+    arcMm.push_back(arcMm.back() + lengthMm);
+  }
+  const Foot nearest =
+      *std::min_element(feet.begin(), feet.end(),
+                        [](const Foot& a, const Foot& b) { return a.distanceMm < b.distanceMm; });
+  if (nearest.distanceMm > kBesideMm) {
+    return std::nullopt;
+  }
+  for (const Foot& foot : feet) {
+    if (foot.distanceMm <= kBesideMm && std::abs(foot.arcMm - nearest.arcMm) > kPassMm) {
+      return std::nullopt;
+    }
+  }
+  std::size_t next = 1;
+  while (next < path.size() && arcMm[next] <= nearest.arcMm + kReachedMm) {
+    ++next;
+  }
+  return next;
+}
+
+Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
+                          const RunSettings& settings, const Checkpoint& last) {
+  const Result<templates::CellMap> plan = templates::planCells(settings.parameters);
+  if (!plan) {
+    return base::fail(plan.error());
+  }
+  const templates::CellMap& cells = *plan;
+  if (cells.windows == 0) {
+    return base::fail(StreamError::CannotResume,
+                      "Only method window says how far it came. Start from the beginning.");
+  }
+  if (Result<void> ended = endOurProgram(link, settings, cells, last); !ended) {
+    return base::fail(ended.error());
+  }
+  const std::array<Variable, 6> watched{
+      opcua::rParameter(cells.owner),    opcua::rParameter(cells.latched),
+      opcua::rParameter(cells.executed), {VariableKind::ActualPosition, 0},
+      {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2}};
+  const auto numbers = numbersOf(link, watched, settings.requestDeadline);
+  if (!numbers) {
+    return base::fail(numbers.error());
+  }
+  const std::vector<gcode::StreamPoint> points =
+      gcode::streamPoints(program.trajectory, last.startMm).points;
+  const std::size_t total = points.size();
+  const double latched = (*numbers)[1];
+  const double executed = (*numbers)[2];
+  const bool isOurs = (*numbers)[0] == static_cast<double>(last.runNumber);
+  const auto tool = [&] { return Vec3{(*numbers)[3], (*numbers)[4], (*numbers)[5]}; };
+  if (!isOurs && !last.granted) {
+    // It never came to be obeyed: nothing has moved for it.
+    if (last.firstPoint >= total ||
+        (last.firstPoint > 0 &&
+         base::distance(points[last.firstPoint - 1].positionMm, tool()) > kBesideMm)) {
+      return base::fail(StreamError::CannotResume, kMoved);
+    }
+    return Resume{last.firstPoint, last.startMm};
+  }
+  if (!isOurs || !(executed >= 0.0) || !(latched == executed || latched == executed + 1.0) ||
+      latched > static_cast<double>(total)) {
+    return base::fail(StreamError::CannotResume,
+                      "The control has run something else since: where this run was left is not "
+                      "known. Start from the beginning.");
+  }
+  const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
+  const auto pointOf = [&](double windows) {
+    return std::min(last.firstPoint + static_cast<std::size_t>(windows) * perWindow, total);
+  };
+  std::size_t next = pointOf(executed);
+  const Vec3 toolMm = tool();
+  if (latched > executed) {
+    // Reset in the middle of a window: the tool stands on its way, or at its end.
+    const std::size_t end = pointOf(latched);
+    std::vector<Vec3> path{next > 0 ? points[next - 1].positionMm : last.startMm};
+    for (std::size_t i = next; i < end; ++i) {
+      path.push_back(points[i].positionMm);
+    }
+    const std::optional<std::size_t> ahead =
+        path.size() >= 2 ? pointAhead(path, toolMm) : std::nullopt;
+    if (!ahead) {
+      return base::fail(StreamError::CannotResume,
+                        "The tool does not stand on the path of the window that was broken off, "
+                        "or the path passes there twice. Start from the beginning.");
+    }
+    next += *ahead - 1;
+  } else if (base::distance(next > 0 ? points[next - 1].positionMm : last.startMm, toolMm) >
+             kBesideMm) {
+    // Cells can be written by others; where the tool stands cannot.
+    return base::fail(StreamError::CannotResume, kMoved);
+  }
+  if (next >= total) {
+    return base::fail(StreamError::CannotResume, "Every point has been executed already.",
+                      program.name);
+  }
+  return Resume{next, last.startMm};
+}
+
+}  // namespace rivulet::streaming

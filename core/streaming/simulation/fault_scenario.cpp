@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/simulation/fault_scenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "streaming/job.h"
+#include "streaming/resume.h"
+#include "templates/generator.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::MethodKind;
+using base::Random;
+
+constexpr int kAttemptsMax = 2000;
+/// Some windows at a slow feed, then the 1000 passes after which the program gives the client up.
+constexpr Duration kAloneMax = std::chrono::minutes{30};
+/// Long enough to see whether something moves that must not.
+constexpr Duration kWatched = std::chrono::seconds{30};
+constexpr double kStillMm = 1e-9;
+
+/// What the operator orders, and a limit so that every attempt ends.
+class Operator final : public RunSink, public RunOrders {
+ public:
+  std::optional<Instant> stopAt;
+  std::optional<Instant> holdAt;
+  Instant holdUntil{};
+  void update(const LiveUpdate&) override {}
+  void access(const trace::Access&) override {}
+  void note(const trace::Note&) override {}
+  bool stopRequested(Instant now) override { return stopAt && now >= *stopAt; }
+  bool holdRequested(Instant now) override { return holdAt && now >= *holdAt && now < holdUntil; }
+};
+
+double pathMm(const std::vector<base::Vec3>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += base::distance(points[i - 1], points[i]);
+  }
+  return length;
+}
+
+/// One exposure, step by step.
+class Exposure {
+ public:
+  explicit Exposure(const FaultScenario& scenario)
+      : m_scenario(scenario),
+        m_settings(scenario.run.scenario.settings),
+        m_machine(scenario.run.scenario.machine, scenario.run.scenario.seed),
+        m_link(m_machine, scenario.faults, Random(scenario.run.scenario.seed).fork(31).bits()),
+        m_random(Random(scenario.run.scenario.seed).fork(32)),
+        m_cells(*templates::planCells(m_settings.parameters)),
+        m_isWindow(m_settings.parameters.method == MethodKind::Window) {}
+
+  FaultEvidence run() {
+    m_link.onWrite = [this](int cell, double value, bool stray) { seeWrite(cell, value, stray); };
+    m_link.onTime = [this] { actUpon(); };
+    m_link.onCycleStart = [this] { takeSegment(); };
+    if (m_scenario.wrongProgram) {
+      m_link.programInstead = otherProgram();
+    }
+    for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
+      const RunReport& report = attemptOnce(attempt == 0);
+      leaveAlone(report);
+      if (!m_isWindow || !m_scenario.resumes || report.outcome == Outcome::Completed) {
+        break;
+      }
+      m_link.programInstead.clear();
+      if (!findResume()) {
+        break;
+      }
+    }
+    takeSegment();
+    return std::move(m_evidence);
+  }
+
+ private:
+  const RunReport& attemptOnce(bool first) {
+    m_startedAt = m_machine.now();
+    Operator orders;
+    orders.stopAt = m_startedAt + m_scenario.run.scenario.limit;
+    if (first && m_scenario.stopAfter) {
+      orders.stopAt = m_startedAt + *m_scenario.stopAfter;
+    }
+    if (first && m_scenario.holdAfter) {
+      orders.holdAt = m_startedAt + *m_scenario.holdAfter;
+      orders.holdUntil = *orders.holdAt + m_scenario.holdFor;
+    }
+    if (first && m_scenario.resetAfter) {
+      m_resetAt = m_startedAt + *m_scenario.resetAfter;
+    }
+    if (first && m_scenario.intruderAfter) {
+      m_intrusionAt = m_startedAt + *m_scenario.intruderAfter;
+    }
+    m_evidence.reports.push_back(
+        runJob(m_link, m_link, *m_scenario.run.scenario.program, m_settings, orders, orders));
+    if (m_evidence.reports.back().checkpoint) {
+      m_checkpoint = m_evidence.reports.back().checkpoint;
+      m_checkpointSettings = m_evidence.reports.back().settings;
+    }
+    return m_evidence.reports.back();
+  }
+
+  /// The client is gone; nobody touches the machine. What was delivered may still be executed;
+  /// then the axes stand, and the channel comes to reset by itself.
+  void leaveAlone(const RunReport& report) {
+    m_intrusionAt.reset();
+    if (!m_isWindow ||
+        (m_scenario.hurries && report.error.code == opcua::LinkError::ConnectionLost)) {
+      return;
+    }
+    const bool stopped = report.outcome == Outcome::Stopped && report.stopConfirmedAfter;
+    if (stopped) {
+      watchStanding("behind a confirmed stop");
+    }
+    // Who lost the connection sends nothing more; what is on its way still arrives.
+    if (m_link.isConnected() && report.outcome != Outcome::Stopped &&
+        m_machine.state().channel != machine::ChannelStatus::Reset) {
+      m_link.reconnect();
+    }
+    const Instant until = m_machine.now() + kAloneMax;
+    while (m_machine.now() < until && m_machine.state().channel != machine::ChannelStatus::Reset) {
+      if (report.error.code == StreamError::WrongProgram) {
+        break;  // it is not ours: an operator has to reset it
+      }
+      m_link.wait(m_machine.now() + std::chrono::milliseconds{200});
+    }
+    if (m_machine.state().channel != machine::ChannelStatus::Reset) {
+      if (report.error.code != StreamError::WrongProgram) {
+        m_evidence.endedByItself = false;
+      }
+      m_machine.reset();
+      m_link.wait(m_machine.now() + std::chrono::seconds{2});
+    }
+    watchStanding("in reset");
+  }
+
+  void watchStanding(const char* where) {
+    // The servo settles first.
+    m_machine.advance(m_machine.now() + std::chrono::seconds{1});
+    const std::size_t blocks = m_machine.trace().blocks.size();
+    const base::Vec3 before = m_machine.state().commandMm;
+    m_link.wait(m_machine.now() + kWatched);
+    if (m_machine.trace().blocks.size() != blocks ||
+        base::distance(before, m_machine.state().commandMm) > kStillMm) {
+      m_evidence.violations.push_back(fmt::format("motion {}", where));
+    }
+  }
+
+  /// The operator connects again and asks the control, until it answers.
+  /// @return false if there is nothing to take up
+  bool findResume() {
+    if (!m_checkpoint) {
+      // Nothing has been streamed: from the beginning.
+      m_link.reconnect();
+      return true;
+    }
+    for (int question = 0; question < kAttemptsMax; ++question) {
+      m_link.reconnect();
+      const base::Result<Resume> resume =
+          resumeFrom(m_link, *m_scenario.run.scenario.program, m_checkpointSettings, *m_checkpoint);
+      if (resume) {
+        m_settings.resume = *resume;
+        m_settings.runNumber = 0;
+        return true;
+      }
+      if (resume.error().code == StreamError::CannotResume) {
+        return false;
+      }
+      // A program that nobody feeds ends by itself: in a while.
+      m_link.wait(m_machine.now() + std::chrono::seconds{5});
+    }
+    return false;
+  }
+
+  void takeSegment() {
+    FaultSegment segment;
+    segment.trace = m_machine.trace();
+    segment.endMm = m_machine.state().commandMm;
+    segment.wasReset = m_wasReset;
+    m_wasReset = false;
+    m_delivered = 0;
+    m_evidence.segments.push_back(std::move(segment));
+  }
+
+  /// A window's cells must not be written between its number and the control's copy.
+  void seeWrite(int cell, double value, bool stray) {
+    m_evidence.strayWrites += stray ? 1 : 0;
+    if (m_isWindow && !stray && cell == m_cells.delivered) {
+      m_delivered = static_cast<long long>(value);
+    }
+    if (!m_isWindow || stray || cell < m_cells.windowCount(0)) {
+      return;
+    }
+    if (m_evidence.intrusions > 0) {
+      return;  // what the numbers say is no longer ours
+    }
+    const int window = (cell - m_cells.windowCount(0)) / m_cells.windowStride;
+    const auto latched = static_cast<long long>(m_machine.ncRParameter(m_cells.latched));
+    for (long long number = latched + 1; number <= m_delivered; ++number) {
+      if ((number - 1) % m_cells.windows == window) {
+        m_evidence.violations.push_back(
+            fmt::format("R{} written while window {} waits to be taken", cell, number));
+      }
+    }
+  }
+
+  void actUpon() {
+    if (m_resetAt && m_machine.now() >= *m_resetAt) {
+      m_resetAt.reset();
+      m_wasReset = m_wasReset || m_machine.state().channel != machine::ChannelStatus::Reset;
+      m_machine.reset();
+    }
+    if (m_intrusionAt && m_machine.now() >= *m_intrusionAt) {
+      m_intrusionAt = m_machine.now() + base::fromSeconds(3.0 * m_random.exponential());
+      intrude();
+    }
+  }
+
+  /// Another client writes what it believes to be its own: numbers, content, whole windows.
+  void intrude() {
+    ++m_evidence.intrusions;
+    const int first = m_cells.run;
+    const int last = m_cells.last();
+    const auto any = [&] {
+      return first + static_cast<int>(m_random.below(static_cast<std::uint64_t>(last - first + 1)));
+    };
+    switch (m_random.below(4)) {
+      case 0:  // one cell, a plausible whole number
+        m_machine.writeRParameter(any(), static_cast<double>(m_random.below(20)));
+        break;
+      case 1:  // one cell, a coordinate
+        m_machine.writeRParameter(any(), 40.0 * m_random.normal());
+        break;
+      case 2: {  // the content of a window
+        const int cell = any();
+        for (int i = cell; i <= std::min(last, cell + m_cells.windowStride); ++i) {
+          m_machine.writeRParameter(i, 20.0 * m_random.normal());
+        }
+        break;
+      }
+      default:  // the head as a program of [P1] is armed and started
+        for (int i = 0; i < 5; ++i) {
+          m_machine.writeRParameter(first + i, i == 1 ? 1.0 : 0.0);
+        }
+        break;
+    }
+  }
+
+  /// An older generator, or other settings under the same name.
+  std::string otherProgram() {
+    templates::TemplateParameters parameters = m_settings.parameters;
+    if (m_random.below(2) == 0) {
+      std::string text = *templates::generateTemplate(parameters);
+      const std::string number = fmt::format("={}\n", templates::layoutNumber(parameters));
+      const std::size_t at = text.find(number);
+      return text.replace(at, number.size(), "=17\n");
+    }
+    ++parameters.pointsPerLoop;
+    parameters.rParameterCount += 100;
+    return *templates::generateTemplate(parameters);
+  }
+
+  const FaultScenario& m_scenario;
+  RunSettings m_settings;
+  machine::Machine m_machine;
+  FaultyLink m_link;
+  Random m_random;
+  templates::CellMap m_cells;
+  bool m_isWindow;
+  bool m_wasReset = false;
+  long long m_delivered = 0;  ///< windows, as the client of this connection has said
+  Instant m_startedAt{};
+  std::optional<Instant> m_resetAt;
+  std::optional<Instant> m_intrusionAt;
+  std::optional<Checkpoint> m_checkpoint;
+  RunSettings m_checkpointSettings;
+  FaultEvidence m_evidence;
+};
+
+}  // namespace
+
+FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& preset,
+                         MethodKind method) {
+  FaultScenario drawn;
+  drawn.run = drawScenario(seed, preset);
+  Random random = Random(seed).fork(30);
+  Scenario& scenario = drawn.run.scenario;
+  scenario.machine.rParameterCount = 300;
+  RunSettings& settings = scenario.settings;
+  settings.parameters.method = method;
+  settings.parameters.rParameterCount = 300;
+  if (method == MethodKind::Window) {
+    settings.parameters.pointsPerLoop = 1 + static_cast<int>(random.below(14));
+    settings.parameters.windows = 1 + static_cast<int>(random.below(4));
+    settings.parameters.baseCell = random.below(3) == 0 ? static_cast<int>(random.below(40)) : 0;
+    settings.parameters.slotStride = random.below(4) == 0 ? 5 : 0;
+    settings.parameters.pointsPerLoop = std::min(settings.parameters.pointsPerLoop,
+                                                 templates::pointsPerLoopMax(settings.parameters));
+  }
+  settings.stallDeadline = std::chrono::seconds{120};
+  settings.stopDeadline = std::chrono::seconds{120};
+  settings.requestDeadline = base::fromSeconds(0.5 + 3.0 * random.uniform());
+  scenario.limit = std::chrono::hours{1};
+
+  const double motionS = pathMm(drawn.run.pointsMm) / settings.feedMmPerS;
+  const double lastsS = 2.0 + motionS +
+                        0.07 * static_cast<double>(drawn.run.pointsMm.size()) /
+                            std::max(1, settings.parameters.pointsPerLoop) * 3.0;
+  const auto sometime = [&] { return base::fromSeconds(lastsS * random.uniform()); };
+  LinkFaults& faults = drawn.faults;
+  const auto often = [&](std::uint64_t of, double most) {
+    return random.below(of) == 0 ? most * random.uniform() : 0.0;
+  };
+  faults.delayProbability = often(2, 0.05);
+  faults.delayMax = base::fromSeconds(10.0 * random.uniform());
+  faults.lostRequestProbability = often(3, 0.03);
+  faults.lostAnswerProbability = often(3, 0.03);
+  faults.stallProbability = often(3, 0.02);
+  faults.stallMax = base::fromSeconds(10.0 * random.uniform());
+  faults.disconnectProbability = often(3, 0.02);
+  faults.strayMax = random.below(3) == 0 ? Duration{} : base::fromSeconds(20.0 * random.uniform());
+  if (random.below(4) == 0) {
+    drawn.stopAfter = sometime();
+  }
+  if (random.below(5) == 0) {
+    drawn.holdAfter = sometime();
+    drawn.holdFor = base::fromSeconds(60.0 * random.uniform());
+  }
+  if (random.below(5) == 0) {
+    drawn.resetAfter = sometime();
+  }
+  if (random.below(6) == 0) {
+    drawn.intruderAfter = sometime();
+  }
+  drawn.wrongProgram = random.below(25) == 0;
+  drawn.resumes = random.below(5) != 0;
+  drawn.hurries = random.below(2) == 0;
+  return drawn;
+}
+
+FaultEvidence expose(const FaultScenario& scenario) {
+  return Exposure(scenario).run();
+}
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The invariants of method window under everything that can go wrong, and of the methods of [P1]
+/// that what does go wrong is seen. The judge here shares no code with methods, driver or oracle:
+/// it has the list of points and what the machine says it has executed.
+/// RIVULET_SEED=n replays one run, RIVULET_SCENARIOS=n runs so many; scripts/soak runs many.
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "machine/machine.h"
+#include "parallel/thread_executor.h"
+#include "streaming/simulation/fault_scenario.h"
+
+using namespace rivulet;
+using base::MethodKind;
+using base::Vec3;
+using streaming::FaultEvidence;
+using streaming::FaultScenario;
+using streaming::FaultSegment;
+using streaming::Outcome;
+using streaming::RunReport;
+
+namespace {
+
+constexpr double kSameMm = 1e-6;
+constexpr double kMovedMm = 1e-9;
+/// Where the control was reset in the middle of a rounding, the point it rounds counts as either.
+constexpr double kResetMm = 0.06;
+
+/// Follows the points one by one: each block that moves must end at the point that is due.
+class Follower {
+ public:
+  explicit Follower(const std::vector<gcode::StreamPoint>& points) : m_points(points) {}
+
+  /// @return what was wrong; empty: nothing
+  QString follow(const FaultSegment& segment) {
+    bool isFirst = true;
+    for (const trace::ExecutedBlock& block : segment.trace.blocks) {
+      const bool moves = block.lengthMm > kMovedMm;
+      if (isDue(m_due, block.targetMm)) {
+        ++m_due;
+      } else if (isFirst && m_resetAtMm && moves) {
+        if (!catchUp(block.targetMm)) {
+          return QStringLiteral("behind a reset: not the point due (%1)").arg(m_due);
+        }
+      } else if (moves) {
+        return QStringLiteral("point %1 was due, the axes went to %2 %3 %4")
+            .arg(m_due)
+            .arg(block.targetMm.x)
+            .arg(block.targetMm.y)
+            .arg(block.targetMm.z);
+      }
+      isFirst = isFirst && !moves;
+    }
+    if (!segment.trace.blocks.empty() || segment.wasReset) {
+      m_resetAtMm = segment.wasReset ? std::optional(segment.endMm) : std::nullopt;
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::size_t executed() const { return m_due; }
+  [[nodiscard]] std::size_t resetsInRounding() const { return m_caughtUp; }
+
+ private:
+  [[nodiscard]] bool isDue(std::size_t point, Vec3 targetMm) const {
+    return point < m_points.size() &&
+           base::distance(m_points[point].positionMm, targetMm) <= kSameMm;
+  }
+
+  bool catchUp(Vec3 targetMm) {
+    const auto isThere = [this](std::size_t point) {
+      return base::distance(m_points[point].positionMm, *m_resetAtMm) <= kResetMm;
+    };
+    for (std::size_t point = m_due; point < m_points.size(); ++point) {
+      if (isDue(point, targetMm)) {
+        m_due = point + 1;
+        ++m_caughtUp;
+        return true;
+      }
+      if (!isThere(point)) {
+        break;
+      }
+    }
+    for (std::size_t point = m_due; point-- > 0 && isThere(point);) {
+      if (isDue(point, targetMm)) {
+        m_due = point + 1;
+        ++m_caughtUp;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const std::vector<gcode::StreamPoint>& m_points;
+  std::size_t m_due = 0;
+  std::size_t m_caughtUp = 0;
+  std::optional<Vec3> m_resetAtMm;
+};
+
+struct Tally {
+  std::size_t runs = 0;
+  std::size_t attempts = 0;
+  std::size_t points = 0;
+  std::size_t whole = 0;  ///< every point executed in the end
+  std::size_t wrong = 0;
+  std::size_t stopped = 0;
+  std::size_t lost = 0;
+  std::size_t damaged = 0;
+  std::size_t resets = 0;
+  std::size_t strayWrites = 0;
+  std::size_t intruded = 0;
+  std::size_t refused = 0;
+  std::size_t caughtUp = 0;
+
+  void add(const Tally& other) {
+    runs += other.runs;
+    attempts += other.attempts;
+    points += other.points;
+    whole += other.whole;
+    wrong += other.wrong;
+    stopped += other.stopped;
+    lost += other.lost;
+    damaged += other.damaged;
+    resets += other.resets;
+    strayWrites += other.strayWrites;
+    intruded += other.intruded;
+    refused += other.refused;
+    caughtUp += other.caughtUp;
+  }
+};
+
+std::vector<gcode::StreamPoint> pointsOf(const FaultScenario& drawn) {
+  const auto& axes = drawn.run.scenario.machine.axes;
+  return gcode::streamPoints(drawn.run.scenario.program->trajectory,
+                             {axes[0].startMm, axes[1].startMm, axes[2].startMm})
+      .points;
+}
+
+void count(const FaultEvidence& evidence, Tally& tally) {
+  ++tally.runs;
+  tally.attempts += evidence.reports.size();
+  tally.strayWrites += evidence.strayWrites;
+  tally.intruded += evidence.intrusions > 0 ? 1 : 0;
+  for (const FaultSegment& segment : evidence.segments) {
+    tally.resets += segment.wasReset ? 1 : 0;
+  }
+  for (const RunReport& report : evidence.reports) {
+    tally.stopped += report.outcome == Outcome::Stopped ? 1 : 0;
+    tally.lost += report.error.code == opcua::LinkError::ConnectionLost ? 1 : 0;
+    tally.damaged += report.error.code == streaming::StreamError::WindowDamaged ? 1 : 0;
+    tally.refused += report.error.code == streaming::StreamError::WrongProgram ? 1 : 0;
+  }
+}
+
+/// Faster than programmed?
+QString feedsOf(const FaultScenario& drawn, const FaultEvidence& evidence) {
+  const double most = drawn.run.scenario.settings.feedMmPerS * (1.0 + 1e-9);
+  for (const FaultSegment& segment : evidence.segments) {
+    for (const trace::ControlSample& sample : segment.trace.samples) {
+      if (sample.feedMmPerS > most) {
+        return QStringLiteral("feed %1 mm/s, programmed %2").arg(sample.feedMmPerS).arg(most);
+      }
+    }
+  }
+  return {};
+}
+
+/// @return what method window must never do; empty: nothing
+QString examineWindow(std::uint64_t seed, Tally& tally) {
+  const FaultScenario drawn =
+      streaming::drawFaults(seed, *machine::loadPreset("dmu75"), MethodKind::Window);
+  const FaultEvidence evidence = streaming::expose(drawn);
+  const std::vector<gcode::StreamPoint> points = pointsOf(drawn);
+  count(evidence, tally);
+  Follower follower(points);
+  for (const FaultSegment& segment : evidence.segments) {
+    if (segment.trace.truncated) {
+      return QStringLiteral("the machine's trace is incomplete");
+    }
+    if (const QString wrong = follower.follow(segment); !wrong.isEmpty()) {
+      return wrong;
+    }
+  }
+  tally.points += follower.executed();
+  tally.whole += follower.executed() == points.size() ? 1 : 0;
+  tally.caughtUp += follower.resetsInRounding();
+  if (!evidence.violations.empty()) {
+    return QString::fromStdString(evidence.violations.front());
+  }
+  if (!evidence.endedByItself) {
+    return QStringLiteral("the control was left waiting for a client that was gone");
+  }
+  if (const QString feed = feedsOf(drawn, evidence); !feed.isEmpty()) {
+    return feed;
+  }
+  // What the reports say agrees with what was.
+  const RunReport& last = evidence.reports.back();
+  if (last.outcome == Outcome::Completed && follower.executed() < points.size()) {
+    return QStringLiteral("completed without all points");
+  }
+  for (const RunReport& report : evidence.reports) {
+    if (report.integrity.judged && !report.integrity.isFaultless() &&
+        follower.resetsInRounding() == 0) {
+      return QStringLiteral("the oracle found a fault that was none");
+    }
+  }
+  // Without an intruder an operator who goes on gets the whole program executed.
+  if (drawn.resumes && evidence.intrusions == 0 && !drawn.resetAfter &&
+      follower.executed() < points.size()) {
+    return QStringLiteral("not finished after %1 attempts: %2")
+        .arg(evidence.reports.size())
+        .arg(QString::fromStdString(last.error.text()));
+  }
+  return {};
+}
+
+/// @return wrong motion that nobody reported; empty: none
+QString examinePaper(std::uint64_t seed, MethodKind method, Tally& tally) {
+  const FaultScenario drawn = streaming::drawFaults(seed, *machine::loadPreset("dmu75"), method);
+  const FaultEvidence evidence = streaming::expose(drawn);
+  const std::vector<gcode::StreamPoint> points = pointsOf(drawn);
+  count(evidence, tally);
+  Follower follower(points);
+  QString wrong;
+  for (const FaultSegment& segment : evidence.segments) {
+    if (wrong.isEmpty()) {
+      wrong = follower.follow(segment);
+    }
+  }
+  const RunReport& report = evidence.reports.back();
+  if (wrong.isEmpty() && report.outcome == Outcome::Completed &&
+      follower.executed() < points.size()) {
+    wrong = QStringLiteral("not all points");
+  }
+  tally.points += follower.executed();
+  tally.whole += follower.executed() == points.size() ? 1 : 0;
+  tally.wrong += wrong.isEmpty() ? 0 : 1;
+  if (!wrong.isEmpty() && report.isFaultless()) {
+    return QStringLiteral("reported as faultless: ") + wrong;
+  }
+  if (!wrong.isEmpty() && report.integrity.judged && report.integrity.isFaultless()) {
+    return QStringLiteral("the oracle saw nothing: ") + wrong;
+  }
+  return feedsOf(drawn, evidence);
+}
+
+std::size_t numberFrom(const char* name, std::size_t otherwise) {
+  bool isNumber = false;
+  const qulonglong value = qEnvironmentVariable(name).toULongLong(&isNumber);
+  return isNumber ? value : otherwise;
+}
+
+std::vector<std::uint64_t> seedsToRun(std::size_t usual) {
+  std::vector<std::uint64_t> seeds;
+  if (qEnvironmentVariableIsSet("RIVULET_SEED")) {
+    seeds.push_back(numberFrom("RIVULET_SEED", 1));
+    return seeds;
+  }
+  const std::size_t count = numberFrom("RIVULET_SCENARIOS", usual);
+  const std::size_t first = numberFrom("RIVULET_FIRST", 1);
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    seeds.push_back(seed);
+  }
+  seeds.push_back(std::random_device{}());  // one that nobody has tried
+  qInfo("fresh seed: RIVULET_SEED=%llu", static_cast<unsigned long long>(seeds.back()));
+  return seeds;
+}
+
+template <class Examine>
+Tally examineAll(const std::vector<std::uint64_t>& seeds, const Examine& examine,
+                 QStringList& findings) {
+  std::vector<QString> found(seeds.size());
+  std::vector<Tally> tallies(seeds.size());
+  parallel::ThreadExecutor executor;
+  executor.forEach(seeds.size(), [&](std::size_t i) { found[i] = examine(seeds[i], tallies[i]); });
+  Tally sum;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    sum.add(tallies[i]);
+    if (!found[i].isEmpty()) {
+      findings << QStringLiteral("RIVULET_SEED=%1: %2").arg(seeds[i]).arg(found[i]);
+    }
+  }
+  return sum;
+}
+
+void print(const char* what, const Tally& sum) {
+  qInfo(
+      "%s: %zu runs, %zu attempts, %zu points, %zu whole, %zu with wrong motion; %zu stopped, %zu "
+      "lost, %zu windows refused, %zu resets (%zu in a rounding), %zu stray writes, %zu intruded, "
+      "%zu wrong programs",
+      what, sum.runs, sum.attempts, sum.points, sum.whole, sum.wrong, sum.stopped, sum.lost,
+      sum.damaged, sum.resets, sum.caughtUp, sum.strayWrites, sum.intruded, sum.refused);
+}
+
+}  // namespace
+
+class TestWindowFaults : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void windowKeepsItsInvariants() {
+    const std::vector<std::uint64_t> seeds = seedsToRun(400);
+    QStringList findings;
+    const Tally sum = examineAll(seeds, examineWindow, findings);
+    print("window", sum);
+    QVERIFY2(findings.isEmpty(),
+             qPrintable(QStringLiteral("%1 of %2\n").arg(findings.size()).arg(seeds.size()) +
+                        findings.mid(0, 20).join(u'\n')));
+    if (seeds.size() > 100) {
+      // The scenarios must be worth something.
+      QVERIFY(sum.attempts > seeds.size() + seeds.size() / 5);
+      QVERIFY(sum.stopped > 0 && sum.lost > 0 && sum.damaged > 0 && sum.resets > 0);
+      QVERIFY(sum.strayWrites > 0 && sum.intruded > 0 && sum.refused > 0);
+    }
+  }
+
+  void whatGoesWrongWithTheMethodsOfThePaperIsSeen() {
+    const std::vector<std::uint64_t> seeds = seedsToRun(100);
+    for (const MethodKind method : base::kPaperMethods) {
+      QStringList findings;
+      const Tally sum = examineAll(
+          seeds,
+          [method](std::uint64_t seed, Tally& tally) { return examinePaper(seed, method, tally); },
+          findings);
+      print(std::string(base::methodName(method)).c_str(), sum);
+      QVERIFY2(findings.isEmpty(),
+               qPrintable(QStringLiteral("%1 of %2\n").arg(findings.size()).arg(seeds.size()) +
+                          findings.mid(0, 20).join(u'\n')));
+      if (seeds.size() > 50) {
+        QVERIFY(sum.wrong > seeds.size() / 10);
+      }
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestWindowFaults)
+#include "tst_window_faults.moc"
