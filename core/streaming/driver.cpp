@@ -343,11 +343,16 @@ void Driver::checkDeadlines() {
   }
   if (!m_abandonedAt && progress.lastProgress != Instant{} &&
       now > progress.nextLatest + m_settings.stallDeadline) {
-    abandon(base::makeError(
-        StreamError::StreamStalled,
-        "The stream made no progress though the control was in its program: a point or a signal "
-        "was missed and old points were repeated, or the control was on hold. Look at the report, "
-        "then reduce the feed or release the hold."));
+    const char* text =
+        m_settings.parameters.method == base::MethodKind::Window
+            ? "The stream made no progress though the control was in its program: the control was "
+              "on hold, or something else writes the R-parameters of the run. Nothing was "
+              "repeated. "
+              "Release the hold or find the other writer, then resume."
+            : "The stream made no progress though the control was in its program: a point or a "
+              "signal was missed and old points were repeated, or the control was on hold. Look at "
+              "the report, then reduce the feed or release the hold.";
+    abandon(base::makeError(StreamError::StreamStalled, text));
   }
 }
 

@@ -72,7 +72,8 @@ class Exposure {
     for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
       const RunReport& report = attemptOnce(attempt == 0);
       leaveAlone(report);
-      if (!m_isWindow || !m_scenario.resumes || report.outcome == Outcome::Completed) {
+      if (!m_isWindow || !m_scenario.resumes || report.outcome == Outcome::Completed ||
+          !m_evidence.violations.empty()) {
         break;
       }
       m_link.programInstead.clear();
