@@ -89,6 +89,26 @@ CodeText textOf(DiagnosticCode code) {
     case DiagnosticCode::TooManyPoints:
       return {"too-many-points",
               "The program has more than {} points: it is not read further. Split it."};
+    case DiagnosticCode::EndlessLoop:
+      return {"endless-loop",
+              "A loop was run {} blocks long without an end: the program is not run further."};
+    case DiagnosticCode::ExpressionFault:
+      return {"expression-fault", "The calculation cannot be made: {}."};
+    case DiagnosticCode::FlowFault:
+      return {"flow-fault", "The jump, loop or subprogram cannot be run: {}."};
+    case DiagnosticCode::SubprogramMissing:
+      return {"subprogram-missing",
+              "The subprogram {} is not found: put its file beside the program."};
+    case DiagnosticCode::CycleNotRun:
+      return {"cycle-not-run", "The cycle {} is not run: the motions it would make are missing."};
+    case DiagnosticCode::MachineCoordinates:
+      return {"machine-coordinates", "{} is in machine coordinates: the move is left out."};
+    case DiagnosticCode::RotaryAxes:
+      return {"rotary-axes", "The rotary axes {} are read but not sent to the control."};
+    case DiagnosticCode::NotAnyDialect:
+      return {"not-any-dialect", "The text is of no known dialect: {}."};
+    case DiagnosticCode::Accepted:
+      return {"accepted", "{} was accepted: the word is left out."};
     case DiagnosticCode::MoreFindings:
       return {"more-findings", "{} more findings from here on are not listed."};
   }
@@ -111,6 +131,13 @@ std::string_view severityName(Severity severity) {
       break;
   }
   return "error";
+}
+
+std::string acceptableName(const Diagnostic& diagnostic) {
+  const bool isWord = diagnostic.code == DiagnosticCode::UnknownGCode ||
+                      diagnostic.code == DiagnosticCode::UnsupportedGCode ||
+                      diagnostic.code == DiagnosticCode::UnknownWord;
+  return isWord && diagnostic.severity == Severity::Error ? diagnostic.argument : std::string();
 }
 
 std::string describe(const Diagnostic& diagnostic) {

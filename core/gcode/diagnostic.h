@@ -43,6 +43,15 @@ enum class DiagnosticCode {
   MotionModeAssumed,            ///< an axis before any G0..G3: G1, as SINUMERIK after reset
   CentreOutsidePlane,           ///< I, J or K across the plane of the arc: argument the word
   TooManyPoints,                ///< argument: the limit; the program was not read further
+  EndlessLoop,                  ///< argument: the blocks run again; the program was not run further
+  ExpressionFault,              ///< argument: what is wrong with the calculation
+  FlowFault,                    ///< argument: what is wrong with the jump, loop or subprogram
+  SubprogramMissing,            ///< argument: its name; the points it would give are missing
+  CycleNotRun,                  ///< argument: the cycle; the motions it would make are missing
+  MachineCoordinates,           ///< argument: the word (SUPA, G53); the move is left out
+  RotaryAxes,                   ///< argument: the axes; the points carry them, no method sends them
+  NotAnyDialect,                ///< argument: what was found; the text is of no known dialect
+  Accepted,                     ///< accepted by the user: argument the name; the word is left out
   MoreFindings,                 ///< the list was cut here: argument how many are not in it
 };
 
@@ -59,6 +68,10 @@ struct Diagnostic {
 
 /// "note", "warning", "error".
 [[nodiscard]] std::string_view severityName(Severity severity);
+
+/// The name under which the user may accept a finding that stops the load, e.g. "G41" or
+/// "CYCLE83"; empty if it cannot be accepted. See `LoadOptions::accepted`.
+[[nodiscard]] std::string acceptableName(const Diagnostic& diagnostic);
 
 /// One English sentence: what was found and what Rivulet does about it.
 [[nodiscard]] std::string describe(const Diagnostic& diagnostic);

@@ -15,6 +15,7 @@ enum class GcodeError {
   EmptyProgram,        ///< no block at all
   NoMotion,            ///< blocks, but none moves an axis
   NotUnderstood,       ///< a finding of severity Error: the path cannot be trusted
+  Cancelled,           ///< `LoadOptions::progress` said so
 };
 
 [[nodiscard]] std::error_code make_error_code(GcodeError code);

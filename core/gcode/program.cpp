@@ -58,12 +58,14 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
                       std::move(name));
   }
   std::string hash = hashOf(text);
-  return Program{std::move(name),
-                 std::move(text),
-                 std::move(hash),
-                 std::move(interpretation.trajectory),
-                 std::move(interpretation.diagnostics),
-                 std::move(interpretation.statistics)};
+  Program program;
+  program.name = std::move(name);
+  program.text = std::move(text);
+  program.hash = std::move(hash);
+  program.trajectory = std::move(interpretation.trajectory);
+  program.diagnostics = std::move(interpretation.diagnostics);
+  program.statistics = std::move(interpretation.statistics);
+  return program;
 }
 
 base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadOptions& options) {

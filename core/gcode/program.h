@@ -9,13 +9,17 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "gcode/diagnostic.h"
+#include "gcode/dialect.h"
 #include "gcode/error.h"
+#include "gcode/facts.h"
 #include "gcode/trajectory.h"
 
 namespace rivulet::gcode {
@@ -28,7 +32,17 @@ inline constexpr std::size_t kTrajectoryPointsMax = 32'000'000;
 inline constexpr std::uintmax_t kProgramBytesMax = std::uintmax_t{512} * 1024 * 1024;
 
 struct LoadOptions {
-  double chordToleranceMm = 0.005;  ///< greatest distance of an arc's chords from the arc, > 0
+  double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
+  bool keepArcs = false;            ///< arcs stay one point each, see `Trajectory::arcs`
+  std::optional<Dialect> dialect;   ///< nothing: as detected from the text
+  /// Names (`acceptableName`) of what Rivulet does not understand and the user knows to be
+  /// harmless: the finding becomes a warning, the word is left out.
+  std::vector<std::string> accepted;
+  /// The text of a subprogram by its name (upper case, no ending), nothing if there is none.
+  /// `loadProgram` looks in the folder of the file if this is empty.
+  std::function<std::optional<std::string>(std::string_view name)> subprogram;
+  /// Told now and then how much has been read, 0 to 1. False: give up (GcodeError::Cancelled).
+  std::function<bool(double share)> progress;
 };
 
 struct Statistics {
@@ -47,11 +61,14 @@ struct Program {
   std::string name;  ///< file name without folders
   std::string text;  ///< as read
   std::string hash;  ///< 16 hex digits (FNV-1a 64) of the text, shown to tell versions apart
+  Dialect dialect = Dialect::Iso;
+  std::string dialectEvidence;  ///< what decided, "" if nothing did or it was ordered
   Trajectory trajectory;
   /// In text order, at most `kDiagnosticsMax` and one that says how many more there were (with the
   /// worst severity of those). Words without effect on the path are noted at their first place.
   std::vector<Diagnostic> diagnostics;
   Statistics statistics;
+  ProgramFacts facts;
 
   /// True if no finding is an error: the whole path is known.
   [[nodiscard]] bool isStreamable() const;

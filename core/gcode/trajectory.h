@@ -6,7 +6,10 @@
 /// Everything right of `gcode` sees programs only as a `Trajectory`. @threadsafety plain values.
 #pragma once
 
-#include <optional>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "base/id.h"
@@ -14,7 +17,13 @@
 
 namespace rivulet::gcode {
 
-enum class MoveKind : unsigned char { Rapid, Feed, ArcPiece };
+enum class MoveKind : unsigned char {
+  Rapid,
+  Feed,
+  ArcPiece,     ///< a chord of an arc
+  SplinePiece,  ///< a chord of a spline
+  Arc,          ///< a whole arc, with `LoadOptions::keepArcs` only: see `Trajectory::arcs`
+};
 
 struct TrajectoryPoint {
   /// End point, workpiece frame, mm. A coordinate is NaN until the program has named its axis:
@@ -25,8 +34,45 @@ struct TrajectoryPoint {
   MoveKind kind = MoveKind::Feed;
 };
 
+/// Where the rotary axes A, B, C stand at a point, degrees; NaN until the program names one.
+struct RotaryPosition {
+  std::array<double, base::kAxisCount> degrees{std::numeric_limits<double>::quiet_NaN(),
+                                               std::numeric_limits<double>::quiet_NaN(),
+                                               std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// An arc or helix that was kept as one point.
+struct KeptArc {
+  std::size_t point = 0;  ///< whose end it is
+  base::Vec3 centreMm;    ///< a point on the axis
+  base::Vec3 axis;        ///< unit vector; the turn is counterclockwise seen against it
+  double sweepRad = 0.0;  ///< > 0; more than a full circle with TURN=
+};
+
+/// What the program orders between two points, for the machine and not for the path.
+struct PathEvent {
+  enum class Kind : unsigned char {
+    Spindle,    ///< S, as programmed
+    M,          ///< M function
+    Tool,       ///< T number
+    NamedTool,  ///< index into `Trajectory::toolNames`
+    Dwell,      ///< G4, seconds; NaN: in turns of the spindle
+  };
+  std::size_t point = 0;  ///< happens before this point is approached; may be points.size()
+  double value = 0.0;
+  base::LineNumber line;
+  Kind kind = Kind::M;
+};
+
 struct Trajectory {
   std::vector<TrajectoryPoint> points;
+  /// One per point where the program moves a rotary axis, else empty.
+  std::vector<RotaryPosition> rotary;
+  /// Direction of the tool at each point (A3= B3= C3=, unit vectors), workpiece frame; else empty.
+  std::vector<base::Vec3> toolDirections;
+  std::vector<KeptArc> arcs;
+  std::vector<PathEvent> events;  ///< in the order of the program
+  std::vector<std::string> toolNames;
 };
 
 /// One point as a streaming method sends it.

@@ -110,6 +110,28 @@ struct DiagnosticTexts {
         return tr("The centre word %1 does not lie in the plane of the arc: check G17, G18, G19.");
       case DiagnosticCode::TooManyPoints:
         return tr("The program has more than %1 points: it is not read further. Split it.");
+      case DiagnosticCode::EndlessLoop:
+        return tr(
+            "A loop has run %1 blocks without an end: the program is not run further. Check "
+            "the condition of the loop.");
+      case DiagnosticCode::ExpressionFault:
+        return tr("The calculation cannot be made: %1.");
+      case DiagnosticCode::FlowFault:
+        return tr("The jump, loop or subprogram cannot be run: %1.");
+      case DiagnosticCode::SubprogramMissing:
+        return tr(
+            "The subprogram %1 is not found: put its file into the folder of the program. The "
+            "points it would give are missing.");
+      case DiagnosticCode::CycleNotRun:
+        return tr("The cycle %1 is not run: the motions it would make are missing.");
+      case DiagnosticCode::MachineCoordinates:
+        return tr("%1 is in machine coordinates: the move is left out.");
+      case DiagnosticCode::RotaryAxes:
+        return tr("The rotary axes %1 are read, but no method sends them to the control.");
+      case DiagnosticCode::NotAnyDialect:
+        return tr("The text is no NC program in a known dialect: %1.");
+      case DiagnosticCode::Accepted:
+        return tr("%1 was accepted by the operator: the word is left out.");
       case DiagnosticCode::MoreFindings:
         return tr("%1 more findings from here on are not listed.");
     }

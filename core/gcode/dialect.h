@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The languages NC programs are written in. @threadsafety pure.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rivulet::gcode {
+
+enum class Dialect : unsigned char {
+  Sinumerik,   ///< Siemens 840D, 828D, ONE
+  Iso,         ///< Fanuc and what follows it: Haas, Mitsubishi, Mazak EIA, Mach3
+  LinuxCnc,    ///< RS-274/NGC with O words
+  Grbl,        ///< GRBL and FluidNC
+  Heidenhain,  ///< plain text (Klartext): recognised, straight lines and arcs are read
+};
+
+inline constexpr std::array kDialects{Dialect::Sinumerik, Dialect::Iso, Dialect::LinuxCnc,
+                                      Dialect::Grbl, Dialect::Heidenhain};
+
+/// "sinumerik", "iso", "linuxcnc", "grbl", "heidenhain": for files and options.
+[[nodiscard]] std::string_view dialectName(Dialect dialect);
+[[nodiscard]] std::optional<Dialect> dialectOfName(std::string_view name);
+
+struct DialectGuess {
+  Dialect dialect = Dialect::Iso;
+  std::string evidence;  ///< the text that decided, "" if nothing did
+};
+
+/// Looks at the words of the first 2000 lines. Without evidence it is Iso, whose words mean the
+/// same in all dialects but Heidenhain's. @threadsafety pure.
+[[nodiscard]] DialectGuess detectDialect(std::string_view text);
+
+}  // namespace rivulet::gcode
