@@ -123,6 +123,42 @@
         <source>%1 more findings from here on are not listed.</source>
         <translation>%1 weitere Befunde ab hier sind nicht aufgeführt.</translation>
     </message>
+    <message>
+        <source>A loop has run %1 blocks without an end: the program is not run further. Check the condition of the loop.</source>
+        <translation>Eine Schleife lief %1 Sätze ohne Ende: Das Programm wird nicht weiter ausgeführt. Bedingung der Schleife prüfen.</translation>
+    </message>
+    <message>
+        <source>The calculation cannot be made: %1.</source>
+        <translation>Die Rechnung ist nicht möglich: %1.</translation>
+    </message>
+    <message>
+        <source>The jump, loop or subprogram cannot be run: %1.</source>
+        <translation>Sprung, Schleife oder Unterprogramm nicht ausführbar: %1.</translation>
+    </message>
+    <message>
+        <source>The subprogram %1 is not found: put its file into the folder of the program. The points it would give are missing.</source>
+        <translation>Das Unterprogramm %1 wurde nicht gefunden: Seine Datei in den Ordner des Programms legen. Seine Punkte fehlen.</translation>
+    </message>
+    <message>
+        <source>The cycle %1 is not run: the motions it would make are missing.</source>
+        <translation>Der Zyklus %1 wird nicht ausgeführt: Seine Bewegungen fehlen.</translation>
+    </message>
+    <message>
+        <source>%1 is in machine coordinates: the move is left out.</source>
+        <translation>%1 ist in Maschinenkoordinaten: Die Bewegung wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The rotary axes %1 are read, but no method sends them to the control.</source>
+        <translation>Die Rundachsen %1 werden gelesen, aber kein Verfahren sendet sie an die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The text is no NC program in a known dialect: %1.</source>
+        <translation>Der Text ist kein NC-Programm in einem bekannten Dialekt: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was accepted by the operator: the word is left out.</source>
+        <translation>%1 wurde vom Bediener hingenommen: Das Wort wird ausgelassen.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorTexts</name>
@@ -277,6 +313,10 @@
     <message>
         <source>The program on the control ended before all points were sent.</source>
         <translation>Das Programm auf der Steuerung endete, bevor alle Punkte gesendet waren.</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation>Das Laden wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -527,6 +567,26 @@ GPL-3.0-or-later</translation>
         <source>A run lasts. Press Stop and wait for its end, then close.</source>
         <translation>Ein Lauf ist im Gang. Stopp drücken, sein Ende abwarten, dann schließen.</translation>
     </message>
+    <message>
+        <source>Reading %1 was cancelled.</source>
+        <translation>Das Lesen von %1 wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>Die Datei %1 hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>Die Datei %1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Running: %1, version %2</source>
+        <translation>Läuft: %1, Fassung %2</translation>
+    </message>
+    <message>
+        <source>Program: %1, version %2</source>
+        <translation>Programm: %1, Fassung %2</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::CellModel</name>
@@ -726,6 +786,13 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::DistanceChart</name>
+    <message>
+        <source>%1 … %2: %3 distances</source>
+        <translation>%1 … %2: %3 Abstände</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FeasibilityPage</name>
     <message>
         <source>F over d_min</source>
@@ -834,6 +901,44 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Model: 0.1 % to 50 % fail</source>
         <translation>Modell: 0,1 % bis 50 % misslingen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FileBanner</name>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>Die Datei %1 hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>Die Datei %1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>The run keeps version %1.</source>
+        <translation>Der Lauf behält Fassung %1.</translation>
+    </message>
+    <message>
+        <source>Reload it?</source>
+        <translation>Neu laden?</translation>
+    </message>
+    <message>
+        <source>Version %1 stays loaded.</source>
+        <translation>Fassung %1 bleibt geladen.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoadBar</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -1035,10 +1140,6 @@ GPL-3.0-or-later</translation>
         <translation>Kein Programm geladen</translation>
     </message>
     <message>
-        <source>To cut</source>
-        <translation>Noch zu fahren</translation>
-    </message>
-    <message>
         <source>Rapid</source>
         <translation>Eilgang</translation>
     </message>
@@ -1053,6 +1154,74 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Farbe nach</translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Art der Bewegung</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Margin of the method</source>
+        <translation>Reserve des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>by point</source>
+        <translation>nach Punkt</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>nach Zeit</translation>
+    </message>
+    <message>
+        <source>Walk along the path</source>
+        <translation>Die Bahn entlanggehen</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>no feed given</source>
+        <translation>ohne Vorschub</translation>
+    </message>
+    <message>
+        <source>margin over %1</source>
+        <translation>Reserve über %1</translation>
+    </message>
+    <message>
+        <source>not kept (below %1)</source>
+        <translation>nicht eingehalten (unter %1)</translation>
+    </message>
+    <message>
+        <source>Click on the path or move the slider.</source>
+        <translation>Auf die Bahn klicken oder den Regler bewegen.</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2, line %3</source>
+        <translation>Punkt %1 von %2, Zeile %3</translation>
+    </message>
+    <message>
+        <source>being computed …</source>
+        <translation>wird berechnet …</translation>
     </message>
 </context>
 <context>
@@ -1071,14 +1240,17 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ProgramPage</name>
+    <message>
+        <source>Program text</source>
+        <translation>Programmtext</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ProgramPanel</name>
     <message>
         <source>Open an NC program</source>
         <translation>NC-Programm öffnen</translation>
-    </message>
-    <message>
-        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.txt)</source>
-        <translation>NC-Programme (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.txt)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -1167,6 +1339,161 @@ GPL-3.0-or-later</translation>
     <message>
         <source>No findings</source>
         <translation>Keine Befunde</translation>
+    </message>
+    <message>
+        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</source>
+        <translation>NC-Programme (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Accept…</source>
+        <translation>Hinnehmen…</translation>
+    </message>
+    <message>
+        <source>The program is read again with this word left out</source>
+        <translation>Das Programm wird ohne dieses Wort neu gelesen</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>Nach Art</translation>
+    </message>
+    <message>
+        <source>Time, feeds as programmed</source>
+        <translation>Zeit, Vorschübe wie programmiert</translation>
+    </message>
+    <message>
+        <source>Time, as streamed</source>
+        <translation>Zeit, wie gestreamt</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Distances of neighbouring points, mm</source>
+        <translation>Abstände benachbarter Punkte, mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated ones left out)</source>
+        <translation>%1 (%2 wiederholte ausgelassen)</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>mm and inch</source>
+        <translation>mm und Zoll</translation>
+    </message>
+    <message>
+        <source>lines %1</source>
+        <translation>Geraden %1</translation>
+    </message>
+    <message>
+        <source>arcs %1</source>
+        <translation>Bögen %1</translation>
+    </message>
+    <message>
+        <source>splines %1</source>
+        <translation>Splines %1</translation>
+    </message>
+    <message>
+        <source>median %1, largest %2</source>
+        <translation>Median %1, größter %2</translation>
+    </message>
+    <message>
+        <source>%1 of 45° and more; sharpest %2° (%3)</source>
+        <translation>%1 ab 45°; schärfste %2° (%3)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Findings (%1)</source>
+        <translation>Befunde (%1)</translation>
+    </message>
+    <message>
+        <source>%1 without pauses</source>
+        <translation>%1 ohne Pausen</translation>
+    </message>
+    <message>
+        <source>%1 with %2 pauses, of which %3 standing</source>
+        <translation>%1 mit %2 Pausen, davon %3 Stillstand</translation>
+    </message>
+    <message>
+        <source>as detected</source>
+        <translation>wie erkannt</translation>
+    </message>
+    <message>
+        <source>Read as %1, as ordered.</source>
+        <translation>Gelesen als %1, wie vorgegeben.</translation>
+    </message>
+    <message>
+        <source>Read as %1: nothing in the text decides.</source>
+        <translation>Gelesen als %1: Im Text entscheidet nichts.</translation>
+    </message>
+    <message>
+        <source>Read as %1 because of &quot;%2&quot;.</source>
+        <translation>Gelesen als %1 wegen „%2“.</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Hingenommen: %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take back %1</source>
+        <translation>%1 zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Accept %1</source>
+        <translation>%1 hinnehmen</translation>
+    </message>
+    <message>
+        <source>Rivulet does not understand %1. If you accept it, it is left out wherever the program has it, and the path is taken as if it were not there.
+
+Is it certain that %1 does not change the path of the tool?</source>
+        <translation>Rivulet versteht %1 nicht. Wird es hingenommen, bleibt es überall im Programm unbeachtet, und die Bahn gilt, als stünde es nicht da.
+
+Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
+    </message>
+    <message>
+        <source>Accept and read again</source>
+        <translation>Hinnehmen und neu lesen</translation>
+    </message>
+    <message>
+        <source>being computed …</source>
+        <translation>wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Computed with the axes of %1</source>
+        <translation>Berechnet mit den Achsen von %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramTextView</name>
+    <message>
+        <source>No program is loaded</source>
+        <translation>Kein Programm geladen</translation>
     </message>
 </context>
 <context>

@@ -91,24 +91,27 @@ CodeText textOf(DiagnosticCode code) {
               "The program has more than {} points: it is not read further. Split it."};
     case DiagnosticCode::EndlessLoop:
       return {"endless-loop",
-              "A loop was run {} blocks long without an end: the program is not run further."};
+              "A loop has run {} blocks without an end: the program is not run further. Check the "
+              "condition of the loop."};
     case DiagnosticCode::ExpressionFault:
       return {"expression-fault", "The calculation cannot be made: {}."};
     case DiagnosticCode::FlowFault:
       return {"flow-fault", "The jump, loop or subprogram cannot be run: {}."};
     case DiagnosticCode::SubprogramMissing:
       return {"subprogram-missing",
-              "The subprogram {} is not found: put its file beside the program."};
+              "The subprogram {} is not found: put its file into the folder of the program. The "
+              "points it would give are missing."};
     case DiagnosticCode::CycleNotRun:
       return {"cycle-not-run", "The cycle {} is not run: the motions it would make are missing."};
     case DiagnosticCode::MachineCoordinates:
       return {"machine-coordinates", "{} is in machine coordinates: the move is left out."};
     case DiagnosticCode::RotaryAxes:
-      return {"rotary-axes", "The rotary axes {} are read but not sent to the control."};
+      return {"rotary-axes",
+              "The rotary axes {} are read, but no method sends them to the control."};
     case DiagnosticCode::NotAnyDialect:
-      return {"not-any-dialect", "The text is of no known dialect: {}."};
+      return {"not-any-dialect", "The text is no NC program in a known dialect: {}."};
     case DiagnosticCode::Accepted:
-      return {"accepted", "{} was accepted: the word is left out."};
+      return {"accepted", "{} was accepted by the operator: the word is left out."};
     case DiagnosticCode::MoreFindings:
       return {"more-findings", "{} more findings from here on are not listed."};
   }
