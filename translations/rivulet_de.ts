@@ -1223,6 +1223,10 @@ GPL-3.0-or-later</translation>
         <source>being computed …</source>
         <translation>wird berechnet …</translation>
     </message>
+    <message>
+        <source>to %1</source>
+        <translation>bis %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PauseModel</name>

@@ -69,31 +69,28 @@ widgets::ConnectionState connectionState(session::LinkState state) {
   return widgets::ConnectionState::Disconnected;
 }
 
-/// A column that scrolls when the window is smaller than its page. A rigid one is never narrower
-/// than its page: a cut button cannot be pressed.
+/// A column that scrolls when the window is lower than its page. It is never narrower than its
+/// page: a cut button cannot be pressed.
 class Column final : public QScrollArea {
  public:
-  enum class Width { Rigid, Flexible };
-  Column(QWidget* page, Width width, QWidget* parent) : QScrollArea(parent), m_width(width) {
+  Column(QWidget* page, QWidget* parent) : QScrollArea(parent) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    if (width == Width::Rigid) {
-      setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    }
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(page);
   }
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override {
-    if (m_width == Width::Rigid && object == widget() && event->type() == QEvent::LayoutRequest) {
-      const QSize page = widget()->sizeHint().expandedTo(widget()->minimumSizeHint());
+    if (object == widget() && event->type() == QEvent::LayoutRequest) {
+      const QSize page = widget()
+                             ->sizeHint()
+                             .expandedTo(widget()->minimumSizeHint())
+                             .expandedTo(widget()->minimumSize());
       setMinimumWidth(page.width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     }
     return QScrollArea::eventFilter(object, event);
   }
-
- private:
-  Width m_width;
 };
 
 }  // namespace
@@ -131,7 +128,7 @@ void MainWindow::buildPages() {
 
   auto* columns = new QSplitter(Qt::Horizontal, central);
   m_connection = new widgets::ConnectionPanel;
-  columns->addWidget(new Column(m_connection, Column::Width::Rigid, columns));
+  columns->addWidget(new Column(m_connection, columns));
 
   m_tabs = new QTabWidget(columns);
   m_programPage = new widgets::ProgramPage(m_tabs);
@@ -150,7 +147,7 @@ void MainWindow::buildPages() {
   columns->addWidget(m_tabs);
 
   m_method = new widgets::MethodPanel;
-  columns->addWidget(new Column(m_method, Column::Width::Rigid, columns));
+  columns->addWidget(new Column(m_method, columns));
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
   columns->setStretchFactor(2, 0);

@@ -51,9 +51,7 @@ bool reckonStreamed(const widgets::ProgramView& view, const machine::MachineConf
   if (!time) {
     return false;
   }
-  times.streamedS = time->totalS;
-  times.standingS = time->standingS;
-  times.pauses = time->pauses;
+  times.run = widgets::RunTime{time->totalS, time->standingS, time->pauses};
   return true;
 }
 
@@ -82,23 +80,37 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
                                         view = std::move(view), known = m_times, settings] {
     const auto machine = machine::loadPreset(kMachine);
     const auto progress = [&](double) { return !stop->load(); };
-    auto times = known ? std::make_shared<widgets::ProgramTimes>(*known)
-                       : std::make_shared<widgets::ProgramTimes>();
-    if (!machine || (!known && !reckonProgrammed(*view, *machine, progress, *times)) ||
-        !reckonStreamed(*view, *machine, settings, progress, *times)) {
+    // The context of the call is the application: `self` is only touched on its own thread.
+    const auto tell = [&](const std::shared_ptr<const widgets::ProgramTimes>& times) {
+      QMetaObject::invokeMethod(
+          qApp,
+          [self, stop, times, view] {
+            if (self && self->m_stop == stop) {
+              if (times->run) {
+                self->m_stop.reset();
+              }
+              self->m_times = times;
+              Q_EMIT self->reckoned(times, view);
+            }
+          },
+          Qt::QueuedConnection);
+    };
+    if (!machine) {
       return;
     }
-    // The context of the call is the application: `self` is only touched on its own thread.
-    QMetaObject::invokeMethod(
-        qApp,
-        [self, stop, times, view] {
-          if (self && self->m_stop == stop) {
-            self->m_stop.reset();
-            self->m_times = times;
-            Q_EMIT self->reckoned(times, view);
-          }
-        },
-        Qt::QueuedConnection);
+    auto times = known;
+    if (!times) {
+      auto programmed = std::make_shared<widgets::ProgramTimes>();
+      if (!reckonProgrammed(*view, *machine, progress, *programmed)) {
+        return;
+      }
+      times = programmed;
+      tell(times);
+    }
+    auto streamed = std::make_shared<widgets::ProgramTimes>(*times);
+    if (reckonStreamed(*view, *machine, settings, progress, *streamed)) {
+      tell(streamed);
+    }
   });
 }
 

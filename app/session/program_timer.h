@@ -39,6 +39,7 @@ class ProgramTimer final : public QObject {
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
 
  Q_SIGNALS:
+  /// Told as soon as the time of the program itself is known, and again with that of the run.
   void reckoned(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times,
                 const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
 

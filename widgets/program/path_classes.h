@@ -40,7 +40,7 @@ inline constexpr double kMarginNone = 1.0;
 inline constexpr std::size_t kMarginClasses = 4;
 
 inline constexpr std::size_t kFeedClassesMax = 6;
-inline constexpr std::size_t kTimeClasses = 6;
+inline constexpr std::size_t kTimeClasses = 5;
 
 [[nodiscard]] PathClasses classesByKind(const ProgramView& view);
 

@@ -70,9 +70,8 @@ PathView::PathView(QWidget* parent)
   m_slider->setMinimumHeight(32);
   m_place->setWordWrap(true);
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_top);
-  buttons->addWidget(m_isometric);
-  buttons->addStretch();
+  buttons->addWidget(m_top, 1);
+  buttons->addWidget(m_isometric, 1);
   buttons->addWidget(m_fit);
   auto* colour = new QHBoxLayout;
   colour->addWidget(m_colourName);
@@ -191,7 +190,7 @@ void PathView::fit() {
 void PathView::retranslate() {
   m_top->setText(tr("Top (XY)"));
   m_isometric->setText(tr("Isometric"));
-  m_fit->setText(tr("Fit"));
+  m_fit->setAccessibleName(tr("Fit"));
   m_fit->setToolTip(tr("Show the whole path (double click does the same)"));
   m_colourName->setText(tr("Colour by"));
   const QStringList colourings{tr("Kind of move"), tr("Feed"), tr("Margin of the method"),
@@ -328,8 +327,7 @@ QString PathView::nameOf(std::size_t one) const {
       return names.at(one);
     }
     case PathColouring::Time:
-      return range(secondsText(borders[one], borders.back() < 60.0 ? 1 : 0),
-                   secondsText(borders[one + 1], borders.back() < 60.0 ? 1 : 0));
+      return tr("to %1").arg(durationText(borders[one + 1]));
   }
   return {};
 }
@@ -406,7 +404,7 @@ void PathView::showPlace() {
       tr("Point %1 of %2, line %3")
           .arg(countText(*m_marked + 1), countText(pointCount()), countText(point.line.value));
   if (m_times) {
-    text += QStringLiteral(", ") + secondsText(m_times->atS[*m_marked]);
+    text += QStringLiteral(", ") + durationText(m_times->atS[*m_marked]);
   }
   m_place->setText(text + QStringLiteral("\nX %1 Y %2 Z %3")
                               .arg(numberText(point.positionMm.x, 3),

@@ -15,21 +15,15 @@ namespace rivulet::widgets {
 ProgramPage::ProgramPage(QWidget* parent)
     : Page(parent),
       m_path(new PathView(this)),
-      m_text(new ProgramTextView(this)),
+      m_text(new ProgramTextView),
       m_panel(new ProgramPanel(this)) {
-  auto* left = new QSplitter(Qt::Vertical, this);
-  left->addWidget(m_path);
-  left->addWidget(m_text);
-  left->setStretchFactor(0, 3);
-  left->setStretchFactor(1, 2);
-  left->setSizes({360, 160});
-  left->setChildrenCollapsible(false);
+  m_panel->placeAboveTabs(m_text);
   auto* columns = new QSplitter(Qt::Horizontal, this);
-  columns->addWidget(left);
+  columns->addWidget(m_path);
   columns->addWidget(m_panel);
   columns->setStretchFactor(0, 1);
   columns->setStretchFactor(1, 0);
-  columns->setSizes({400, 340});
+  columns->setSizes({390, 350});
   columns->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -56,7 +50,7 @@ void ProgramPage::replaceProgram(const std::shared_ptr<const ProgramView>& view)
 }
 
 void ProgramPage::setTimes(const std::shared_ptr<const ProgramTimes>& times) {
-  m_hasTimes = times != nullptr;
+  m_hasTimes = times && times->run;
   m_path->setTimes(times);
   m_panel->setTimes(times);
 }

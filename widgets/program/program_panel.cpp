@@ -17,6 +17,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
 #include <QUrl>
@@ -73,7 +74,8 @@ ProgramPanel::ProgramPanel(QWidget* parent)
       m_dialectName(new QLabel(this)),
       m_dialect(new QComboBox(this)),
       m_evidence(makeValueLabel(this)),
-      m_tabs(new QTabWidget(this)),
+      m_rows(new QSplitter(Qt::Vertical, this)),
+      m_tabs(new QTabWidget(m_rows)),
       m_findings(new DiagnosticModel(this)),
       m_findingsTable(new QTableView(this)),
       m_finding(makeValueLabel(this)),
@@ -99,10 +101,6 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   for (std::size_t i = 0; i < gcode::kDialects.size(); ++i) {
     m_dialect->addItem(QString());
   }
-  auto* dialect = new QHBoxLayout;
-  dialect->addWidget(m_dialectName);
-  dialect->addWidget(m_dialect, 1);
-
   m_tabs->addTab(makeFigures(), QString());
   m_tabs->addTab(makeFindings(), QString());
 
@@ -111,9 +109,8 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   layout->addWidget(m_name);
   layout->addWidget(m_hash);
   layout->addWidget(m_summary);
-  layout->addLayout(dialect);
-  layout->addWidget(m_evidence);
-  layout->addWidget(m_tabs, 1);
+  layout->addWidget(m_rows, 1);
+  m_rows->setChildrenCollapsible(false);
 
   connect(m_open, &QPushButton::clicked, this, &ProgramPanel::chooseFile);
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -145,7 +142,12 @@ QWidget* ProgramPanel::makeFigures() {
   figures->setHorizontalSpacing(12);
   figures->setVerticalSpacing(4);
   figures->setColumnStretch(1, 1);
-  for (int row = 0; row < FigureCount; ++row) {
+  figures->addWidget(m_dialectName, 0, 0);
+  figures->addWidget(m_dialect, 0, 1);
+  figures->addWidget(m_evidence, 1, 0, 1, 2);
+  constexpr int kFirstRow = 2;
+  for (int figure = 0; figure < FigureCount; ++figure) {
+    const int row = kFirstRow + figure;
     auto* name = new QLabel(page);
     auto* value = makeValueLabel(page);
     value->setWordWrap(true);
@@ -160,9 +162,9 @@ QWidget* ProgramPanel::makeFigures() {
   }
   m_chartName = new QLabel(page);
   m_chart = new DistanceChart(page);
-  figures->addWidget(m_chartName, FigureCount, 0, 1, 2);
-  figures->addWidget(m_chart, FigureCount + 1, 0, 1, 2);
-  figures->setRowStretch(FigureCount + 2, 1);
+  figures->addWidget(m_chartName, kFirstRow + FigureCount, 0, 1, 2);
+  figures->addWidget(m_chart, kFirstRow + FigureCount + 1, 0, 1, 2);
+  figures->setRowStretch(kFirstRow + FigureCount + 2, 1);
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -174,7 +176,7 @@ QWidget* ProgramPanel::makeFigures() {
 QWidget* ProgramPanel::makeFindings() {
   m_findingsTable->setModel(m_findings);
   styleTable(m_findingsTable);
-  m_findingsTable->setMinimumHeight(90);
+  m_findingsTable->setMinimumHeight(70);
   m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 104);
   m_findingsTable->setColumnWidth(DiagnosticModel::Line, 64);
   m_findingsTable->setColumnWidth(DiagnosticModel::ColumnInLine, 60);
@@ -188,6 +190,13 @@ QWidget* ProgramPanel::makeFindings() {
   findings->addWidget(m_accept);
   findings->addWidget(m_acceptedArea);
   return page;
+}
+
+void ProgramPanel::placeAboveTabs(QWidget* widget) {
+  m_rows->insertWidget(0, widget);
+  m_rows->setStretchFactor(0, 2);
+  m_rows->setStretchFactor(1, 3);
+  m_rows->setSizes({180, 260});
 }
 
 void ProgramPanel::setProgram(std::shared_ptr<const ProgramView> view) {
@@ -424,11 +433,12 @@ void ProgramPanel::showTimes() {
       m_program && m_program->points.points.size() > 1 ? tr("being computed …") : noValue();
   m_figureValues[ProgrammedTime]->setText(
       m_times ? tr("%1 without pauses").arg(durationText(m_times->programmedS)) : unknown);
-  m_figureValues[StreamedTime]->setText(m_times ? tr("%1 with %2 pauses, of which %3 standing")
-                                                      .arg(durationText(m_times->streamedS),
-                                                           countText(m_times->pauses),
-                                                           durationText(m_times->standingS))
-                                                : unknown);
+  m_figureValues[StreamedTime]->setText(m_times && m_times->run
+                                            ? tr("%1 with %2 pauses, of which %3 standing")
+                                                  .arg(durationText(m_times->run->totalS),
+                                                       countText(m_times->run->pauses),
+                                                       durationText(m_times->run->standingS))
+                                            : unknown);
   const QString machine =
       m_times ? tr("Computed with the axes of %1").arg(QString::fromStdString(m_times->machine))
               : QString();

@@ -20,6 +20,7 @@ class QComboBox;
 class QLabel;
 class QMenu;
 class QPushButton;
+class QSplitter;
 class QTabWidget;
 class QTableView;
 class QVBoxLayout;
@@ -52,6 +53,9 @@ class ProgramPanel final : public Page {
   void setOpenEnabled(bool enabled);
   /// Asks for a file, as the button does.
   void chooseFile();
+
+  /// A widget above the tabs; its height can be changed by hand.
+  void placeAboveTabs(QWidget* widget);
 
   enum class Tab { Figures, Findings };
   void showTab(Tab tab);
@@ -127,6 +131,7 @@ class ProgramPanel final : public Page {
   QLabel* m_dialectName;
   QComboBox* m_dialect;
   QLabel* m_evidence;
+  QSplitter* m_rows;
   QTabWidget* m_tabs;
   std::vector<QLabel*> m_figureNames;
   std::vector<QLabel*> m_figureValues;

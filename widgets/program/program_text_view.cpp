@@ -119,12 +119,12 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
   std::size_t line = firstVisibleLine();
   for (int y = 0; y < area.height() && line <= lines(); y += height, ++line) {
     const bool isCurrent = line == m_current;
+    painter.setClipping(false);
     if (isCurrent) {
       QColor fill = colors.equations[1];  // as the chosen moves on the path
       fill.setAlpha(colors.isDark ? 90 : 56);
       painter.fillRect(0, y, area.width(), height, fill);
     }
-    painter.setClipping(false);
     if (const Mark* mark = markOf(line)) {
       painter.drawPixmap(3, y + (height - kIconPx) / 2,
                          m_icons[static_cast<std::size_t>(mark->severity)]);
@@ -150,7 +150,15 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
 
 void ProgramTextView::resizeEvent(QResizeEvent* event) {
   QAbstractScrollArea::resizeEvent(event);
+  // A line that was in sight stays in sight.
+  const std::size_t first = firstVisibleLine();
+  const auto before =
+      static_cast<std::size_t>(std::max(1, event->oldSize().height() / lineHeightPx()));
+  const bool wasInSight = m_current >= first && m_current < first + before;
   setRanges();
+  if (wasInSight) {
+    setCurrentLine(m_current);
+  }
 }
 
 void ProgramTextView::mousePressEvent(QMouseEvent* event) {

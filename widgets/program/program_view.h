@@ -67,14 +67,19 @@ struct ProgramView {
     std::shared_ptr<const gcode::Program> program, base::Vec3 startMm, int pointsPerLoop,
     const std::function<bool(double)>& progress = {});
 
+/// How long a run takes: with its feed and its pauses.
+struct RunTime {
+  double totalS = 0.0;
+  double standingS = 0.0;  ///< of it, in pauses
+  std::size_t pauses = 0;
+};
+
 /// When the machine passes each streamed point, and how long it takes in all.
 struct ProgramTimes {
-  std::vector<float> atS;    ///< one per streamed point, without pauses
-  double programmedS = 0.0;  ///< with the feeds of the program, without pauses
-  double streamedS = 0.0;    ///< with the feed of the run and its pauses
-  double standingS = 0.0;    ///< of it, standing in pauses
-  std::size_t pauses = 0;
-  std::string machine;  ///< whose axes were reckoned with
+  std::vector<float> atS;      ///< one per streamed point, without pauses
+  double programmedS = 0.0;    ///< with the feeds of the program, without pauses
+  std::optional<RunTime> run;  ///< nothing: not known yet
+  std::string machine;         ///< whose axes were taken
 };
 
 }  // namespace rivulet::widgets

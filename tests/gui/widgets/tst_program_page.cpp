@@ -80,6 +80,12 @@ class TestProgramPage : public QObject {
       QVERIFY(view.paintedLines() <= room);
     }
     qInfo("1,000,000 lines: the slowest frame took %.1f ms", slowestMs);
+    // A line in sight stays in sight when the view changes its height.
+    for (const int height : {120, 60, 400}) {
+      static_cast<void>(test::picture(view, {400, height}));
+      QVERIFY(view.firstVisibleLine() <= 123'456U);
+      QVERIFY(123'456U < view.firstVisibleLine() + view.paintedLines());
+    }
     view.setCurrentLine(1'000'001);
     QCOMPARE(view.currentLine(), std::size_t{123'456});
   }

@@ -191,7 +191,7 @@ class TestProgramPanel : public QObject {
     QVERIFY(test::visibleText(panel).contains("being computed"));
     auto times = std::make_shared<ProgramTimes>(*test::timesOf(*view));
     times->programmedS = 125.4;
-    times->streamedS = 3725.0;
+    times->run->totalS = 3725.0;
     panel.setTimes(times);
     QVERIFY(test::visibleText(panel).contains(QString("2:05") + QChar(0x00A0) + "min"));
     QVERIFY(test::visibleText(panel).contains(QString("1:02:05") + QChar(0x00A0) + "h with 39"));
