@@ -56,10 +56,6 @@
         <translation>%1 ändert Bahn oder Vorschub auf eine Weise, die Rivulet nicht unterstützt: Das Programm ohne diese Funktion ausgeben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is a variable, a calculation or a jump, which Rivulet does not run: post-process the program to plain coordinates.</source>
-        <translation>„%1“ ist eine Variable, eine Rechnung oder ein Sprung, die Rivulet nicht ausführt: Das Programm mit reinen Koordinaten ausgeben.</translation>
-    </message>
-    <message>
         <source>%1 is not sent to the control: it does not change the path.</source>
         <translation>%1 wird nicht an die Steuerung gesendet: Die Bahn ändert sich dadurch nicht.</translation>
     </message>
@@ -124,40 +120,44 @@
         <translation>%1 weitere Befunde ab hier sind nicht aufgeführt.</translation>
     </message>
     <message>
-        <source>A loop has run %1 blocks without an end: the program is not run further. Check the condition of the loop.</source>
-        <translation>Eine Schleife lief %1 Sätze ohne Ende: Das Programm wird nicht weiter ausgeführt. Bedingung der Schleife prüfen.</translation>
+        <source>&quot;%1&quot; is not run by Rivulet: what it does to the path is unknown.</source>
+        <translation>„%1“ führt Rivulet nicht aus: Was es mit der Bahn macht, ist unbekannt.</translation>
     </message>
     <message>
-        <source>The calculation cannot be made: %1.</source>
-        <translation>Die Rechnung ist nicht möglich: %1.</translation>
+        <source>The loop that ends here does not come to an end: %1 blocks were run again, then reading stopped. Check its condition.</source>
+        <translation>Die Schleife, die hier endet, kommt zu keinem Ende: %1 Sätze liefen erneut, dann wurde nicht weiter gelesen. Ihre Bedingung prüfen.</translation>
     </message>
     <message>
-        <source>The jump, loop or subprogram cannot be run: %1.</source>
-        <translation>Sprung, Schleife oder Unterprogramm nicht ausführbar: %1.</translation>
+        <source>The calculation has no result: %1.</source>
+        <translation>Die Rechnung hat kein Ergebnis: %1.</translation>
     </message>
     <message>
-        <source>The subprogram %1 is not found: put its file into the folder of the program. The points it would give are missing.</source>
-        <translation>Das Unterprogramm %1 wurde nicht gefunden: Seine Datei in den Ordner des Programms legen. Seine Punkte fehlen.</translation>
+        <source>The order of the blocks is not known from here on: %1.</source>
+        <translation>Die Reihenfolge der Sätze ist ab hier unbekannt: %1.</translation>
     </message>
     <message>
-        <source>The cycle %1 is not run: the motions it would make are missing.</source>
-        <translation>Der Zyklus %1 wird nicht ausgeführt: Seine Bewegungen fehlen.</translation>
+        <source>The subprogram %1 is not in this file and not beside it: the points it would give are missing.</source>
+        <translation>Das Unterprogramm %1 steht weder in dieser Datei noch daneben: Seine Punkte fehlen.</translation>
     </message>
     <message>
-        <source>%1 is in machine coordinates: the move is left out.</source>
-        <translation>%1 ist in Maschinenkoordinaten: Die Bewegung wird ausgelassen.</translation>
+        <source>%1 is a cycle of the control: the motions it makes are missing here.</source>
+        <translation>%1 ist ein Zyklus der Steuerung: Seine Bewegungen fehlen hier.</translation>
     </message>
     <message>
-        <source>The rotary axes %1 are read, but no method sends them to the control.</source>
-        <translation>Die Rundachsen %1 werden gelesen, aber kein Verfahren sendet sie an die Steuerung.</translation>
+        <source>%1 moves in machine coordinates, whose place in the workpiece is not known: the move is left out.</source>
+        <translation>%1 fährt in Maschinenkoordinaten, deren Lage im Werkstück unbekannt ist: Die Bewegung wird ausgelassen.</translation>
     </message>
     <message>
-        <source>The text is no NC program in a known dialect: %1.</source>
-        <translation>Der Text ist kein NC-Programm in einem bekannten Dialekt: %1.</translation>
+        <source>%1 turns on the path: the points carry it, but no streaming method sends more than X, Y and Z.</source>
+        <translation>%1 dreht auf der Bahn: Die Punkte tragen es, aber kein Verfahren sendet mehr als X, Y und Z.</translation>
     </message>
     <message>
-        <source>%1 was accepted by the operator: the word is left out.</source>
-        <translation>%1 wurde vom Bediener hingenommen: Das Wort wird ausgelassen.</translation>
+        <source>The file holds bytes that no NC text has: choose a text file, not an archive or a picture.</source>
+        <translation>Die Datei enthält Bytes, die kein NC-Text hat: eine Textdatei wählen, kein Archiv oder Bild.</translation>
+    </message>
+    <message>
+        <source>%1 is left out, as you have accepted: the path may differ from the control&apos;s.</source>
+        <translation>%1 wird ausgelassen, wie hingenommen: Die Bahn kann von der der Steuerung abweichen.</translation>
     </message>
 </context>
 <context>

@@ -54,6 +54,8 @@ constexpr std::size_t kSimulatedPoints = 200;
 constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
 /// After the last change of a setting the time of the run is reckoned again.
 constexpr int kReckonMs = 400;
+/// From here on the points a program leaves open are made anew.
+constexpr double kToolMovedMm = 0.01;
 
 widgets::ConnectionState connectionState(session::LinkState state) {
   switch (state) {
@@ -273,11 +275,24 @@ void MainWindow::connectPages() {
     m_programPanel->setReading(m_reading.dialect, m_reading.accepted);
     log(Severity::Note, tr("Reading %1 was cancelled.").arg(m_loadingPath));
   });
+  connect(&m_loader, &session::ProgramLoader::placed, this,
+          [this](const std::shared_ptr<const widgets::ProgramView>& view,
+                 const std::shared_ptr<const widgets::ProgramView>& of) {
+            if (of != m_view) {
+              return;
+            }
+            m_view = view;
+            m_programPage->replaceProgram(m_view);
+            if (!m_session.isRunning()) {
+              m_run->setTotal(points().size());
+              judge();
+            }
+          });
   connect(&m_watch, &session::FileWatch::stateChanged, this, &MainWindow::showFileState);
   connect(&m_timer, &session::ProgramTimer::reckoned, this,
           [this](const std::shared_ptr<const widgets::ProgramTimes>& times,
                  const std::shared_ptr<const widgets::ProgramView>& view) {
-            if (view == m_view) {
+            if (m_view && view->program == m_program && times->atS.size() == points().size()) {
               m_programPage->setTimes(times);
             }
           });
@@ -423,6 +438,15 @@ void MainWindow::showFileState(session::FileWatch::State state) {
   }
 }
 
+void MainWindow::followTool() {
+  const base::Vec3 startMm = m_machine.positionMm.value_or(kOriginMm);
+  // Axes at rest tremble; a hundredth of a millimetre is not seen.
+  if (m_view && m_view->dependsOnStart && base::isFinite(startMm) &&
+      base::distance(m_view->startMm, startMm) > kToolMovedMm) {
+    m_loader.place(m_view, startMm, std::max(2, m_settings.stream.parameters.pointsPerLoop));
+  }
+}
+
 void MainWindow::reckonTimes() {
   const session::TimeSettings settings{m_settings.stream.parameters.method,
                                        m_settings.stream.parameters.pointsPerLoop,
@@ -437,7 +461,8 @@ void MainWindow::reckonTimes() {
 }
 
 bool MainWindow::isIdle() const {
-  return !m_loader.isBusy() && !m_reckonTimer.isActive() && !m_timer.isBusy();
+  return !m_loader.isBusy() && !m_loader.isPlacing() && !m_reckonTimer.isActive() &&
+         !m_timer.isBusy();
 }
 
 const std::vector<gcode::StreamPoint>& MainWindow::points() const {
@@ -500,6 +525,9 @@ void MainWindow::showMachine(const session::MachineSeen& seen) {
   m_machine.isStale = false;
   m_connection->setMachineState(m_machine);
   m_path->setToolPosition(seen.positionMm);
+  if (!m_session.isRunning()) {
+    followTool();
+  }
   refreshStart();
 }
 
@@ -658,12 +686,7 @@ bool MainWindow::start() {
   settings.parameters = m_settings.stream.parameters;
   settings.deltaMm = m_settings.stream.deltaMm;
   settings.feedMmPerS = m_settings.stream.feedMmPerS;
-  const base::Vec3 startMm = m_machine.positionMm.value_or(kOriginMm);
-  if (m_view->dependsOnStart && !(m_view->startMm == startMm)) {
-    m_view = widgets::makeProgramView(m_program, startMm, m_view->distancesFor);
-    m_programPage->replaceProgram(m_view);
-    m_reckonedFor.reset();
-  }
+  followTool();
   m_timer.cancel();
   m_path->setExecuted(0);
   m_trace->clear();

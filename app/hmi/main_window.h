@@ -109,6 +109,8 @@ class MainWindow final : public QMainWindow {
 
   /// Reads the loaded program's file again, in another way.
   void readAgain(const session::Reading& reading);
+  /// Makes the points anew if the program leaves coordinates open and the tool has moved.
+  void followTool();
   void showFileState(session::FileWatch::State state);
   void reckonTimes();
   [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const;

@@ -23,6 +23,9 @@ constexpr double kReadShare = 0.7;
 
 ProgramLoader::~ProgramLoader() {
   forget();
+  if (m_placing) {
+    m_placing->store(true);
+  }
 }
 
 void ProgramLoader::forget() {
@@ -92,6 +95,28 @@ void ProgramLoader::load(LoadRequest request) {
         Q_EMIT loader.loaded(loaded);
       });
     }
+  });
+}
+
+void ProgramLoader::place(std::shared_ptr<const widgets::ProgramView> view, base::Vec3 startMm,
+                          int pointsPerLoop) {
+  if (m_placing) {
+    return;
+  }
+  m_placing = std::make_shared<std::atomic<bool>>(false);
+  QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), stop = m_placing,
+                                        view = std::move(view), startMm, pointsPerLoop] {
+    auto placed = widgets::makeProgramView(view->program, startMm, pointsPerLoop,
+                                           [&stop](double) { return !stop->load(); });
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, placed = std::move(placed), view] {
+          if (self && placed) {
+            self->m_placing.reset();
+            Q_EMIT self->placed(placed, view);
+          }
+        },
+        Qt::QueuedConnection);
   });
 }
 

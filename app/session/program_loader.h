@@ -55,6 +55,11 @@ class ProgramLoader final : public QObject {
   /// Forgets the request that is under way; `cancelled` tells.
   void cancel();
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
+  /// Makes the points of a loaded program anew for another place of the tool; `placed` tells. One
+  /// at a time: while one is made, others are not begun.
+  void place(std::shared_ptr<const widgets::ProgramView> view, base::Vec3 startMm,
+             int pointsPerLoop);
+  [[nodiscard]] bool isPlacing() const { return m_placing != nullptr; }
 
  Q_SIGNALS:
   /// At most 20 times a second. @param share  0 to 1
@@ -62,11 +67,15 @@ class ProgramLoader final : public QObject {
   void loaded(const rivulet::session::LoadedProgram& program);
   void failed(const rivulet::base::Error& error, const QString& path);
   void cancelled();
+  /// @param of  the view it takes the place of
+  void placed(const std::shared_ptr<const rivulet::widgets::ProgramView>& view,
+              const std::shared_ptr<const rivulet::widgets::ProgramView>& of);
 
  private:
   void forget();
 
   std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the request under way; null: none
+  std::shared_ptr<std::atomic<bool>> m_placing;
 };
 
 }  // namespace rivulet::session

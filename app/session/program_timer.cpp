@@ -71,8 +71,10 @@ void ProgramTimer::cancel() {
 void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
                          const TimeSettings& settings) {
   cancel();
-  if (view != m_view) {
-    m_view = view;
+  // The place of the tool changes the first points of a program and hardly its time.
+  if (view->program != m_program ||
+      (m_times && m_times->atS.size() != view->points.points.size())) {
+    m_program = view->program;
     m_times.reset();
   }
   m_stop = std::make_shared<std::atomic<bool>>(false);

@@ -45,7 +45,7 @@ class ProgramTimer final : public QObject {
 
  private:
   std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work under way; null: none
-  std::shared_ptr<const widgets::ProgramView> m_view;
+  std::shared_ptr<const gcode::Program> m_program;
   std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< of that program
 };
 

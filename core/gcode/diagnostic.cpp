@@ -41,8 +41,7 @@ CodeText textOf(DiagnosticCode code) {
               "program without it."};
     case DiagnosticCode::UnsupportedExpression:
       return {"unsupported-expression",
-              "\"{}\" is a variable, a calculation or a jump, which Rivulet does not run: "
-              "post-process the program to plain coordinates."};
+              "\"{}\" is not run by Rivulet: what it does to the path is unknown."};
     case DiagnosticCode::IgnoredCode:
       return {"ignored-code", "{} is not sent to the control: it does not change the path."};
     case DiagnosticCode::ConflictingGCodes:
@@ -91,27 +90,34 @@ CodeText textOf(DiagnosticCode code) {
               "The program has more than {} points: it is not read further. Split it."};
     case DiagnosticCode::EndlessLoop:
       return {"endless-loop",
-              "A loop has run {} blocks without an end: the program is not run further. Check the "
-              "condition of the loop."};
+              "The loop that ends here does not come to an end: {} blocks were run again, then "
+              "reading stopped. Check its condition."};
     case DiagnosticCode::ExpressionFault:
-      return {"expression-fault", "The calculation cannot be made: {}."};
+      return {"expression-fault", "The calculation has no result: {}."};
     case DiagnosticCode::FlowFault:
-      return {"flow-fault", "The jump, loop or subprogram cannot be run: {}."};
+      return {"flow-fault", "The order of the blocks is not known from here on: {}."};
     case DiagnosticCode::SubprogramMissing:
       return {"subprogram-missing",
-              "The subprogram {} is not found: put its file into the folder of the program. The "
-              "points it would give are missing."};
+              "The subprogram {} is not in this file and not beside it: the points it would give "
+              "are missing."};
     case DiagnosticCode::CycleNotRun:
-      return {"cycle-not-run", "The cycle {} is not run: the motions it would make are missing."};
+      return {"cycle-not-run",
+              "{} is a cycle of the control: the motions it makes are missing here."};
     case DiagnosticCode::MachineCoordinates:
-      return {"machine-coordinates", "{} is in machine coordinates: the move is left out."};
+      return {"machine-coordinates",
+              "{} moves in machine coordinates, whose place in the workpiece is not known: the "
+              "move is left out."};
     case DiagnosticCode::RotaryAxes:
       return {"rotary-axes",
-              "The rotary axes {} are read, but no method sends them to the control."};
+              "{} turns on the path: the points carry it, but no streaming method sends more than "
+              "X, Y and Z."};
     case DiagnosticCode::NotAnyDialect:
-      return {"not-any-dialect", "The text is no NC program in a known dialect: {}."};
+      return {"not-any-dialect",
+              "The file holds bytes that no NC text has: choose a text file, not an archive or a "
+              "picture."};
     case DiagnosticCode::Accepted:
-      return {"accepted", "{} was accepted by the operator: the word is left out."};
+      return {"accepted",
+              "{} is left out, as you have accepted: the path may differ from the control's."};
     case DiagnosticCode::MoreFindings:
       return {"more-findings", "{} more findings from here on are not listed."};
   }

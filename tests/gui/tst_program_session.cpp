@@ -220,6 +220,29 @@ class TestProgramSession : public QObject {
     QVERIFY(!timer.isBusy());
   }
 
+  /// Coordinates a program leaves open are where the tool stands.
+  void pointsFollowTheTool() {
+    const auto program = std::make_shared<const gcode::Program>(
+        gcode::interpretProgram("a", "G0 Z5\nG1 X10 Y0 F600\nX20\n").value());
+    const auto view = widgets::makeProgramView(program, {1.0, 2.0, 3.0}, 2);
+    QVERIFY(view->dependsOnStart);
+    QVERIFY((view->points.points.front().positionMm == base::Vec3{1.0, 2.0, 5.0}));
+    ProgramLoader loader;
+    std::shared_ptr<const widgets::ProgramView> placed;
+    connect(&loader, &ProgramLoader::placed, this, [&](const auto& made, const auto& of) {
+      QVERIFY(of == view);
+      placed = made;
+    });
+    loader.place(view, {7.0, 8.0, 9.0}, 2);
+    loader.place(view, {0.0, 0.0, 0.0}, 2);  // one at a time: not begun
+    QVERIFY(loader.isPlacing());
+    QTRY_VERIFY_WITH_TIMEOUT(placed != nullptr, kSoonMs);
+    QVERIFY(!loader.isPlacing());
+    QVERIFY(placed->program == program);
+    QVERIFY((placed->points.points.front().positionMm == base::Vec3{7.0, 8.0, 5.0}));
+    QVERIFY(placed->points.points.back().positionMm == view->points.points.back().positionMm);
+  }
+
   /// A million lines: the window answers all the while, and Cancel leaves what was there.
   void aMillionLinesNeverHoldTheWindow() {
     QTemporaryDir folder;

@@ -65,9 +65,7 @@ struct DiagnosticTexts {
             "%1 changes the path or the feed in a way Rivulet does not support: "
             "post-process the program without it.");
       case DiagnosticCode::UnsupportedExpression:
-        return tr(
-            "\"%1\" is a variable, a calculation or a jump, which Rivulet does not run: "
-            "post-process the program to plain coordinates.");
+        return tr("\"%1\" is not run by Rivulet: what it does to the path is unknown.");
       case DiagnosticCode::IgnoredCode:
         return tr("%1 is not sent to the control: it does not change the path.");
       case DiagnosticCode::ConflictingGCodes:
@@ -112,26 +110,32 @@ struct DiagnosticTexts {
         return tr("The program has more than %1 points: it is not read further. Split it.");
       case DiagnosticCode::EndlessLoop:
         return tr(
-            "A loop has run %1 blocks without an end: the program is not run further. Check "
-            "the condition of the loop.");
+            "The loop that ends here does not come to an end: %1 blocks were run again, then "
+            "reading stopped. Check its condition.");
       case DiagnosticCode::ExpressionFault:
-        return tr("The calculation cannot be made: %1.");
+        return tr("The calculation has no result: %1.");
       case DiagnosticCode::FlowFault:
-        return tr("The jump, loop or subprogram cannot be run: %1.");
+        return tr("The order of the blocks is not known from here on: %1.");
       case DiagnosticCode::SubprogramMissing:
         return tr(
-            "The subprogram %1 is not found: put its file into the folder of the program. The "
-            "points it would give are missing.");
+            "The subprogram %1 is not in this file and not beside it: the points it would give are "
+            "missing.");
       case DiagnosticCode::CycleNotRun:
-        return tr("The cycle %1 is not run: the motions it would make are missing.");
+        return tr("%1 is a cycle of the control: the motions it makes are missing here.");
       case DiagnosticCode::MachineCoordinates:
-        return tr("%1 is in machine coordinates: the move is left out.");
+        return tr(
+            "%1 moves in machine coordinates, whose place in the workpiece is not known: the move "
+            "is left out.");
       case DiagnosticCode::RotaryAxes:
-        return tr("The rotary axes %1 are read, but no method sends them to the control.");
+        return tr(
+            "%1 turns on the path: the points carry it, but no streaming method sends more than X, "
+            "Y and Z.");
       case DiagnosticCode::NotAnyDialect:
-        return tr("The text is no NC program in a known dialect: %1.");
+        return tr(
+            "The file holds bytes that no NC text has: choose a text file, not an archive or a "
+            "picture.");
       case DiagnosticCode::Accepted:
-        return tr("%1 was accepted by the operator: the word is left out.");
+        return tr("%1 is left out, as you have accepted: the path may differ from the control's.");
       case DiagnosticCode::MoreFindings:
         return tr("%1 more findings from here on are not listed.");
     }

@@ -67,6 +67,7 @@ PathView::PathView(QWidget* parent)
   }
   m_scale->addItem(QString());
   m_scale->addItem(QString());
+  m_scale->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the language may change
   m_slider->setMinimumHeight(32);
   m_place->setWordWrap(true);
   auto* buttons = new QHBoxLayout;
@@ -116,7 +117,9 @@ void PathView::setProgram(std::shared_ptr<const ProgramView> view) {
 
 void PathView::replaceProgram(std::shared_ptr<const ProgramView> view) {
   m_program = std::move(view);
-  m_times.reset();
+  if (m_times && m_times->atS.size() != pointCount()) {
+    m_times.reset();
+  }
   m_canvas->replaceProgram(m_program);
   if (m_marked && *m_marked >= pointCount()) {
     m_marked.reset();

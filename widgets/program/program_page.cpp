@@ -44,9 +44,7 @@ void ProgramPage::setProgram(const std::shared_ptr<const ProgramView>& view) {
 
 void ProgramPage::replaceProgram(const std::shared_ptr<const ProgramView>& view) {
   m_program = view;
-  m_hasTimes = false;
   m_path->replaceProgram(view);
-  m_panel->setTimes(nullptr);
 }
 
 void ProgramPage::setTimes(const std::shared_ptr<const ProgramTimes>& times) {

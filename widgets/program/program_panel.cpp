@@ -177,9 +177,9 @@ QWidget* ProgramPanel::makeFindings() {
   m_findingsTable->setModel(m_findings);
   styleTable(m_findingsTable);
   m_findingsTable->setMinimumHeight(70);
-  m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 104);
+  m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 100);
   m_findingsTable->setColumnWidth(DiagnosticModel::Line, 64);
-  m_findingsTable->setColumnWidth(DiagnosticModel::ColumnInLine, 60);
+  m_findingsTable->setColumnHidden(DiagnosticModel::ColumnInLine, true);  // the text shows where
   m_findingsTable->horizontalHeader()->setStretchLastSection(true);
   m_finding->setWordWrap(true);
   m_acceptedRows->setContentsMargins(0, 0, 0, 0);
