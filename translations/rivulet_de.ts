@@ -159,6 +159,14 @@
         <source>%1 is left out, as you have accepted: the path may differ from the control&apos;s.</source>
         <translation>%1 wird ausgelassen, wie hingenommen: Die Bahn kann von der der Steuerung abweichen.</translation>
     </message>
+    <message>
+        <source>All arcs of the program fit if I, J and K are read as %1: check how the post-processor writes them, and load the program that way.</source>
+        <translation>Alle Bögen des Programms passen, wenn I, J und K als %1 gelesen werden: prüfen, wie der Postprozessor sie schreibt, und das Programm so laden.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
+        <translation>Das Programm bewegt keine Achse: Es gibt nichts zu streamen. Ein Programm mit G0, G1, G2 oder G3 und X, Y oder Z wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorTexts</name>
@@ -586,6 +594,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Program: %1, version %2</source>
         <translation>Programm: %1, Fassung %2</translation>
+    </message>
+    <message>
+        <source>%1 turns rotary axes on the path. No method streams them.</source>
+        <translation>%1 dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
+    </message>
+    <message>
+        <source>The program turns rotary axes on the path. No method streams them.</source>
+        <translation>Das Programm dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
+    </message>
+    <message>
+        <source>%1 moves no axis: there is nothing to stream.</source>
+        <translation>%1 bewegt keine Achse: Es gibt nichts zu streamen.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis.</source>
+        <translation>Das Programm bewegt keine Achse.</translation>
     </message>
 </context>
 <context>
@@ -1491,6 +1515,30 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Computed with the axes of %1</source>
         <translation>Berechnet mit den Achsen von %1</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: rotary axes turn on the path.</source>
+        <translation>Nicht streambar: Rundachsen drehen auf der Bahn.</translation>
+    </message>
+    <message>
+        <source>I, J, K are read as the centre itself</source>
+        <translation>I, J, K gelten als Mittelpunkt selbst</translation>
+    </message>
+    <message>
+        <source>I, J, K are read from the centre to the start</source>
+        <translation>I, J, K gelten vom Mittelpunkt zum Anfang</translation>
+    </message>
+    <message>
+        <source>Read I, J, K as usual</source>
+        <translation>I, J, K wie üblich lesen</translation>
+    </message>
+    <message>
+        <source>Read it that way</source>
+        <translation>So lesen</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: no axis moves.</source>
+        <translation>Nicht streambar: Keine Achse bewegt sich.</translation>
     </message>
 </context>
 <context>

@@ -3,26 +3,64 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
 
+#include "base/text.h"
 #include "cli/commands.h"
 #include "gcode/program.h"
 #include "report/report_json.h"
 
 namespace rivulet::cli {
 
-Exit check(const CheckOptions& options) {
-  const auto program = gcode::loadProgram(options.file, {options.chordToleranceMm});
-  if (!program) {
-    return reportError(program.error(), options.json);
+namespace {
+
+/// Programs in a folder are known by their endings.
+constexpr std::array<std::string_view, 13> kEndings{".MPF", ".SPF", ".NC",    ".NGC", ".TAP",
+                                                    ".CNC", ".H",   ".GCODE", ".PTP", ".ISO",
+                                                    ".EIA", ".GC",  ".TXT"};
+
+struct Checked {
+  std::string file;
+  base::Result<gcode::Program> program;
+
+  [[nodiscard]] bool isUnderstood() const { return program && program->isUnderstood(); }
+};
+
+/// The files themselves, and the programs in the folders among them, in the order of their names.
+std::vector<std::string> filesOf(const std::vector<std::string>& given) {
+  std::vector<std::string> files;
+  for (const std::string& path : given) {
+    std::error_code status;
+    if (!std::filesystem::is_directory(path, status)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (std::filesystem::recursive_directory_iterator entry(path, status), end;
+         !status && entry != end; entry.increment(status)) {
+      const std::string ending = base::toUpper(entry->path().extension().string());
+      if (entry->is_regular_file(status) &&
+          std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) {
+        found.push_back(entry->path().string());
+      }
+    }
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
   }
-  const Exit exit = program->isStreamable() ? Exit::Done : Exit::Wrong;
-  if (options.json) {
-    printJson(report::programJson(*program));
-    return exit;
-  }
-  const gcode::Statistics& statistics = program->statistics;
-  fmt::print("{}  ({})\n", program->name, program->hash);
+  return files;
+}
+
+void print(const gcode::Program& program) {
+  const gcode::Statistics& statistics = program.statistics;
+  fmt::print("{}  ({})\n", program.name, program.hash);
+  fmt::print("  dialect  {}{}\n", gcode::dialectName(program.dialect),
+             program.dialectEvidence.empty()
+                 ? std::string()
+                 : fmt::format(" (for \"{}\")", program.dialectEvidence));
   fmt::print("  lines    {}\n", statistics.lines);
   fmt::print("  motions  G0 {}, G1 {}, G2 {}, G3 {}; {} points\n", statistics.motions[0],
              statistics.motions[1], statistics.motions[2], statistics.motions[3],
@@ -36,13 +74,107 @@ Exit check(const CheckOptions& options) {
     }
   }
   fmt::print("  feeds    {} mm/min\n", fmt::join(statistics.feedsMmPerMin, ", "));
-  for (const gcode::Diagnostic& diagnostic : program->diagnostics) {
-    fmt::print("{}:{}:{}: {}: {}\n", program->name, diagnostic.line.value, diagnostic.column,
-               gcode::severityName(diagnostic.severity), gcode::describe(diagnostic));
+  for (const gcode::Diagnostic& diagnostic : program.diagnostics) {
+    const std::string name = gcode::acceptableName(diagnostic);
+    fmt::print("{}:{}:{}: {}: {}{}\n", program.name, diagnostic.line.value, diagnostic.column,
+               gcode::severityName(diagnostic.severity), gcode::describe(diagnostic),
+               name.empty() ? std::string() : fmt::format(" [--accept {}]", name));
   }
-  fmt::print("{}\n", program->isStreamable()
-                         ? "The whole path is known: the program can be streamed."
-                         : "The path is not known everywhere: the program cannot be streamed.");
+  fmt::print("{}\n",
+             program.isStreamable() ? "The whole path is known: the program can be streamed."
+             : program.isUnderstood()
+                 ? "The whole path is known, but it turns rotary axes: no method streams it."
+                 : "The path is not known everywhere: the program cannot be streamed.");
+}
+
+void printTable(const std::vector<Checked>& all) {
+  std::size_t widest = 4;
+  for (const Checked& checked : all) {
+    widest = std::max(widest, checked.file.size());
+  }
+  fmt::print("\n{:<{}}  {:<10}  {:>8}  {:>8}  {:>6}  {:>8}  {}\n", "FILE", widest, "DIALECT",
+             "LINES", "POINTS", "ERRORS", "WARNINGS", "RESULT");
+  std::size_t understood = 0;
+  for (const Checked& checked : all) {
+    if (!checked.program) {
+      fmt::print("{:<{}}  {:<10}  {:>8}  {:>8}  {:>6}  {:>8}  {}\n", checked.file, widest, "-", "-",
+                 "-", "-", "-", "not read");
+      continue;
+    }
+    const gcode::Program& program = *checked.program;
+    const auto count = [&program](gcode::Severity severity) {
+      return std::count_if(
+          program.diagnostics.begin(), program.diagnostics.end(),
+          [severity](const gcode::Diagnostic& found) { return found.severity == severity; });
+    };
+    understood += program.isUnderstood() ? 1U : 0U;
+    fmt::print("{:<{}}  {:<10}  {:>8}  {:>8}  {:>6}  {:>8}  {}\n", checked.file, widest,
+               gcode::dialectName(program.dialect), program.statistics.lines,
+               program.statistics.points, count(gcode::Severity::Error),
+               count(gcode::Severity::Warning),
+               program.isStreamable()   ? "streamable"
+               : program.isUnderstood() ? "rotary axes"
+                                        : "not understood");
+  }
+  fmt::print("{} of {} understood\n", understood, all.size());
+}
+
+}  // namespace
+
+gcode::LoadOptions LoadingOptions::loadOptions() const {
+  gcode::LoadOptions options;
+  options.chordToleranceMm = chordToleranceMm;
+  options.blockSkip = blockSkip;
+  options.dialect = gcode::dialectOfName(dialect);
+  options.accepted = accepted;
+  for (std::string& name : options.accepted) {
+    name = base::toUpper(name);
+  }
+  return options;
+}
+
+Exit check(const CheckOptions& options) {
+  const std::vector<std::string> files = filesOf(options.files);
+  const bool single = options.files.size() == 1 && files.size() == 1;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::vector<Checked> all;
+  Exit exit = Exit::Done;
+  for (const std::string& file : files) {
+    Checked checked{file, gcode::loadProgram(file, options.loading.loadOptions())};
+    if (!checked.program) {
+      if (single) {
+        return reportError(checked.program.error(), options.json);
+      }
+      if (options.json) {
+        nlohmann::ordered_json failed = report::errorJson(checked.program.error());
+        list.push_back({{"file", file}, {"error", failed}});
+      } else {
+        reportError(checked.program.error(), false);
+      }
+      exit = exit == Exit::Done ? Exit::Wrong : exit;
+    } else if (options.json) {
+      list.push_back(report::programJson(*checked.program));
+      list.back()["file"] = single ? checked.program->name : file;
+    } else {
+      print(*checked.program);
+    }
+    exit = checked.isUnderstood() ? exit : Exit::Wrong;
+    if (checked.program) {
+      // The table needs figures only; thousands of paths would fill the memory.
+      checked.program->trajectory = {};
+      checked.program->text = {};
+    }
+    all.push_back(std::move(checked));
+  }
+  if (files.empty()) {
+    fmt::print(stderr, "No NC program was found there.\n");
+    return Exit::BadInput;
+  }
+  if (options.json) {
+    printJson(single ? list.front() : list);
+  } else if (!single) {
+    printTable(all);
+  }
   return exit;
 }
 

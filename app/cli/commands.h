@@ -12,19 +12,41 @@
 #include <vector>
 
 #include "cli/console.h"
+#include "gcode/program.h"
 
 namespace rivulet::cli {
 
-struct CheckOptions {
-  std::string file;
+/// How NC programs are read, the same for every command.
+struct LoadingOptions {
   double chordToleranceMm = 0.005;
+  std::string dialect = "auto";
+  std::vector<std::string> accepted;
+  bool blockSkip = false;
+
+  [[nodiscard]] gcode::LoadOptions loadOptions() const;
+};
+
+struct CheckOptions {
+  std::vector<std::string> files;  ///< or folders
+  LoadingOptions loading;
   bool json = false;
 };
 [[nodiscard]] Exit check(const CheckOptions& options);
 
+struct PointsOptions {
+  std::string file;
+  LoadingOptions loading;
+  std::string output;    ///< file; empty: standard output
+  double thinMm = 0.0;   ///< 0: not
+  double splitMm = 0.0;  ///< 0: not
+  bool keepArcs = false;
+};
+[[nodiscard]] Exit points(const PointsOptions& options);
+
 struct FeasibilityOptions {
   OperatingOptions point;
-  std::string program;                    ///< file; empty: none
+  std::string program;  ///< file; empty: none
+  LoadingOptions loading;
   std::optional<double> pointDistanceMm;  ///< d_min where no program is given
   double accessTimeMs = 4.3;
   std::string calibration;  ///< file whose time per node takes its place; empty: none
@@ -44,6 +66,7 @@ struct TemplateOptions {
 struct StreamOptions {
   OperatingOptions point;
   std::string file;
+  LoadingOptions loading;
   std::string endpoint;
   bool simulate = false;
   std::string preset = "dmu75";

@@ -58,7 +58,7 @@ Exit feasibility(const FeasibilityOptions& options) {
   feasibility::ProgramDistances distances;
   nlohmann::ordered_json json;
   if (!options.program.empty()) {
-    const auto program = gcode::loadProgram(options.program);
+    const auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
     if (!program) {
       return reportError(program.error(), options.json);
     }

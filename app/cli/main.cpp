@@ -46,6 +46,24 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
       ->capture_default_str();
 }
 
+void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
+  command
+      ->add_option("--chord-tolerance", loading.chordToleranceMm,
+                   "Greatest distance of chords from their arc or spline, mm")
+      ->check(kPositive)
+      ->capture_default_str();
+  std::vector<std::string> names{"auto"};
+  for (const rivulet::gcode::Dialect dialect : rivulet::gcode::kDialects) {
+    names.emplace_back(rivulet::gcode::dialectName(dialect));
+  }
+  command->add_option("--dialect", loading.dialect, "Language of the program")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  command->add_option("--accept", loading.accepted,
+                      "Leave out what is not understood, by the name check gives (repeatable)");
+  command->add_flag("--block-skip", loading.blockSkip, "Leave out blocks that begin with /");
+}
+
 void addJson(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "Print the result as JSON");
 }
@@ -59,15 +77,27 @@ int main(int argc, char** argv) {
   Exit exit = Exit::Done;
 
   rivulet::cli::CheckOptions check;
-  CLI::App* checkCommand = app.add_subcommand("check", "Read an NC program and say what is in it");
-  checkCommand->add_option("FILE", check.file, "NC program")->required();
-  checkCommand
-      ->add_option("--chord-tolerance", check.chordToleranceMm,
-                   "Greatest distance of an arc's chords from the arc, mm")
-      ->check(kPositive)
-      ->capture_default_str();
+  CLI::App* checkCommand = app.add_subcommand("check", "Read NC programs and say what is in them");
+  checkCommand->add_option("FILE", check.files, "NC programs, or folders with some")->required();
+  addLoading(checkCommand, check.loading);
   addJson(checkCommand, check.json);
   checkCommand->callback([&] { exit = rivulet::cli::check(check); });
+
+  rivulet::cli::PointsOptions points;
+  CLI::App* pointsCommand =
+      app.add_subcommand("points", "Write the points of an NC program as a table");
+  pointsCommand->add_option("FILE", points.file, "NC program")->required();
+  addLoading(pointsCommand, points.loading);
+  bool csv = true;
+  pointsCommand->add_flag("--csv", csv, "As comma-separated values (the only form)");
+  pointsCommand->add_option("-o,--output", points.output, "File to write");
+  pointsCommand->add_flag("--keep-arcs", points.keepArcs, "One point per arc instead of chords");
+  pointsCommand
+      ->add_option("--thin", points.thinMm, "Leave out points within this distance of the path, mm")
+      ->check(kPositive);
+  pointsCommand->add_option("--split", points.splitMm, "Longest move; longer ones are divided, mm")
+      ->check(kPositive);
+  pointsCommand->callback([&] { exit = rivulet::cli::points(points); });
 
   rivulet::cli::FeasibilityOptions feasibility;
   CLI::App* feasibilityCommand =
@@ -75,6 +105,7 @@ int main(int argc, char** argv) {
   addPoint(feasibilityCommand, feasibility.point);
   addDelta(feasibilityCommand, feasibility.point);
   addFeed(feasibilityCommand, feasibility.point)->required();
+  addLoading(feasibilityCommand, feasibility.loading);
   auto* program = feasibilityCommand->add_option("--program", feasibility.program, "NC program");
   auto* distance = feasibilityCommand
                        ->add_option("--d-min", feasibility.pointDistanceMm,
@@ -114,6 +145,7 @@ int main(int argc, char** argv) {
   rivulet::cli::StreamOptions stream;
   CLI::App* streamCommand = app.add_subcommand("stream", "Stream an NC program to a control");
   streamCommand->add_option("FILE", stream.file, "NC program")->required();
+  addLoading(streamCommand, stream.loading);
   addPoint(streamCommand, stream.point);
   addDelta(streamCommand, stream.point);
   addFeed(streamCommand, stream.point)->required();

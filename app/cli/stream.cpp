@@ -149,7 +149,7 @@ void print(const streaming::RunReport& report, bool feasible) {
 }  // namespace
 
 Exit stream(const StreamOptions& options) {
-  const auto program = gcode::loadProgram(options.file);
+  const auto program = gcode::loadProgram(options.file, options.loading.loadOptions());
   if (!program) {
     return reportError(program.error(), options.json);
   }

@@ -261,6 +261,12 @@ void MainWindow::connectPages() {
     std::erase(reading.accepted, name.toStdString());
     readAgain(reading);
   });
+  connect(m_programPanel, &ProgramPanel::centresRequested, this,
+          [this](gcode::CentreReading centres) {
+            session::Reading reading = m_reading;
+            reading.centres = centres;
+            readAgain(reading);
+          });
   connect(m_loadBar, &widgets::LoadBar::cancelRequested, &m_loader,
           &session::ProgramLoader::cancel);
   connect(m_fileBanner, &widgets::FileBanner::reloadRequested, this,
@@ -272,7 +278,7 @@ void MainWindow::connectPages() {
   connect(&m_loader, &session::ProgramLoader::failed, this, &MainWindow::showLoadError);
   connect(&m_loader, &session::ProgramLoader::cancelled, this, [this] {
     m_loadBar->setProgress(std::nullopt);
-    m_programPanel->setReading(m_reading.dialect, m_reading.accepted);
+    m_programPanel->setReading(m_reading.dialect, m_reading.accepted, m_reading.centres);
     log(Severity::Note, tr("Reading %1 was cancelled.").arg(m_loadingPath));
   });
   connect(&m_loader, &session::ProgramLoader::placed, this,
@@ -399,7 +405,7 @@ void MainWindow::showProgram(const session::LoadedProgram& loaded) {
   m_settings.addRecentFile(m_programPath);
   m_programPanel->setRecentFiles(m_settings.recentFiles);
   m_programPage->setProgram(m_view);
-  m_programPanel->setReading(m_reading.dialect, m_reading.accepted);
+  m_programPanel->setReading(m_reading.dialect, m_reading.accepted, m_reading.centres);
   const QString name = QString::fromStdString(m_program->name);
   const QString hash = QString::fromStdString(m_program->hash);
   m_fileBanner->setProgram(name, hash);
@@ -409,7 +415,13 @@ void MainWindow::showProgram(const session::LoadedProgram& loaded) {
   m_messages->clear();
   log(Severity::Note,
       tr("Opened %1 (%2), %3 points.").arg(name, hash, widgets::countText(points().size())));
-  if (!m_program->isStreamable()) {
+  if (m_program->isUnderstood() && !m_program->isStreamable()) {
+    m_messages->showMessage(
+        Severity::Error,
+        points().empty()
+            ? tr("%1 moves no axis: there is nothing to stream.").arg(name)
+            : tr("%1 turns rotary axes on the path. No method streams them.").arg(name));
+  } else if (!m_program->isStreamable()) {
     m_messages->showMessage(Severity::Error,
                             tr("The path of %1 is not known everywhere: see the findings. It "
                                "cannot be streamed.")
@@ -472,7 +484,7 @@ const std::vector<gcode::StreamPoint>& MainWindow::points() const {
 
 void MainWindow::showLoadError(const base::Error& error, const QString& path) {
   m_loadBar->setProgress(std::nullopt);
-  m_programPanel->setReading(m_reading.dialect, m_reading.accepted);
+  m_programPanel->setReading(m_reading.dialect, m_reading.accepted, m_reading.centres);
   const QString text = widgets::errorText(error);
   m_messages->showMessage(Severity::Error, text);
   log(Severity::Error, QStringLiteral("%1: %2").arg(path, text));
@@ -595,6 +607,11 @@ QString MainWindow::startBlockedReason() const {
   }
   if (!m_program) {
     return tr("Open a program first.");
+  }
+  if (m_program->isUnderstood() && !m_program->isStreamable()) {
+    return points().empty()
+               ? tr("The program moves no axis.")
+               : tr("The program turns rotary axes on the path. No method streams them.");
   }
   if (!m_program->isStreamable()) {
     return tr("The path of the program is not known everywhere: see the findings.");

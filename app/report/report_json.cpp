@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "gcode/arc.h"
 
 namespace rivulet::report {
 
@@ -148,6 +149,44 @@ ordered_json distancesJson(const feasibility::ProgramDistances& distances) {
        {distances.windowPlace.firstLine.value, distances.windowPlace.lastLine.value}}};
 }
 
+ordered_json factsJson(const gcode::ProgramFacts& facts) {
+  const auto ifComplete = [&facts](auto value) {
+    return facts.complete ? ordered_json(value) : ordered_json(nullptr);
+  };
+  // Lengths and bounds in two units at once are none.
+  const bool measured = facts.complete && facts.units != gcode::FileUnits::Mixed;
+  const bool lengths = measured && facts.lengthsKnown;
+  ordered_json bounds = ordered_json::object();
+  for (std::size_t axis = 0; axis < gcode::kProgrammedAxisCount; ++axis) {
+    const std::string name(1, gcode::kProgrammedAxes[axis]);
+    const auto& range = facts.bounds[axis];
+    if (facts.boundsUnknown[axis]) {
+      bounds[name] = nullptr;
+    } else if (range) {
+      bounds[name] = {range->smallest, range->largest};
+    }
+  }
+  // Arcs whose ends do not fit leave open how long they are.
+  const bool arcsFit = facts.arcRadiusMismatch <= gcode::kArcRadiusToleranceMm;
+  ordered_json json;
+  for (std::size_t g = 0; g < facts.motions.size(); ++g) {
+    json["n_G" + std::to_string(g)] = ifComplete(facts.motions[g]);
+  }
+  json["n_Gdefault"] = ifComplete(facts.defaultMotions);
+  json["n_mcs_moves"] = ifComplete(facts.machineMotions);
+  json["n_other_motion"] = ifComplete(facts.otherMotions);
+  json["units"] = gcode::fileUnitsName(facts.units);
+  json["bbox_programmed"] = measured ? bounds : ordered_json(nullptr);
+  json["g1_length"] = lengths ? ordered_json(facts.g1Length) : ordered_json(nullptr);
+  json["g1_excluded"] = ifComplete(facts.g1Excluded);
+  json["arc_length"] = lengths && arcsFit ? ordered_json(facts.arcLength) : ordered_json(nullptr);
+  json["arc_excluded"] = ifComplete(facts.arcExcluded);
+  json["arc_radius_mismatch"] = ifComplete(facts.arcRadiusMismatch);
+  json["arc_centres"] = gcode::centreReadingName(facts.centreReading);
+  json["feeds"] = ifComplete(facts.feeds);
+  return json;
+}
+
 ordered_json programJson(const gcode::Program& program) {
   const gcode::Statistics& statistics = program.statistics;
   ordered_json bounds = ordered_json::object();
@@ -163,10 +202,12 @@ ordered_json programJson(const gcode::Program& program) {
                            {"line", diagnostic.line.value},
                            {"column", diagnostic.column},
                            {"code", gcode::diagnosticName(diagnostic.code)},
+                           {"accept", gcode::acceptableName(diagnostic)},
                            {"message", gcode::describe(diagnostic)}});
   }
   return {{"file", program.name},
           {"hash", program.hash},
+          {"dialect", gcode::dialectName(program.dialect)},
           {"lines", statistics.lines},
           {"motions",
            {{"g0", statistics.motions[0]},
@@ -178,6 +219,7 @@ ordered_json programJson(const gcode::Program& program) {
           {"length_mm", {{"rapid", statistics.rapidLengthMm}, {"cut", statistics.cutLengthMm}}},
           {"feeds", statistics.feedsMmPerMin},
           {"streamable", program.isStreamable()},
+          {"facts", factsJson(program.facts)},
           {"diagnostics", diagnostics}};
 }
 

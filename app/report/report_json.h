@@ -27,6 +27,9 @@ namespace rivulet::report {
 [[nodiscard]] nlohmann::ordered_json runJson(const streaming::RunReport& report);
 [[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);
 [[nodiscard]] nlohmann::ordered_json distancesJson(const feasibility::ProgramDistances& distances);
+/// What the text of a program says by itself, in its own units; null where that is not known.
+[[nodiscard]] nlohmann::ordered_json factsJson(const gcode::ProgramFacts& facts);
+
 [[nodiscard]] nlohmann::ordered_json programJson(const gcode::Program& program);
 
 }  // namespace rivulet::report

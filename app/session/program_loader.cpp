@@ -70,6 +70,7 @@ void ProgramLoader::load(LoadRequest request) {
     options.chordToleranceMm = request.reading.chordToleranceMm;
     options.dialect = request.reading.dialect;
     options.accepted = request.reading.accepted;
+    options.centres = request.reading.centres;
     options.progress = [&](double share) { return progress(kReadShare * share); };
     // Looked at before the text is read: what is written meanwhile counts as a change.
     const FileStamp stamp = fileStamp(request.path);

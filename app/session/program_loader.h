@@ -26,6 +26,7 @@ namespace rivulet::session {
 struct Reading {
   std::optional<gcode::Dialect> dialect;  ///< nothing: as detected
   std::vector<std::string> accepted;      ///< see gcode::LoadOptions
+  gcode::CentreReading centres = gcode::CentreReading::AsProgrammed;
   double chordToleranceMm = gcode::LoadOptions{}.chordToleranceMm;
 };
 

@@ -5,7 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/contract.h"
+#include "base/text.h"
 
 namespace rivulet::gcode {
 
@@ -97,27 +100,40 @@ CodeText textOf(DiagnosticCode code) {
     case DiagnosticCode::FlowFault:
       return {"flow-fault", "The order of the blocks is not known from here on: {}."};
     case DiagnosticCode::SubprogramMissing:
-      return {"subprogram-missing",
-              "The subprogram {} is not in this file and not beside it: the points it would give "
-              "are missing."};
+      return {
+          "subprogram-missing",
+          "The subprogram {} is not in this file and not beside it: the points it would give are "
+          "missing."};
     case DiagnosticCode::CycleNotRun:
       return {"cycle-not-run",
               "{} is a cycle of the control: the motions it makes are missing here."};
     case DiagnosticCode::MachineCoordinates:
-      return {"machine-coordinates",
-              "{} moves in machine coordinates, whose place in the workpiece is not known: the "
-              "move is left out."};
+      return {
+          "machine-coordinates",
+          "{} moves in machine coordinates, whose place in the workpiece is not known: the move "
+          "is left out."};
     case DiagnosticCode::RotaryAxes:
-      return {"rotary-axes",
-              "{} turns on the path: the points carry it, but no streaming method sends more than "
-              "X, Y and Z."};
+      return {
+          "rotary-axes",
+          "{} turns on the path: the points carry it, but no streaming method sends more than X, "
+          "Y and Z."};
     case DiagnosticCode::NotAnyDialect:
       return {"not-any-dialect",
               "The file holds bytes that no NC text has: choose a text file, not an archive or a "
               "picture."};
+    case DiagnosticCode::CentreReading:
+      return {"centre-reading",
+              "All arcs of the program fit if I, J and K are read as {}: check how the "
+              "post-processor writes them, and load the program that way."};
+    case DiagnosticCode::NoMotion:
+      return {
+          "no-motion",
+          "The program moves no axis: there is nothing to stream. Choose a program with G0, G1, "
+          "G2 or G3 and X, Y or Z."};
     case DiagnosticCode::Accepted:
       return {"accepted",
-              "{} is left out, as you have accepted: the path may differ from the control's."};
+              "{} is left out, as you have accepted: the path may differ from the "
+              "control's."};
     case DiagnosticCode::MoreFindings:
       return {"more-findings", "{} more findings from here on are not listed."};
   }
@@ -143,10 +159,34 @@ std::string_view severityName(Severity severity) {
 }
 
 std::string acceptableName(const Diagnostic& diagnostic) {
-  const bool isWord = diagnostic.code == DiagnosticCode::UnknownGCode ||
-                      diagnostic.code == DiagnosticCode::UnsupportedGCode ||
-                      diagnostic.code == DiagnosticCode::UnknownWord;
-  return isWord && diagnostic.severity == Severity::Error ? diagnostic.argument : std::string();
+  if (diagnostic.severity != Severity::Error) {
+    return {};
+  }
+  switch (diagnostic.code) {
+    case DiagnosticCode::UnknownGCode:
+    case DiagnosticCode::UnknownWord:
+    case DiagnosticCode::UnsupportedGCode:
+    case DiagnosticCode::UnsupportedExpression:
+    case DiagnosticCode::SubprogramMissing:
+    case DiagnosticCode::CycleNotRun:
+    case DiagnosticCode::MachineCoordinates:
+      break;
+    default:
+      return {};
+  }
+  // E5 and E7 are one address; a calculated word goes by what stands in front of its value.
+  std::string name = base::toUpper(diagnostic.argument);
+  if (diagnostic.code == DiagnosticCode::UnknownWord) {
+    std::size_t end = 0;
+    while (end < name.size() &&
+           ((name[end] >= 'A' && name[end] <= 'Z') || name[end] == '_' || name[end] == '$')) {
+      ++end;
+    }
+    name.resize(end);
+  } else {
+    name.resize(std::min(name.find_first_of("(="), name.size()));
+  }
+  return name;
 }
 
 std::string describe(const Diagnostic& diagnostic) {

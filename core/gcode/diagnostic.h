@@ -51,6 +51,8 @@ enum class DiagnosticCode {
   MachineCoordinates,           ///< argument: the word (SUPA, G53); the move is left out
   RotaryAxes,                   ///< argument: the axes; the points carry them, no method sends them
   NotAnyDialect,                ///< argument: what was found; the text is of no known dialect
+  CentreReading,                ///< argument: the reading under which all arcs fit
+  NoMotion,                     ///< no argument: no axis moves
   Accepted,                     ///< accepted by the user: argument the name; the word is left out
   MoreFindings,                 ///< the list was cut here: argument how many are not in it
 };

@@ -3,7 +3,147 @@
 
 #include "gcode/dialect.h"
 
+#include <algorithm>
+#include <cstddef>
+
+#include "base/contract.h"
+#include "base/text.h"
+
 namespace rivulet::gcode {
+
+namespace {
+
+constexpr std::size_t kLinesLookedAt = 2000;
+
+struct Evidence {
+  Dialect dialect;
+  std::string_view text;  ///< upper case; '#' stands for a digit
+  int weight;
+  bool atStart = false;  ///< of the line, behind a block number
+};
+
+/// What a reader of NC programs would go by. Heavier evidence decides against lighter.
+constexpr std::array kEvidence{
+    Evidence{Dialect::Heidenhain, "BEGIN PGM ", 100, true},
+    Evidence{Dialect::Heidenhain, "BLK FORM ", 50, true},
+    Evidence{Dialect::Heidenhain, "TOOL CALL ", 20, true},
+    Evidence{Dialect::Heidenhain, "CYCL DEF ", 20, true},
+    Evidence{Dialect::Heidenhain, "END PGM ", 50, true},
+    Evidence{Dialect::Sinumerik, "%_N_", 50, true},
+    Evidence{Dialect::Sinumerik, ";$PATH=", 50, true},
+    Evidence{Dialect::Sinumerik, "DEF REAL ", 20, true},
+    Evidence{Dialect::Sinumerik, "DEF INT ", 20, true},
+    Evidence{Dialect::Sinumerik, "DEF STRING", 20, true},
+    Evidence{Dialect::Sinumerik, "DEF BOOL ", 20, true},
+    Evidence{Dialect::Sinumerik, "PROC ", 20, true},
+    Evidence{Dialect::Sinumerik, "EXTERN ", 20, true},
+    Evidence{Dialect::Sinumerik, "MSG(", 10, true},
+    Evidence{Dialect::Sinumerik, "MCALL", 10, true},
+    Evidence{Dialect::Sinumerik, "GOTOF ", 10, false},
+    Evidence{Dialect::Sinumerik, "GOTOB ", 10, false},
+    Evidence{Dialect::Sinumerik, "ENDWHILE", 5, true},
+    Evidence{Dialect::Sinumerik, "ENDFOR", 10, true},
+    Evidence{Dialect::Sinumerik, "ENDLOOP", 10, true},
+    Evidence{Dialect::Sinumerik, "UNTIL ", 10, true},
+    Evidence{Dialect::Sinumerik, "STOPRE", 10, true},
+    Evidence{Dialect::Sinumerik, "TRAORI", 20, false},
+    Evidence{Dialect::Sinumerik, "TRAFOOF", 20, false},
+    Evidence{Dialect::Sinumerik, "CYCLE##", 10, false},
+    Evidence{Dialect::Sinumerik, "SUPA", 10, false},
+    Evidence{Dialect::Sinumerik, "G64#", 5, false},
+    Evidence{Dialect::Sinumerik, "G710", 5, false},
+    Evidence{Dialect::Sinumerik, "G700", 5, false},
+    Evidence{Dialect::Sinumerik, "CR=", 10, false},
+    Evidence{Dialect::Sinumerik, "X=", 3, false},
+    Evidence{Dialect::Sinumerik, "Y=", 3, false},
+    Evidence{Dialect::Sinumerik, "Z=", 3, false},
+    Evidence{Dialect::Sinumerik, "=IC(", 10, false},
+    Evidence{Dialect::Sinumerik, "=AC(", 10, false},
+    Evidence{Dialect::Sinumerik, "A3=", 10, false},
+    Evidence{Dialect::Sinumerik, "TRANS ", 10, true},
+    Evidence{Dialect::Sinumerik, "BSPLINE", 10, true},
+    Evidence{Dialect::Sinumerik, "R#=", 3, true},
+    Evidence{Dialect::Sinumerik, "R##=", 3, true},
+    Evidence{Dialect::Sinumerik, "T=\"", 10, false},
+    Evidence{Dialect::Sinumerik, "$P_", 10, false},
+    Evidence{Dialect::Sinumerik, "$A", 5, false},
+    Evidence{Dialect::LinuxCnc, "O<", 20, true},
+    Evidence{Dialect::LinuxCnc, "#<", 5, false},
+    Evidence{Dialect::LinuxCnc, "G5.2", 10, false},
+    Evidence{Dialect::LinuxCnc, "G5.3", 10, false},
+    Evidence{Dialect::LinuxCnc, "G64 P", 3, false},
+    Evidence{Dialect::LinuxCnc, " SUB", 3, false},
+    Evidence{Dialect::LinuxCnc, "ENDSUB", 15, false},
+    Evidence{Dialect::LinuxCnc, "ENDREPEAT", 15, false},
+    Evidence{Dialect::Grbl, "$H", 10, true},
+    Evidence{Dialect::Grbl, "$X", 10, true},
+    Evidence{Dialect::Grbl, "$J=", 10, true},
+    Evidence{Dialect::Grbl, "$$", 10, true},
+    Evidence{Dialect::Grbl, "$G", 5, true},
+    Evidence{Dialect::Iso, "G65", 5, false},
+    Evidence{Dialect::Iso, "G43.4", 5, false},
+    Evidence{Dialect::Iso, "G05.1", 5, false},
+    Evidence{Dialect::Iso, "O####", 5, true},
+    Evidence{Dialect::Iso, ":####", 3, true},
+};
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool startsWith(std::string_view text, std::string_view pattern) {
+  if (text.size() < pattern.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    // "#" stands for a digit, except where a variable begins: "#<".
+    const bool digit = pattern[i] == '#' && pattern != "#<";
+    if (digit ? !isDigit(text[i]) : text[i] != pattern[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool contains(std::string_view line, std::string_view pattern) {
+  for (std::size_t at = 0; at + pattern.size() <= line.size(); ++at) {
+    if (startsWith(line.substr(at), pattern)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Without comment and block number, in upper case.
+std::string relevantPart(std::string_view line) {
+  std::string text = base::toUpper(base::trim(line));
+  const bool isHeader = text.rfind(";$PATH=", 0) == 0;
+  if (const std::size_t comment = text.find(';'); comment != std::string::npos && !isHeader) {
+    text.resize(comment);
+  }
+  // A comment in brackets; MSG(...) and calls have no blank in front of theirs.
+  if (const std::size_t comment = text.find('(');
+      comment != std::string::npos && (comment == 0 || text[comment - 1] == ' ')) {
+    text.resize(comment);
+  }
+  std::size_t at = 0;
+  if (at < text.size() && text[at] == 'N' && at + 1 < text.size() && isDigit(text[at + 1])) {
+    ++at;
+  }
+  const std::size_t digits = at;
+  while (at < text.size() && isDigit(text[at])) {
+    ++at;
+  }
+  if (at > digits) {
+    while (at < text.size() && text[at] == ' ') {
+      ++at;
+    }
+    text.erase(0, at);
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string_view dialectName(Dialect dialect) {
   switch (dialect) {
@@ -16,18 +156,51 @@ std::string_view dialectName(Dialect dialect) {
     case Dialect::Grbl:
       return "grbl";
     case Dialect::Heidenhain:
-      break;
+      return "heidenhain";
   }
-  return "heidenhain";
+  base::contractViolated("every dialect has a name", __FILE__, __LINE__);
 }
 
 std::optional<Dialect> dialectOfName(std::string_view name) {
-  for (const Dialect dialect : kDialects) {
-    if (dialectName(dialect) == name) {
-      return dialect;
+  const auto* const found =
+      std::find_if(kDialects.begin(), kDialects.end(),
+                   [name](Dialect dialect) { return dialectName(dialect) == name; });
+  return found == kDialects.end() ? std::nullopt : std::optional(*found);
+}
+
+DialectGuess detectDialect(std::string_view text) {
+  std::array<int, kDialects.size()> weight{};
+  std::array<std::pair<int, std::string_view>, kDialects.size()> strongest{};
+  std::size_t lines = 0;
+  while (!text.empty() && lines++ < kLinesLookedAt) {
+    const std::size_t end = text.find_first_of("\r\n");
+    const std::string_view raw = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    // No word of a dialect fits into a line of coordinates only.
+    constexpr std::size_t kLongestLookedAt = 400;
+    const std::string line = relevantPart(raw.substr(0, kLongestLookedAt));
+    if (line.size() < 2) {
+      continue;
+    }
+    for (const Evidence& evidence : kEvidence) {
+      if (evidence.atStart ? startsWith(line, evidence.text) : contains(line, evidence.text)) {
+        const auto index = static_cast<std::size_t>(evidence.dialect);
+        weight[index] += evidence.weight;
+        if (evidence.weight > strongest[index].first) {
+          strongest[index] = {evidence.weight, evidence.text};
+        }
+      }
     }
   }
-  return std::nullopt;
+  const auto* const best = std::max_element(weight.begin(), weight.end());
+  if (*best < 3) {
+    return {};
+  }
+  const auto index = static_cast<std::size_t>(best - weight.begin());
+  std::string shown(base::trim(strongest[index].second));
+  std::replace(shown.begin(), shown.end(), '#',
+               index == static_cast<std::size_t>(Dialect::LinuxCnc) ? '#' : 'n');
+  return {static_cast<Dialect>(index), std::move(shown)};
 }
 
 }  // namespace rivulet::gcode

@@ -24,6 +24,17 @@ inline constexpr std::size_t kProgrammedAxisCount = 9;
 inline constexpr std::array<char, kProgrammedAxisCount> kProgrammedAxes{'X', 'Y', 'Z', 'A', 'B',
                                                                         'C', 'U', 'V', 'W'};
 
+/// What I, J and K of an arc are.
+enum class CentreReading : unsigned char {
+  AsProgrammed,      ///< as the dialect has it: centre minus start, or absolute by G90.1, AC()
+  Absolute,          ///< the centre itself
+  StartMinusCentre,  ///< the other way round, as on some older controls
+};
+inline constexpr std::array kCentreReadings{CentreReading::AsProgrammed, CentreReading::Absolute,
+                                            CentreReading::StartMinusCentre};
+/// "as-programmed", "absolute", "start-minus-centre".
+[[nodiscard]] std::string_view centreReadingName(CentreReading reading);
+
 struct ProgrammedRange {
   double smallest = 0.0;
   double largest = 0.0;
@@ -43,6 +54,9 @@ struct ProgramFacts {
   std::array<std::optional<ProgrammedRange>, kProgrammedAxisCount> bounds{};
   /// An increment of the axis started at a value the program had not given.
   std::array<bool, kProgrammedAxisCount> boundsUnknown{};
+  bool lengthsKnown = true;  ///< false: a coordinate could not be computed
+  /// The way of writing under which all arcs fit, if it is not the one of the dialect.
+  CentreReading centreReading = CentreReading::AsProgrammed;
   double g1Length = 0.0;           ///< X Y Z distances of G1
   std::size_t g1Excluded = 0;      ///< G1 blocks whose start is not known
   double arcLength = 0.0;          ///< G2 and G3 with the rise of a helix

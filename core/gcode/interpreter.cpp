@@ -7,9 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
-#include <limits>
+#include <deque>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,8 +16,12 @@
 #include "base/contract.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "gcode/arc.h"
-#include "gcode/lexer.h"
+#include "gcode/block_words.h"
+#include "gcode/calculator.h"
+#include "gcode/findings.h"
+#include "gcode/flow.h"
+#include "gcode/path_builder.h"
+#include "gcode/vocabulary.h"
 
 namespace rivulet::gcode {
 
@@ -26,426 +29,127 @@ namespace {
 
 using base::Vec3;
 
-enum class Motion : unsigned char { None, Rapid, Line, ArcClockwise, ArcCounter, Unsupported };
-
-/// What a G function does to the path, as far as Rivulet is concerned.
-enum class Effect : unsigned char {
-  Unknown,
-  Motion,    ///< G0 to G3
-  Distance,  ///< G90, G91
-  Plane,     ///< G17 to G19
-  Units,
-  Dwell,       ///< G4: the block's X, F, S, P and U are times
-  None,        ///< no effect on the path
-  Tolerance,   ///< no effect but a tolerance; P and Q of the block belong to it
-  WorkOffset,  ///< no effect as long as it does not change under the tool
-  Mode,        ///< not supported; the block still moves
-  MotionMode,  ///< not supported; replaces G0 to G3
-  Statement,   ///< not supported; takes the axis words of its block for itself
+enum class Motion : unsigned char {
+  None,
+  Rapid,
+  Line,
+  ArcClockwise,
+  ArcCounter,
+  ThreePointArc,
+  TangentArc,
+  BSpline,
+  CubicSpline,      ///< G5
+  QuadraticSpline,  ///< G5.1
+  Nurbs,            ///< G5.2
+  Unsupported,
 };
 
-/// `key` is ten times the number, so that G91.1 has one.
-Effect effectOf(int key) {
-  switch (key) {
-    case 0:
-    case 10:
-    case 20:
-    case 30:
-      return Effect::Motion;
-    case 40:
-      return Effect::Dwell;
-    case 170:
-    case 180:
-    case 190:
-      return Effect::Plane;
-    case 200:
-    case 210:
-    case 700:
-    case 710:
-    case 7000:
-    case 7100:
-      return Effect::Units;
-    case 900:
-    case 910:
-      return Effect::Distance;
-    case 540:
-    case 550:
-    case 560:
-    case 570:
-    case 580:
-    case 590:
-    case 591:
-    case 592:
-    case 593:
-    case 5000:
-      return Effect::WorkOffset;
-    case 90:   // exact stop of one block
-    case 150:  // polar off
-    case 400:  // cutter radius compensation off
-    case 430:
-    case 440:
-    case 490:  // tool length: lives on the control
-    case 431:
-    case 600:
-    case 601:
-    case 602:
-    case 603:
-    case 6010:
-    case 6020:
-    case 6030:
-    case 4500:
-    case 4510:  // corners of a radius compensation that is off
-    case 690:   // rotation off
-    case 800:   // canned cycle off; see motionMode below
-    case 911:   // centres of arcs are increments, as read here
-    case 940:
-    case 960:
-    case 970:  // feed per minute; spindle
-    case 980:
-    case 990:   // return level of cycles
-    case 2900:  // SINUMERIK language
-      return Effect::None;
-    case 610:
-    case 611:
-    case 640:
-    case 6410:
-    case 6420:
-    case 6430:
-    case 6440:
-    case 6450:
-      return Effect::Tolerance;
-    case 410:
-    case 420:
-    case 930:
-    case 950:
-    case 160:
-    case 901:
-    case 434:
-    case 435:
-    case 2910:
-    case 9310:
-    case 9510:
-    case 9610:
-      return Effect::Mode;
-    case 50:
-    case 51:
-    case 52:
-    case 53:
-    case 60:
-    case 61:
-    case 62:
-    case 63:
-    case 320:
-    case 330:
-    case 331:
-    case 340:
-    case 350:
-    case 630:
-    case 760:
-    case 382:
-    case 383:
-    case 384:
-    case 385:
-    case 730:
-    case 810:
-    case 820:
-    case 830:
-    case 840:
-    case 850:
-    case 860:
-    case 870:
-    case 880:
-    case 890:
-    case 3310:
-    case 3320:
-      return Effect::MotionMode;
-    case 100:
-    case 250:
-    case 260:
-    case 270:
-    case 280:
-    case 281:
-    case 290:
-    case 300:
-    case 301:
-    case 500:
-    case 510:
-    case 520:
-    case 530:
-    case 680:
-    case 740:
-    case 750:
-    case 921:
-    case 922:
-    case 923:
-    case 920:
-    case 1100:
-    case 1110:
-    case 1120:
-    case 1530:
-    case 650:
-    case 660:
-      return Effect::Statement;
-    default:
-      if (key >= 5050 && key <= 5990 && key % 10 == 0) {
-        return Effect::WorkOffset;
-      }
-      return Effect::Unknown;
-  }
+enum class FeedMode : unsigned char { PerMinute, InverseTime, PerRevolution, Unknown };
+
+/// Full circles on top of an arc, as on the control.
+constexpr double kTurnsMax = 999.0;
+
+/// Blocks between two calls of `LoadOptions::progress`.
+constexpr std::size_t kProgressBlocks = 16384;
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
 }
 
-enum class NameEffect : unsigned char {
-  Unknown,
-  None,       ///< no effect on the path, with or without a value or arguments
-  End,        ///< ends the program
-  Mode,       ///< not supported; the block still moves
-  Statement,  ///< not supported; takes the rest of its block
-};
-
-struct KnownName {
-  std::string_view name;
-  NameEffect effect;
-};
-
-/// Names of the SINUMERIK language that CAM programs use without calculating.
-constexpr std::array kNames{
-    // Dynamics, look-ahead, compressor: how exactly and how softly, not where.
-    KnownName{"SOFT", NameEffect::None},
-    KnownName{"BRISK", NameEffect::None},
-    KnownName{"DRIVE", NameEffect::None},
-    KnownName{"FFWON", NameEffect::None},
-    KnownName{"FFWOF", NameEffect::None},
-    KnownName{"COMPOF", NameEffect::None},
-    KnownName{"COMPON", NameEffect::None},
-    KnownName{"COMPCAD", NameEffect::None},
-    KnownName{"COMPCURV", NameEffect::None},
-    KnownName{"COMPSURF", NameEffect::None},
-    KnownName{"UPATH", NameEffect::None},
-    KnownName{"SPATH", NameEffect::None},
-    KnownName{"FIFOCTRL", NameEffect::None},
-    KnownName{"STARTFIFO", NameEffect::None},
-    KnownName{"STOPFIFO", NameEffect::None},
-    KnownName{"STOPRE", NameEffect::None},
-    KnownName{"CFC", NameEffect::None},
-    KnownName{"CFTCP", NameEffect::None},
-    KnownName{"CFIN", NameEffect::None},
-    KnownName{"FNORM", NameEffect::None},
-    KnownName{"CPRECON", NameEffect::None},
-    KnownName{"CPRECOF", NameEffect::None},
-    KnownName{"DYNNORM", NameEffect::None},
-    KnownName{"DYNPOS", NameEffect::None},
-    KnownName{"DYNROUGH", NameEffect::None},
-    KnownName{"DYNSEMIFIN", NameEffect::None},
-    KnownName{"DYNFINISH", NameEffect::None},
-    KnownName{"RTLION", NameEffect::None},
-    KnownName{"RTLIOF", NameEffect::None},
-    KnownName{"ADIS", NameEffect::None},
-    KnownName{"ADISPOS", NameEffect::None},
-    KnownName{"CTOL", NameEffect::None},
-    KnownName{"OTOL", NameEffect::None},
-    KnownName{"CYCLE832", NameEffect::None},
-    KnownName{"FGROUP", NameEffect::None},
-    // States that are the default, or that guard and do not move.
-    KnownName{"TRAFOOF", NameEffect::None},
-    KnownName{"DIAMOF", NameEffect::None},
-    KnownName{"CUT2D", NameEffect::None},
-    KnownName{"CUT2DF", NameEffect::None},
-    KnownName{"WALIMON", NameEffect::None},
-    KnownName{"WALIMOF", NameEffect::None},
-    KnownName{"CDOF", NameEffect::None},
-    KnownName{"CDON", NameEffect::None},
-    KnownName{"NORM", NameEffect::None},
-    KnownName{"KONT", NameEffect::None},
-    // Spindle and display.
-    KnownName{"SPOS", NameEffect::None},
-    KnownName{"LIMS", NameEffect::None},
-    KnownName{"MSG", NameEffect::None},
-    KnownName{"WORKPIECE", NameEffect::None},
-    KnownName{"GROUP_BEGIN", NameEffect::None},
-    KnownName{"GROUP_END", NameEffect::None},
-    KnownName{"DISPLOF", NameEffect::None},
-    KnownName{"SBLOF", NameEffect::None},
-    KnownName{"SBLON", NameEffect::None},
-    KnownName{"RET", NameEffect::End},
-    // Another form of the path in a block that moves.
-    KnownName{"RND", NameEffect::Mode},
-    KnownName{"RNDM", NameEffect::Mode},
-    KnownName{"CHF", NameEffect::Mode},
-    KnownName{"CHR", NameEffect::Mode},
-    KnownName{"AR", NameEffect::Mode},
-    KnownName{"AP", NameEffect::Mode},
-    KnownName{"RP", NameEffect::Mode},
-    KnownName{"ANG", NameEffect::Mode},
-    KnownName{"TURN", NameEffect::Mode},
-    KnownName{"CIP", NameEffect::Mode},
-    KnownName{"CT", NameEffect::Mode},
-    KnownName{"INVCW", NameEffect::Mode},
-    KnownName{"INVCCW", NameEffect::Mode},
-    KnownName{"ASPLINE", NameEffect::Mode},
-    KnownName{"BSPLINE", NameEffect::Mode},
-    KnownName{"CSPLINE", NameEffect::Mode},
-    KnownName{"POLY", NameEffect::Mode},
-    KnownName{"DIAMON", NameEffect::Mode},
-    KnownName{"DIAM90", NameEffect::Mode},
-    KnownName{"SUPA", NameEffect::Statement},
-    // Frames and transformations.
-    KnownName{"TRANS", NameEffect::Statement},
-    KnownName{"ATRANS", NameEffect::Statement},
-    KnownName{"ROT", NameEffect::Statement},
-    KnownName{"AROT", NameEffect::Statement},
-    KnownName{"ROTS", NameEffect::Statement},
-    KnownName{"AROTS", NameEffect::Statement},
-    KnownName{"SCALE", NameEffect::Statement},
-    KnownName{"ASCALE", NameEffect::Statement},
-    KnownName{"MIRROR", NameEffect::Statement},
-    KnownName{"AMIRROR", NameEffect::Statement},
-    KnownName{"TRAORI", NameEffect::Statement},
-    KnownName{"TRANSMIT", NameEffect::Statement},
-    KnownName{"TRACYL", NameEffect::Statement},
-    KnownName{"TOFRAME", NameEffect::Statement},
-    KnownName{"PAROT", NameEffect::Statement},
-    KnownName{"CYCLE800", NameEffect::Statement},
-};
-
-NameEffect nameEffect(std::string_view name) {
-  const std::string key = base::toUpper(name);
-  const auto* const found =
-      std::find_if(kNames.begin(), kNames.end(), [&](const KnownName& k) { return k.name == key; });
-  return found == kNames.end() ? NameEffect::Unknown : found->effect;
+/// #1 to #26 of G65 by letter; 0: none.
+int argumentOf(char letter) {
+  static constexpr std::array<int, 26> kNumbers{1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                                0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  return kNumbers[static_cast<std::size_t>(letter - 'A')];
 }
-
-/// The values of one block, collected before anything is executed: on a control, the order of
-/// words in a block does not matter.
-struct Words {
-  Vec3 axes{};
-  Vec3 centre{};
-  double feed = 0.0;
-  double radius = 0.0;
-  std::array<bool, base::kAxisCount> hasAxis{};
-  std::array<bool, base::kAxisCount> hasCentre{};
-  bool hasFeed = false;
-  bool hasRadius = false;
-  bool radiusIsWord = false;  ///< R12 instead of CR=12
-  bool dwell = false;
-  bool tolerance = false;
-  bool taken = false;  ///< a statement takes the axis words: no motion
-  bool ends = false;
-  int motionKey = -1;
-  int distanceKey = -1;
-  int planeKey = -1;
-  int unitsKey = -1;
-  unsigned repeated = 0;             ///< bit per letter seen
-  int motionColumn = 0;              ///< of the first axis, centre or radius word
-  const Token* parameter = nullptr;  ///< P, Q or U, allowed with G4 and G64 only
-  const Token* radiusToken = nullptr;
-  const Token* centreTokens[base::kAxisCount] = {nullptr, nullptr, nullptr};
-  const Token* axisTokens[base::kAxisCount] = {nullptr, nullptr, nullptr};
-
-  [[nodiscard]] bool moves() const { return hasAxis[0] || hasAxis[1] || hasAxis[2]; }
-  [[nodiscard]] bool hasAnyCentre() const { return hasCentre[0] || hasCentre[1] || hasCentre[2]; }
-};
 
 class Interpreter {
  public:
-  Interpreter(std::string_view text, const LoadOptions& options)
-      : m_text(text), m_options(options) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    m_position = {kUnknown, kUnknown, kUnknown};
-    m_out.statistics.minMm = m_position;
-    m_out.statistics.maxMm = m_position;
+  Interpreter(std::string_view text, const LoadOptions& options, DialectGuess guess)
+      : m_text(text),
+        m_options(options),
+        m_dialect(guess.dialect),
+        m_g(gTable(guess.dialect)),
+        m_findings(options.accepted),
+        m_calculator(guess.dialect, [this](std::string_view name) { return systemValue(name); }),
+        m_flow(text, guess.dialect, m_calculator, options),
+        m_path(options, m_out.trajectory, m_out.statistics) {
+    m_out.dialect = guess.dialect;
+    m_out.dialectEvidence = std::move(guess.evidence);
   }
 
   Interpretation run() {
     const auto lineFeeds = static_cast<std::size_t>(std::count(m_text.begin(), m_text.end(), '\n'));
     m_out.trajectory.points.reserve(std::min(lineFeeds + 1, kTrajectoryPointsMax));
-    Lexer lexer(m_text);
+    if (m_text.substr(0, 4096).find('\0') != std::string_view::npos) {
+      m_findings.report(Severity::Error, 1, DiagnosticCode::NotAnyDialect, {});
+    }
     Block block;
-    while (lexer.next(block)) {
-      if (block.tokens.empty() || m_tailReported) {
-        continue;
-      }
-      m_line = block.line;
-      if (m_ended) {
-        if (block.tokens.front().kind != TokenKind::Tape) {
-          report(Severity::Warning, block.tokens.front().column,
-                 DiagnosticCode::TextAfterProgramEnd, {});
-          m_tailReported = true;
+    std::size_t untilProgress = kProgressBlocks;
+    while (!m_ended && m_flow.next(block)) {
+      if (--untilProgress == 0) {
+        untilProgress = kProgressBlocks;
+        if (!goesOn(lineFeeds)) {
+          m_out.cancelled = true;
+          break;
         }
+      }
+      if (block.tokens.empty()) {
         continue;
       }
+      m_line = m_flow.line();
+      m_findings.setLine(m_line);
       interpretBlock(block);
       if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
-        report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
-               fmt::format("{}", kTrajectoryPointsMax));
-        m_ended = m_tailReported = true;
+        m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
+                          fmt::format("{}", kTrajectoryPointsMax));
+        m_tailReported = true;
+        break;
       }
     }
-    m_out.statistics.lines = lexer.lines();
     finish();
     return std::move(m_out);
   }
 
  private:
-  // --- findings --------------------------------------------------------------------------
+  [[nodiscard]] bool goesOn(std::size_t lines) const {
+    const double share =
+        lines == 0 ? 1.0 : static_cast<double>(m_flow.linesRead()) / static_cast<double>(lines + 1);
+    return !m_options.progress || m_options.progress(std::min(1.0, share));
+  }
 
-  void report(Severity severity, int column, DiagnosticCode code, std::string argument) {
-    if (m_out.diagnostics.size() >= kDiagnosticsMax) {
-      if (m_suppressed++ == 0) {
-        m_suppressedLine = m_line;
+  // --- values that only the interpreter knows ----------------------------------------------
+
+  [[nodiscard]] std::optional<double> systemValue(std::string_view name) const {
+    const auto known = [](double value) {
+      return std::isnan(value) ? std::nullopt : std::optional(value);
+    };
+    const Vec3 position = programmed();
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const char letter = base::kAxisNames[axis];
+      const double inFile = position[axis] / m_lengthFactor;
+      if (name == fmt::format("$AA_IW[{}]", letter) || name == fmt::format("$P_EP[{}]", letter) ||
+          name == fmt::format("#<_{}>", letter) || name == fmt::format("#{}", 5420 + axis)) {
+        return known(inFile);
       }
-      m_suppressedWorst = std::max(m_suppressedWorst, severity);
-      return;
-    }
-    m_out.diagnostics.push_back({severity, m_line, column, code, std::move(argument)});
-  }
-
-  void error(const Token& token, DiagnosticCode code) {
-    error(token, code, std::string(token.text));
-  }
-
-  void error(const Token& token, DiagnosticCode code, std::string argument) {
-    constexpr std::size_t kLongest = 60;
-    if (argument.size() > kLongest) {
-      argument.resize(kLongest);
-      // A cut inside a UTF-8 character would make the text unreadable for the display.
-      while (!argument.empty() && (static_cast<unsigned char>(argument.back()) & 0x80) != 0) {
-        argument.pop_back();
+      if (name == fmt::format("$AA_IM[{}]", letter)) {
+        return known(m_path.frame().toWorkpiece(position)[axis] / m_lengthFactor);
       }
-      argument += "...";
     }
-    report(Severity::Error, token.column, code, std::move(argument));
-  }
-
-  /// Notes a word without effect on the path at its first place only: a program with M3 S500 in
-  /// every block has one such finding, not a thousand that hide the others.
-  void ignore(Severity severity, const Token& token, std::string argument) {
-    if (std::find(m_ignoredNames.begin(), m_ignoredNames.end(), argument) != m_ignoredNames.end()) {
-      return;
+    if (name == "$PI") {
+      return std::acos(-1.0);
     }
-    if (m_ignoredNames.size() < kDiagnosticsMax) {
-      m_ignoredNames.push_back(argument);
-    }
-    report(severity, token.column, DiagnosticCode::IgnoredCode, std::move(argument));
-  }
-
-  template <std::size_t Size>
-  void ignoreOnce(std::bitset<Size>& seen, std::size_t key, Severity severity, const Token& token) {
-    if (!seen.test(key)) {
-      seen.set(key);
-      report(severity, token.column, DiagnosticCode::IgnoredCode, wordText(token));
-    }
-  }
-
-  /// "G01" and "g 1" are G1 to the reader of a finding.
-  static std::string wordText(const Token& token) {
-    return fmt::format("{}{}", token.address, token.value);
+    return std::nullopt;
   }
 
   // --- one block -------------------------------------------------------------------------
 
   void interpretBlock(const Block& block) {
-    Words words;
+    BlockWords words;
     bool counts = false;
+    if (m_options.blockSkip && hasBlockSkip(block)) {
+      return;
+    }
     for (const Token& token : block.tokens) {
       const bool isNumber =
           token.kind == TokenKind::Word && (token.address == 'N' || token.address == 'O');
@@ -457,14 +161,30 @@ class Interpreter {
     }
     if (block.tokens.front().kind == TokenKind::Tape) {
       // The first "%" starts the tape, one behind the blocks ends it.
-      m_ended = m_out.blocks > 0;
+      m_ended = m_out.blocks > 0 && !m_flow.leaveSubprogram();
       return;
     }
     execute(words);
-    m_ended |= words.ends;
+    if (words.ends) {
+      endProgram();
+    }
   }
 
-  void read(const Token& token, Words& words) {
+  static bool hasBlockSkip(const Block& block) {
+    return std::any_of(block.tokens.begin(), block.tokens.end(),
+                       [](const Token& token) { return token.kind == TokenKind::BlockSkip; });
+  }
+
+  void endProgram() {
+    flushSpline();
+    // M30 in a subprogram of the ISO dialects ends everything.
+    const bool returns = m_dialect == Dialect::Sinumerik && m_flow.isInSubprogram();
+    if (!returns || !m_flow.leaveSubprogram()) {
+      m_ended = true;
+    }
+  }
+
+  void read(const Token& token, BlockWords& words) {
     switch (token.kind) {
       case TokenKind::Word:
         readWord(token, words);
@@ -475,42 +195,172 @@ class Interpreter {
         readName(token, words);
         break;
       case TokenKind::TextWord:
-        if (token.address == 'T') {
-          ignore(Severity::Note, token, "T");
-        } else {
-          error(token, DiagnosticCode::UnknownWord);
-        }
+        readText(token);
         break;
       case TokenKind::IndexedWord:
-        ignore(Severity::Note, token, std::string(token.text));
+        m_findings.ignore(Severity::Note, token, std::string(token.text));
         break;
       case TokenKind::Label:
-        ignore(Severity::Note, token, std::string(token.text));
         break;
       case TokenKind::Expression:
-        error(token, DiagnosticCode::UnsupportedExpression);
+        readCalculated(token, words);
+        break;
+      case TokenKind::Assignment:
+        readAssignment(token, words);
+        break;
+      case TokenKind::Statement:
+        words.rareWords().statement = token;
         break;
       case TokenKind::BlockSkip:
-        ignore(Severity::Note, token, "/");
+        m_findings.ignore(Severity::Note, token, "/");
         break;
       case TokenKind::Tape:
         break;
       case TokenKind::UnexpectedCharacter:
-        error(token, DiagnosticCode::UnexpectedCharacter);
+        if (static_cast<unsigned char>(token.text.front()) < 0x20) {
+          // Left over from a transfer: no control reads it as a word.
+          m_findings.report(Severity::Warning, token.column, DiagnosticCode::UnexpectedCharacter,
+                            "\\x" + fmt::format("{:02x}", token.text.front()));
+          break;
+        }
+        fault(token, DiagnosticCode::UnexpectedCharacter, std::string(token.text));
         break;
       case TokenKind::NumberMissing:
-        error(token, DiagnosticCode::NumberMissing, std::string(tokenName(token)));
+        fault(token, DiagnosticCode::NumberMissing, std::string(tokenName(token)));
         break;
       case TokenKind::NumberMalformed:
-        error(token, DiagnosticCode::NumberMalformed);
+        fault(token, DiagnosticCode::NumberMalformed, std::string(token.text));
         break;
       case TokenKind::CommentNotClosed:
-        error(token, DiagnosticCode::CommentNotClosed, {});
+        fault(token, DiagnosticCode::CommentNotClosed, {});
         break;
     }
   }
 
-  void readWord(const Token& token, Words& words) {
+  /// An error behind which the words of the block are not what the author meant.
+  void fault(const Token& token, DiagnosticCode code, std::string argument) {
+    m_findings.error(token, code, std::move(argument));
+  }
+
+  void readText(const Token& token) {
+    if (token.address == 'T') {
+      const std::size_t open = token.text.find('"');
+      m_out.trajectory.toolNames.emplace_back(
+          token.text.substr(open + 1, token.text.size() - open - 2));
+      event(PathEvent::Kind::NamedTool, static_cast<double>(m_out.trajectory.toolNames.size() - 1));
+      m_findings.ignore(Severity::Note, token, "T");
+    } else if (token.address == 0 &&
+               m_calculator.find(base::toUpper(tokenName(token))) != nullptr) {
+      if (!m_calculator.assign(token.text)) {
+        fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+      }
+    } else if (nameEffect(m_dialect, base::toUpper(tokenName(token))) == NameEffect::None) {
+      m_findings.ignore(Severity::Note, token, base::toUpper(tokenName(token)));
+    } else {
+      m_findings.error(token, DiagnosticCode::UnknownWord);
+    }
+  }
+
+  // --- calculated words ---------------------------------------------------------------------
+
+  void readCalculated(const Token& token, BlockWords& words) {
+    std::string_view value = base::trim(Calculator::valuePart(token.text));
+    Token computed = token;
+    computed.kind = TokenKind::Word;
+    computed.hasPoint = true;
+    bool isAbsolute = false;
+    if (m_dialect == Dialect::Sinumerik) {
+      // X=IC(5), C=DC(90): how the value is meant stands in front of it.
+      const std::size_t open = value.find('(');
+      if (open != std::string_view::npos && value.back() == ')') {
+        const std::string how = base::toUpper(base::trim(value.substr(0, open)));
+        const bool absolute = how == "AC" || how == "DC" || how == "ACP" || how == "ACN";
+        if (absolute || how == "IC") {
+          value = value.substr(open + 1, value.size() - open - 2);
+          isAbsolute = absolute;
+          computed.isIncrement = !absolute;
+        }
+      }
+    }
+    const std::optional<double> result = m_calculator.evaluate(value);
+    if (!result) {
+      fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+      if (axisOf(token.address) >= kProgrammedAxisCount) {
+        return;
+      }
+    }
+    // The block still moves; where to is not known.
+    computed.value = result.value_or(std::nan(""));
+    // The words of a block are looked at again when it is executed: the token must live on.
+    m_calculated.push_back(computed);
+    readWord(m_calculated.back(), words);
+    if (isAbsolute) {
+      markAbsolute(token.address, words);
+    }
+  }
+
+  static void markAbsolute(char address, BlockWords& words) {
+    if (const std::size_t axis = axisOf(address); axis < kProgrammedAxisCount) {
+      words.axes.isIncrement[axis] = false;
+    } else if (address >= 'I' && address <= 'K') {
+      words.centreIsAbsolute[static_cast<std::size_t>(address - 'I')] = true;
+    }
+  }
+
+  void readAssignment(const Token& token, BlockWords& words) {
+    if (m_dialect == Dialect::Heidenhain) {
+      m_findings.ignore(Severity::Note, token, "Q");  // for cycles; a word made of one is refused
+      return;
+    }
+    const std::string name = base::toUpper(tokenName(token));
+    const bool isVariable = m_calculator.find(name) != nullptr;
+    if (!isVariable && !name.empty()) {
+      switch (nameEffect(m_dialect, name)) {
+        case NameEffect::Value: {
+          const std::optional<double> value =
+              m_calculator.evaluate(Calculator::valuePart(token.text));
+          if (!value) {
+            fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+            return;
+          }
+          words.rareWords().named[name] = {*value, false};
+          noteColumn(token, words);
+          return;
+        }
+        case NameEffect::None:
+          m_findings.ignore(Severity::Note, token, name);
+          return;
+        case NameEffect::Mode:
+        case NameEffect::Statement:
+          m_findings.error(token, DiagnosticCode::UnsupportedGCode, name);
+          return;
+        default:
+          break;
+      }
+    }
+    if (name.empty() && !token.text.empty() && token.text.front() == '$') {
+      // Commands of a sender, and variables of the control.
+      m_findings.error(token, DiagnosticCode::UnknownWord);
+      return;
+    }
+    if (!m_calculator.assign(token.text)) {
+      fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+    }
+  }
+
+  // --- words ----------------------------------------------------------------------------------
+
+  static std::size_t axisOf(char address) {
+    if (address >= 'X') {
+      return static_cast<std::size_t>(address - 'X');
+    }
+    if (address >= 'U') {
+      return static_cast<std::size_t>(address - 'U') + 6;
+    }
+    return address <= 'C' ? static_cast<std::size_t>(address - 'A') + 3 : kProgrammedAxisCount;
+  }
+
+  void readWord(const Token& token, BlockWords& words) {
     const char address = token.address;
     if (address == 'G') {
       readG(token, words);
@@ -520,22 +370,27 @@ class Interpreter {
       readM(token, words);
       return;
     }
-    if (address >= 'A' && address <= 'Z') {
-      const unsigned bit = 1U << static_cast<unsigned>(address - 'A');
-      if ((words.repeated & bit) != 0) {
-        const bool path = std::string_view("XYZIJKRF").find(address) != std::string_view::npos;
-        report(path ? Severity::Error : Severity::Warning, token.column,
-               DiagnosticCode::RepeatedWord, std::string(1, address));
+    if (words.rare && words.rare->macroCall && address != 'N' && address != 'P' && address != 'L') {
+      if (const int number = argumentOf(address); number > 0) {
+        words.rare->arguments[number] = token.value;
       }
-      words.repeated |= bit;
+      return;
     }
+    const unsigned bit = 1U << static_cast<unsigned>(address - 'A');
+    if ((words.repeated & bit) != 0) {
+      const bool path = std::string_view("XYZIJKRFABC").find(address) != std::string_view::npos;
+      m_findings.report(path ? Severity::Error : Severity::Warning, token.column,
+                        DiagnosticCode::RepeatedWord, std::string(1, address));
+    }
+    words.repeated |= bit;
     switch (address) {
       case 'X':
       case 'Y':
       case 'Z': {
         const auto axis = static_cast<std::size_t>(address - 'X');
-        words.axes.set(axis, token.value);
-        words.hasAxis[axis] = true;
+        words.axes.value[axis] = token.value;
+        words.axes.given[axis] = true;
+        words.axes.isIncrement[axis] = token.isIncrement || m_relative;
         words.axisTokens[axis] = &token;
         noteColumn(token, words);
         break;
@@ -544,12 +399,21 @@ class Interpreter {
       case 'J':
       case 'K': {
         const auto axis = static_cast<std::size_t>(address - 'I');
-        words.centre.set(axis, token.value);
+        words.centre[axis] = token.value;
         words.hasCentre[axis] = true;
+        words.centreIsAbsolute[axis] = m_centreIsAbsolute;
         words.centreTokens[axis] = &token;
         noteColumn(token, words);
         break;
       }
+      case 'A':
+      case 'B':
+      case 'C':
+      case 'U':
+      case 'V':
+      case 'W':
+        readFurtherAxis(token, words);
+        break;
       case 'R':
         setRadius(token, words);
         words.radiusIsWord = true;
@@ -562,41 +426,86 @@ class Interpreter {
       case 'N':
         break;
       case 'O':
-        // A program number behind the first blocks starts another program: a subprogram.
-        if (m_out.blocks > 0) {
-          error(token, DiagnosticCode::UnknownWord);
-        }
+        readProgramNumber(token);
         break;
       case 'S':
       case 'T':
       case 'D':
       case 'H':
-        if (!m_ignoredLetters.test(static_cast<std::size_t>(address - 'A'))) {
-          m_ignoredLetters.set(static_cast<std::size_t>(address - 'A'));
-          report(Severity::Note, token.column, DiagnosticCode::IgnoredCode,
-                 std::string(1, address));
-        }
+        readMachineWord(token);
         break;
       case 'P':
-      case 'Q':
-      case 'U':
+        words.p = token.value;
         words.parameter = &token;
         break;
+      case 'Q':
+        words.q = token.value;
+        words.parameter = &token;
+        break;
+      case 'L':
+        if (m_dialect == Dialect::Sinumerik) {
+          words.rareWords().call = fmt::format("L{:.0f}", token.value);
+        } else {
+          words.l = token.value;
+          words.parameter = &token;
+        }
+        break;
       default:
-        error(token, DiagnosticCode::UnknownWord);
+        m_findings.error(token, DiagnosticCode::UnknownWord);
         break;
     }
   }
 
-  static void noteColumn(const Token& token, Words& words) {
+  void readFurtherAxis(const Token& token, BlockWords& words) {
+    const std::size_t axis = axisOf(token.address);
+    words.axes.value[axis] = token.value;
+    words.axes.given[axis] = true;
+    words.axes.isIncrement[axis] = token.isIncrement || m_relative;
+    words.hasRotary = true;
+    if (token.address == 'U') {
+      words.parameter = &token;
+    }
+    noteColumn(token, words);
+    if (token.address >= 'U' && !words.dwell) {
+      m_furtherTokens.push_back(token);
+    }
+  }
+
+  /// A program number behind the first blocks starts another program: the one before has ended.
+  void readProgramNumber(const Token& token) {
+    if (m_out.blocks == 0 || m_flow.isInSubprogram()) {
+      return;
+    }
+    m_findings.error(token, DiagnosticCode::UnknownWord);
+  }
+
+  void readMachineWord(const Token& token) {
+    m_findings.ignoreLetter(token);
+    if (token.address == 'S') {
+      m_spindlePerMin = token.value;
+      event(PathEvent::Kind::Spindle, token.value);
+    } else if (token.address == 'T') {
+      event(PathEvent::Kind::Tool, token.value);
+      if (m_dialect == Dialect::Heidenhain) {
+        m_facts.forget(2);
+      }
+    }
+  }
+
+  void event(PathEvent::Kind kind, double value) {
+    std::vector<PathEvent>& events = m_out.trajectory.events;
+    events.push_back({m_out.trajectory.points.size(), value, m_line, kind});
+  }
+
+  static void noteColumn(const Token& token, BlockWords& words) {
     if (words.motionColumn == 0) {
       words.motionColumn = token.column;
     }
   }
 
-  void setRadius(const Token& token, Words& words) {
+  void setRadius(const Token& token, BlockWords& words) {
     if (words.hasRadius) {
-      error(token, DiagnosticCode::RepeatedWord, "CR=");
+      m_findings.error(token, DiagnosticCode::RepeatedWord, "CR=");
     }
     words.radius = token.value;
     words.hasRadius = true;
@@ -607,191 +516,415 @@ class Interpreter {
   /// Two different functions of one group in a block contradict each other.
   void setModal(int& slot, int key, const Token& token) {
     if (slot >= 0 && slot != key) {
-      error(token, DiagnosticCode::ConflictingGCodes,
-            fmt::format("G{} {}", slot / 10, wordText(token)));
+      m_findings.error(token, DiagnosticCode::ConflictingGCodes,
+                       fmt::format("G{} {}", slot / 10, Findings::wordText(token)));
     }
     slot = key;
   }
 
-  void readG(const Token& token, Words& words) {
+  void readG(const Token& token, BlockWords& words) {
     const double scaled = token.value * 10.0;
     const int key =
         token.value >= 0.0 && token.value < 1000.0 ? static_cast<int>(std::lround(scaled)) : -1;
     if (key < 0 || std::abs(scaled - key) > 1e-6) {
-      error(token, DiagnosticCode::UnknownGCode, wordText(token));
+      m_findings.error(token, DiagnosticCode::UnknownGCode, Findings::wordText(token));
       return;
     }
-    switch (effectOf(key)) {
-      case Effect::Motion:
+    const auto index = static_cast<std::size_t>(key);
+    switch (m_g[index]) {
+      case GEffect::Motion:
         setModal(words.motionKey, key, token);
         break;
-      case Effect::Distance:
+      case GEffect::Distance:
         setModal(words.distanceKey, key, token);
+        readDistance(key == 910, words);
         break;
-      case Effect::Plane:
+      case GEffect::CentreMode:
+        m_centreIsAbsolute = key == 901;
+        for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+          words.centreIsAbsolute[axis] = m_centreIsAbsolute;
+        }
+        m_findings.ignoreG(index, token);
+        break;
+      case GEffect::Plane:
         setModal(words.planeKey, key, token);
         break;
-      case Effect::Units:
+      case GEffect::Units:
         setModal(words.unitsKey, key, token);
         break;
-      case Effect::Dwell:
-        words.dwell = true;
-        noteG(key, token);
+      case GEffect::FeedMode:
+        setFeedMode(key);
+        m_findings.ignoreG(index, token);
         break;
-      case Effect::None:
-        if (key == 800 && m_motion == Motion::Unsupported) {
+      case GEffect::Diameter:
+        m_diameter = key == 70;
+        m_diameterIncrements = m_diameter;
+        m_findings.ignoreG(index, token);
+        break;
+      case GEffect::Dwell:
+        words.dwell = true;
+        m_findings.ignoreG(index, token);
+        break;
+      case GEffect::Pole:
+        words.rareWords().pole = true;
+        words.rare->poleKey = key;
+        words.taken = true;
+        break;
+      case GEffect::PolarOn:
+      case GEffect::PolarOff:
+        m_polar = m_g[index] == GEffect::PolarOn;
+        m_findings.ignoreG(index, token);
+        break;
+      case GEffect::Spline:
+        words.rareWords().splineKey = key;
+        break;
+      case GEffect::CompensationOff:
+        m_findings.ignoreG(index, token);
+        break;
+      case GEffect::ToolLength:
+        m_facts.forget(2);
+        words.taken |= key == 431;  // G43.1 gives the offset itself, it is no move
+        m_findings.ignoreG(index, token);
+        break;
+      case GEffect::CycleOff:
+        if (m_motion == Motion::Unsupported) {
           m_motion = m_motionBeforeUnsupported;
         }
-        noteG(key, token);
+        m_findings.ignoreG(index, token);
         break;
-      case Effect::Tolerance:
+      case GEffect::None:
+        m_findings.ignoreG(index, token);
+        break;
+      case GEffect::Tolerance:
         words.tolerance = true;
-        noteG(key, token);
+        m_findings.ignoreG(index, token);
         break;
-      case Effect::WorkOffset:
+      case GEffect::WorkOffset:
         selectWorkOffset(key, token);
         break;
-      case Effect::Mode:
-        error(token, DiagnosticCode::UnsupportedGCode, wordText(token));
+      case GEffect::WorkOffsetP:
+        words.rareWords().workOffsetP = true;
+        m_findings.ignoreG(index, token);
         break;
-      case Effect::MotionMode:
-        error(token, DiagnosticCode::UnsupportedGCode, wordText(token));
+      case GEffect::MachineMove:
+        words.machineMove = true;
+        words.machineToken = &token;
+        break;
+      case GEffect::SetPosition:
+        words.rareWords().setsPosition = true;
+        words.taken = true;
+        break;
+      case GEffect::ResetPosition:
+        words.rareWords().resetsPosition = true;
+        words.taken = true;
+        break;
+      case GEffect::LocalOffset:
+        words.rareWords().localOffset = true;
+        words.taken = true;
+        break;
+      case GEffect::MacroCall:
+        words.rareWords().macroCall = true;
+        words.taken = true;
+        break;
+      case GEffect::Mode:
+        m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
+        break;
+      case GEffect::MotionMode:
+      case GEffect::Cycle:
+        m_findings.error(token,
+                         m_g[index] == GEffect::Cycle ? DiagnosticCode::CycleNotRun
+                                                      : DiagnosticCode::UnsupportedGCode,
+                         Findings::wordText(token));
         if (m_motion != Motion::Unsupported) {
           m_motionBeforeUnsupported = m_motion;
         }
+        flushSpline();
         m_motion = Motion::Unsupported;
+        m_facts.forget();
         break;
-      case Effect::Statement:
-        error(token, DiagnosticCode::UnsupportedGCode, wordText(token));
+      case GEffect::Statement:
+        m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
         words.taken = true;
+        m_facts.otherMotion();
+        m_facts.forget();
         break;
-      case Effect::Unknown:
-        error(token, DiagnosticCode::UnknownGCode, wordText(token));
+      case GEffect::Unknown:
+        m_findings.error(token, DiagnosticCode::UnknownGCode, Findings::wordText(token));
         break;
     }
   }
 
-  void noteG(int key, const Token& token) {
-    ignoreOnce(m_ignoredG, static_cast<std::size_t>(key), Severity::Note, token);
+  /// G90 and G91 hold for the whole block, also for the words in front of them.
+  void readDistance(bool relative, BlockWords& words) {
+    if (relative != m_relative) {
+      m_relative = relative;
+      for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
+        words.axes.isIncrement[axis] = words.axes.given[axis] && relative;
+      }
+    }
+  }
+
+  void setFeedMode(int key) {
+    switch (key) {
+      case 930:
+        m_feedMode = FeedMode::InverseTime;
+        break;
+      case 940:
+      case 9610:
+        m_feedMode = FeedMode::PerMinute;
+        break;
+      case 950:
+      case 9510:
+        m_feedMode = FeedMode::PerRevolution;
+        break;
+      default:
+        m_feedMode = FeedMode::Unknown;
+        break;
+    }
+    m_feedMmPerS = 0.0;
   }
 
   /// The streamed points carry no work offset: the one active at the control holds for all of
   /// them. So the program's first choice is a note; another one once the tool has moved would
   /// send it to a wrong place.
   void selectWorkOffset(int key, const Token& token) {
-    if (m_moved && key != m_workOffset) {
-      error(token, DiagnosticCode::UnsupportedGCode, wordText(token));
+    const bool changes = m_moved && key != m_workOffset;
+    if (changes) {
+      m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
     } else {
-      noteG(key, token);
+      m_findings.ignoreG(static_cast<std::size_t>(key), token);
+    }
+    if (key != m_workOffset) {
+      m_facts.forget();
     }
     m_workOffset = key;
   }
 
-  void readM(const Token& token, Words& words) {
+  void readM(const Token& token, BlockWords& words) {
     const double value = token.value;
     if (!(value >= 0.0 && value < 10000.0) || value != std::floor(value)) {
-      error(token, DiagnosticCode::ValueOutOfRange);
+      m_findings.error(token, DiagnosticCode::ValueOutOfRange);
       return;
     }
     const auto number = static_cast<int>(value);
     switch (number) {
       case 2:
-      case 17:
       case 30:
         words.ends = true;
-        break;
-      case 96:
-      case 97:
-      case 98:
-      case 99:
-        error(token, DiagnosticCode::UnsupportedGCode, wordText(token));
-        break;
-      default: {
-        // Where the program wants the machine to wait for a person or a tool, a stream goes on.
-        const bool waits = number == 0 || number == 1 || (number == 6 && m_moved);
-        const auto key = static_cast<std::size_t>(number);
-        if (waits && !m_warnedM.test(key)) {
-          m_warnedM.set(key);
-          report(Severity::Warning, token.column, DiagnosticCode::IgnoredCode, wordText(token));
-        } else if (!waits) {
-          ignoreOnce(m_ignoredM, key, Severity::Note, token);
+        return;
+      case 17:
+        if (m_dialect == Dialect::Sinumerik) {
+          words.rareWords().returns = true;
+          return;
         }
         break;
-      }
+      case 98:
+        words.rareWords().call98 = true;
+        return;
+      case 99:
+        if (m_dialect == Dialect::Heidenhain) {
+          m_findings.error(token, DiagnosticCode::CycleNotRun, "CYCL CALL");
+          return;
+        }
+        words.rareWords().returns = true;
+        return;
+      case 96:
+      case 97:
+        m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
+        return;
+      case 91:
+      case 92:
+        if (m_dialect == Dialect::Heidenhain) {
+          words.machineMove = true;
+          words.machineToken = &token;
+          return;
+        }
+        break;
+      default:
+        break;
+    }
+    event(PathEvent::Kind::M, value);
+    // Where the program wants the machine to wait for a person or a tool, a stream goes on.
+    const bool waits = number == 0 || number == 1 || (number == 6 && m_moved);
+    m_findings.ignoreM(waits ? Severity::Warning : Severity::Note, static_cast<std::size_t>(number),
+                       token);
+  }
+
+  void readName(const Token& token, BlockWords& words) {
+    const std::string_view raw = tokenName(token);
+    const std::string name = base::toUpper(raw);
+    if (m_dialect == Dialect::Heidenhain && name == "CYCL") {
+      readKlartextCycle(token);
+      return;
+    }
+    if (token.kind == TokenKind::NamedValue && m_calculator.find(name) != nullptr) {
+      readAssignment(token, words);
+      return;
+    }
+    switch (nameEffect(m_dialect, name)) {
+      case NameEffect::None:
+        m_findings.ignore(Severity::Note, token, name);
+        break;
+      case NameEffect::End:
+        words.rareWords().returns = true;
+        break;
+      case NameEffect::Mode:
+        m_findings.error(token, DiagnosticCode::UnsupportedGCode, name);
+        break;
+      case NameEffect::Statement:
+        m_findings.error(token, DiagnosticCode::UnsupportedGCode, name);
+        words.taken = true;
+        m_facts.forget();
+        break;
+      case NameEffect::Cycle:
+        readCycle(token, name, words);
+        break;
+      case NameEffect::Frame:
+        words.rareWords().frame = name;
+        words.taken = true;
+        break;
+      case NameEffect::Motion:
+        (name == "CIP" ? words.rareWords().threePointArc : words.rareWords().tangentArc) = true;
+        break;
+      case NameEffect::Spline:
+        words.rareWords().bSpline = true;
+        break;
+      case NameEffect::MachineMove:
+        words.machineMove = true;
+        words.machineToken = &token;
+        break;
+      case NameEffect::Diameter:
+        m_diameter = name != "DIAMOF";
+        m_diameterIncrements = name == "DIAMON";
+        m_findings.ignore(Severity::Note, token, name);
+        break;
+      case NameEffect::Transformation:
+        m_findings.ignore(Severity::Note, token, name);
+        break;
+      case NameEffect::Value:
+        if (token.kind != TokenKind::NamedValue) {
+          m_findings.error(token, DiagnosticCode::UnknownWord);
+        } else if (name == "CR") {
+          setRadius(token, words);
+        } else {
+          words.rareWords().named[name] = {token.value, token.isIncrement};
+          noteColumn(token, words);
+        }
+        break;
+      case NameEffect::Unknown:
+        readUnknownName(token, name, words);
+        break;
     }
   }
 
-  void readName(const Token& token, Words& words) {
-    const std::string_view name = tokenName(token);
-    if (token.kind == TokenKind::NamedValue && base::toUpper(name) == "CR") {
-      setRadius(token, words);
+  /// On a SINUMERIK a name alone, or with arguments, calls a subprogram.
+  void readUnknownName(const Token& token, const std::string& name, BlockWords& words) {
+    if (m_dialect != Dialect::Sinumerik || token.kind == TokenKind::NamedValue) {
+      m_findings.error(token, token.kind == TokenKind::Name
+                                  ? DiagnosticCode::UnknownWord
+                                  : DiagnosticCode::UnsupportedExpression);
       return;
     }
-    switch (nameEffect(name)) {
-      case NameEffect::None:
-        ignore(Severity::Note, token, base::toUpper(name));
-        break;
-      case NameEffect::End:
-        words.ends = true;
-        break;
-      case NameEffect::Mode:
-        error(token, DiagnosticCode::UnsupportedGCode, base::toUpper(name));
-        break;
-      case NameEffect::Statement:
-        error(token, DiagnosticCode::UnsupportedGCode, base::toUpper(name));
-        words.taken = true;
-        break;
-      case NameEffect::Unknown:
-        error(token, token.kind == TokenKind::Name ? DiagnosticCode::UnknownWord
-                                                   : DiagnosticCode::UnsupportedExpression);
-        break;
+    RareWords& rare = words.rareWords();
+    rare.call = name;
+    m_callToken = token;
+    const std::size_t open = token.text.find('(');
+    rare.callArguments =
+        open == std::string_view::npos
+            ? std::string()
+            : std::string(token.text.substr(open + 1, token.text.size() - open - 2));
+  }
+
+  void readCycle(const Token& token, const std::string& name, BlockWords& words) {
+    words.taken = true;
+    const std::size_t open = token.text.find('(');
+    const std::string_view arguments =
+        open == std::string_view::npos ? "" : token.text.substr(open + 1);
+    m_facts.forget();
+    if (name == "CYCLE800" && base::trim(arguments) == ")") {
+      m_findings.ignore(Severity::Note, token, name);  // swivels back to the frame of the machine
+      return;
+    }
+    m_findings.error(
+        token, name == "CYCLE800" ? DiagnosticCode::UnsupportedGCode : DiagnosticCode::CycleNotRun,
+        name);
+    m_facts.otherMotion();
+  }
+
+  void readKlartextCycle(const Token& token) {
+    const std::string text = base::toUpper(token.text);
+    std::string_view digits = text;
+    while (!digits.empty() && !isDigit(digits.front())) {
+      digits.remove_prefix(1);
+    }
+    const int number = base::parseInteger(digits).value_or(0);
+    const bool calls = text.find("CALL") != std::string::npos;
+    // Cycles that move nothing themselves: shift, mirror, rotation, scale and tilt of the plane.
+    static constexpr std::array kFrames{7, 8, 10, 11, 19, 26, 247};
+    if (calls) {
+      m_findings.error(token, DiagnosticCode::CycleNotRun, "CYCL CALL");
+      m_facts.forget();
+    } else if (std::find(kFrames.begin(), kFrames.end(), number) != kFrames.end()) {
+      m_findings.error(token, DiagnosticCode::UnsupportedGCode, fmt::format("CYCL DEF {}", number));
+      m_facts.forget();
+    } else {
+      m_findings.ignore(Severity::Note, token, fmt::format("CYCL DEF {}", number));
     }
   }
 
   // --- execution ---------------------------------------------------------------------------
 
-  void execute(Words& words) {
+  [[nodiscard]] Vec3 programmed() const { return m_splineEnd ? *m_splineEnd : m_path.position(); }
+
+  void execute(BlockWords& words) {
     setModes(words);
+    if (words.rare) {
+      executeRare(words);
+    }
     if (words.parameter != nullptr && !words.dwell && !words.tolerance && !words.taken &&
-        m_motion != Motion::Unsupported) {
-      error(*words.parameter, DiagnosticCode::UnknownWord);
+        m_motion != Motion::Unsupported && m_motion != Motion::CubicSpline &&
+        m_motion != Motion::Nurbs && !usesParameter(words)) {
+      m_findings.error(*words.parameter, DiagnosticCode::UnknownWord);
     }
     if (words.dwell) {
       executeDwell(words);
-      return;
+    } else {
+      if (words.hasFeed && !(words.taken && words.rare && words.rare->macroCall)) {
+        setFeed(words);
+      }
+      if (words.taken) {
+        m_furtherTokens.clear();
+      } else {
+        executeMotion(words);
+      }
     }
-    if (words.hasFeed) {
-      setFeed(words);
+    if (words.rare) {
+      executeFlow(words);
     }
-    if (words.taken || m_motion == Motion::Unsupported) {
-      return;
-    }
-    const bool arcMode = m_motion == Motion::ArcClockwise || m_motion == Motion::ArcCounter;
-    if (!arcMode) {
-      rejectArcWords(words);
-    }
-    if (words.moves() || (arcMode && words.hasAnyCentre())) {
-      move(words);
+    if (!m_calculated.empty()) {
+      m_calculated.clear();
     }
   }
 
-  void setModes(const Words& words) {
+  [[nodiscard]] bool usesParameter(const BlockWords& words) const {
+    return words.rare && (words.rare->call98 || words.rare->workOffsetP ||
+                          !words.rare->call.empty() || words.rare->returns);
+  }
+
+  void setModes(const BlockWords& words) {
     switch (words.unitsKey) {
       case 200:
       case 7000:
-        m_lengthFactor = base::kMmPerInch;
-        m_feedFactor = base::kMmPerInch;
+        setUnits(base::kMmPerInch, base::kMmPerInch);
         break;
       case 700:
-        // G70 speaks of lengths only: the feed stays in the control's own unit, mm/min.
-        m_lengthFactor = base::kMmPerInch;
-        m_feedFactor = 1.0;
+        // G70 of a SINUMERIK speaks of lengths only: the feed stays in the control's unit, mm/min.
+        setUnits(base::kMmPerInch, m_dialect == Dialect::Sinumerik ? 1.0 : base::kMmPerInch);
         break;
       case 210:
       case 710:
       case 7100:
-        m_lengthFactor = 1.0;
-        m_feedFactor = 1.0;
+        setUnits(1.0, 1.0);
         break;
       default:
         break;
@@ -799,281 +932,1019 @@ class Interpreter {
     if (words.planeKey >= 0) {
       m_planeFirstAxis = words.planeKey == 170 ? 0 : (words.planeKey == 180 ? 2 : 1);
     }
-    if (words.distanceKey >= 0) {
-      m_relative = words.distanceKey == 910;
+    if (words.motionKey >= 0) {
+      flushSpline();
+      static constexpr std::array kMotions{Motion::Rapid, Motion::Line, Motion::ArcClockwise,
+                                           Motion::ArcCounter};
+      m_motion = kMotions[static_cast<std::size_t>(words.motionKey / 10)];
     }
-    switch (words.motionKey) {
-      case 0:
-        m_motion = Motion::Rapid;
-        break;
-      case 10:
-        m_motion = Motion::Line;
-        break;
-      case 20:
-        m_motion = Motion::ArcClockwise;
-        break;
-      case 30:
-        m_motion = Motion::ArcCounter;
-        break;
-      default:
-        break;
+  }
+
+  void setUnits(double lengthFactor, double feedFactor) {
+    m_lengthFactor = lengthFactor;
+    m_feedFactor = feedFactor;
+    m_facts.units(lengthFactor != 1.0);
+  }
+
+  /// What must happen before the axes of the block are looked at.
+  void executeRare(BlockWords& words) {
+    const RareWords& rare = *words.rare;
+    if (rare.threePointArc || rare.tangentArc) {
+      flushSpline();
+      m_motion = rare.threePointArc ? Motion::ThreePointArc : Motion::TangentArc;
     }
+    if (rare.bSpline) {
+      flushSpline();
+      m_motion = Motion::BSpline;
+      m_splineDegree = 3;
+    }
+    if (const NamedWord* const degree = words.named("SD")) {
+      m_splineDegree = degree->value >= 2.0 && degree->value < 3.0 ? 2 : 3;
+    }
+    if (rare.splineKey >= 0) {
+      selectSpline(rare.splineKey);
+    }
+    if (rare.pole) {
+      setPole(words);
+    }
+    if (!rare.frame.empty()) {
+      setFrame(rare.frame, words);
+    }
+    if (rare.setsPosition || rare.resetsPosition || rare.localOffset) {
+      setOffset(words);
+    }
+  }
+
+  void selectSpline(int key) {
+    flushSpline();
+    if (key == 50) {
+      m_motion = Motion::CubicSpline;
+    } else if (key == 51) {
+      m_motion = Motion::QuadraticSpline;
+    } else if (key == 52) {
+      m_motion = Motion::Nurbs;
+      m_splineDegree = 2;
+    } else {
+      m_motion = Motion::None;  // G5.3 closes the curve: the next block names its own motion
+      m_motionNamed = true;
+    }
+    m_lastTangent = {};
+  }
+
+  void executeFlow(BlockWords& words) {
+    const RareWords rare = std::move(*words.rare);
+    if (rare.statement) {
+      settle(m_flow.execute(rare.statement->text), *rare.statement);
+    }
+    if (!rare.call.empty()) {
+      const int times = static_cast<int>(std::clamp(words.p.value_or(1.0), 0.0, 1e6));
+      settle(m_flow.call(rare.call, rare.callArguments, times), m_callToken);
+    }
+    if ((rare.call98 || rare.macroCall) && !words.p) {
+      m_findings.report(Severity::Error, 1, DiagnosticCode::NumberMissing, "P");
+    } else if (rare.call98 || rare.macroCall) {
+      int number = static_cast<int>(std::clamp(*words.p, 0.0, 1e9));
+      int times = static_cast<int>(std::clamp(words.l.value_or(1.0), 0.0, 1e6));
+      constexpr int kNumbers = 10000;
+      if (number >= kNumbers && !words.l && rare.call98) {
+        // P31000 of a Fanuc: three times O1000.
+        times = number / kNumbers;
+        number %= kNumbers;
+      }
+      std::map<int, double> arguments = rare.arguments;
+      if (rare.macroCall && arguments.empty()) {
+        arguments.emplace(0, 0.0);
+      }
+      Token token;
+      settle(m_flow.callNumber(number, times, std::move(arguments)), token);
+    }
+    if (rare.returns && !m_flow.leaveSubprogram()) {
+      flushSpline();
+      m_ended = true;
+    }
+  }
+
+  void settle(const Flow::Outcome& outcome, const Token& token) {
+    if (outcome.kind == Flow::Outcome::Kind::ModalCall) {
+      if (!outcome.argument.empty()) {
+        m_findings.error(token, DiagnosticCode::CycleNotRun, outcome.argument);
+        m_facts.otherMotion();
+      }
+      return;
+    }
+    if (outcome.kind != Flow::Outcome::Kind::Fault) {
+      return;
+    }
+    if (outcome.code == DiagnosticCode::ExpressionFault ||
+        outcome.code == DiagnosticCode::FlowFault ||
+        outcome.code == DiagnosticCode::UnsupportedExpression) {
+      m_facts.incomplete();
+    }
+    m_findings.error(token, outcome.code, outcome.argument);
   }
 
   /// X, F, S, P and U of a dwell are times; what else it names would be lost.
-  void executeDwell(const Words& words) {
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (words.hasAxis[axis] && axis != 0) {
-        error(*words.axisTokens[axis], DiagnosticCode::UnknownWord);
+  void executeDwell(const BlockWords& words) {
+    for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
+      if (words.axes.given[axis]) {
+        m_findings.error(*words.axisTokens[axis], DiagnosticCode::UnknownWord);
       }
     }
     rejectArcWords(words);
+    m_furtherTokens.clear();
+    double seconds = std::nan("");
+    if (words.hasFeed) {
+      seconds = words.feed;
+    } else if (words.p) {
+      // Fanuc counts milliseconds where there is no point, RS-274/NGC seconds.
+      const bool milliseconds = m_dialect == Dialect::Iso && !words.parameter->hasPoint;
+      seconds = milliseconds ? *words.p / 1000.0 : *words.p;
+    } else if (words.axes.given[0]) {
+      seconds = words.axes.value[0];
+    } else if (words.axes.given[6]) {
+      seconds = words.axes.value[6];
+    }
+    event(PathEvent::Kind::Dwell, seconds);
   }
 
-  void rejectArcWords(const Words& words) {
+  void rejectArcWords(const BlockWords& words) {
     if (words.hasRadius) {
-      error(*words.radiusToken, DiagnosticCode::UnknownWord);
+      m_findings.error(*words.radiusToken, DiagnosticCode::UnknownWord);
     }
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (words.hasCentre[axis]) {
-        error(*words.centreTokens[axis], DiagnosticCode::UnknownWord);
+        m_findings.error(*words.centreTokens[axis], DiagnosticCode::UnknownWord);
       }
     }
   }
 
-  void setFeed(const Words& words) {
-    const double feedMmPerMin = words.feed * m_feedFactor;
-    if (!(feedMmPerMin > 0.0)) {
-      error(m_feedToken, DiagnosticCode::FeedNotPositive, base::formatNumber(words.feed));
+  void setFeed(const BlockWords& words) {
+    m_facts.feed(words.feed);
+    if (!(words.feed > 0.0)) {
+      m_findings.error(m_feedToken, DiagnosticCode::FeedNotPositive,
+                       base::formatNumber(words.feed));
       return;
     }
+    m_feedWord = words.feed;
+    double feedMmPerMin = words.feed * m_feedFactor;
+    if (m_feedMode == FeedMode::PerRevolution) {
+      feedMmPerMin = words.feed * m_lengthFactor * m_spindlePerMin;
+    } else if (m_feedMode != FeedMode::PerMinute) {
+      return;  // known block by block, or not at all
+    }
     if (!(feedMmPerMin <= kCoordinateMmMax)) {
-      error(m_feedToken, DiagnosticCode::ValueOutOfRange);
+      m_findings.error(m_feedToken, DiagnosticCode::ValueOutOfRange);
       return;
     }
     m_feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
     std::vector<double>& feeds = m_out.statistics.feedsMmPerMin;
-    if (feeds.empty() || feeds.back() != feedMmPerMin) {
+    if (feedMmPerMin > 0.0 && (feeds.empty() || feeds.back() != feedMmPerMin)) {
       feeds.push_back(feedMmPerMin);
     }
   }
 
-  /// Takes the programmed axes over. @return the new position
-  Vec3 targetOf(const Words& words) {
-    Vec3 target = m_position;
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (!words.hasAxis[axis]) {
-        continue;
+  // --- frames and offsets ---------------------------------------------------------------------
+
+  [[nodiscard]] double lengthMm(const BlockWords& words, std::size_t axis) const {
+    return words.axes.value[axis] * m_lengthFactor;
+  }
+
+  void setFrame(const std::string& name, const BlockWords& words) {
+    flushSpline();
+    const bool additive = name[0] == 'A';
+    const std::string_view kind = additive ? std::string_view(name).substr(1) : name;
+    Frame frame = additive ? m_path.frame() : m_baseFrame;
+    const NamedWord* const inPlane = words.named("RPL");
+    if (kind == "TRANS") {
+      Vec3 offset;
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        offset.set(axis, words.axes.given[axis] ? lengthMm(words, axis) : 0.0);
       }
-      double value = words.axes[axis] * m_lengthFactor;
-      if (!(std::abs(value) <= kCoordinateMmMax)) {
-        error(*words.axisTokens[axis], DiagnosticCode::ValueOutOfRange);
-        continue;
+      if (words.movesLinear()) {
+        frame.translate(offset);
       }
-      if (m_relative) {
-        if (std::isnan(m_position[axis])) {
-          error(*words.axisTokens[axis], DiagnosticCode::RelativeFromUnknownPosition,
-                std::string(1, base::kAxisNames[axis]));
+    } else if (kind == "ROT") {
+      // About Z, then the turned Y, then the turned X.
+      for (std::size_t axis = base::kAxisCount; axis-- > 0;) {
+        if (words.axes.given[axis]) {
+          frame.rotate(axis, words.axes.value[axis]);
+        }
+      }
+      if (inPlane != nullptr) {
+        frame.rotate((m_planeFirstAxis + 2) % base::kAxisCount, inPlane->value);
+      }
+    } else {
+      Vec3 factors{1.0, 1.0, 1.0};
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (!words.axes.given[axis]) {
           continue;
         }
-        value += m_position[axis];
+        const double factor = kind == "MIRROR" ? -1.0 : words.axes.value[axis];
+        if (factor == 0.0) {
+          m_findings.error(*words.axisTokens[axis], DiagnosticCode::ValueOutOfRange);
+          return;
+        }
+        factors.set(axis, factor);
       }
+      if (words.movesLinear()) {
+        frame.scale(factors);
+      }
+    }
+    const Vec3 before = m_path.position();
+    m_path.setFrame(frame);
+    m_facts.forget();
+    // The next increment of an axis counts from what was programmed, so that it passes the shift
+    // of the frame as well (SD42440, as delivered).
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      m_incrementFrom[axis] = m_incrementFrom[axis].value_or(before[axis]);
+    }
+  }
+
+  /// G92, G92.1 and G52.
+  void setOffset(const BlockWords& words) {
+    flushSpline();
+    const RareWords& rare = *words.rare;
+    m_facts.forget();
+    if (rare.setsPosition && !words.moves()) {
+      return;  // G92 S: a limit of the spindle; G92 alone: nothing
+    }
+    if (rare.setsPosition) {
+      Vec3 offset;
+      const Vec3 position = m_path.position();
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (!words.axes.given[axis]) {
+          continue;
+        }
+        if (std::isnan(position[axis])) {
+          Token token = *words.axisTokens[axis];
+          m_findings.error(token, DiagnosticCode::UnsupportedGCode, "G92");
+          return;
+        }
+        offset.set(axis, position[axis] - lengthMm(words, axis));
+      }
+      m_setOffsetMm = m_setOffsetMm + offset;
+    } else if (rare.resetsPosition) {
+      m_setOffsetMm = {};
+    } else {
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (words.axes.given[axis]) {
+          m_localOffsetMm.set(axis, lengthMm(words, axis));
+        }
+      }
+    }
+    m_baseFrame = {};
+    const Vec3 offset = m_setOffsetMm + m_localOffsetMm;
+    if (offset != Vec3{}) {
+      m_baseFrame.translate(offset);
+    }
+    m_path.setFrame(m_baseFrame);
+  }
+
+  /// G110, G111, G112, and CC of Heidenhain's plain text.
+  void setPole(const BlockWords& words) {
+    const Vec3 position = programmed();
+    Vec3 pole = words.rare->poleKey == 1100        ? position
+                : words.rare->poleKey == 1120      ? m_poleMm
+                : m_dialect == Dialect::Heidenhain ? m_poleMm
+                                                   : Vec3{};
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (!words.axes.given[axis]) {
+        continue;
+      }
+      // IX of Heidenhain counts from the position, as G110 does.
+      const bool relative = words.rare->poleKey != 1110;
+      const double origin = words.axes.isIncrement[axis] ? position[axis]
+                            : relative                   ? pole[axis]
+                                                         : 0.0;
+      pole.set(axis, origin + lengthMm(words, axis));
+    }
+    if (const NamedWord* const radius = words.named("RP")) {
+      const NamedWord* const angle = words.named("AP");
+      addPolar(pole, radius->value * m_lengthFactor, angle == nullptr ? 0.0 : angle->value);
+    }
+    m_poleMm = pole;
+  }
+
+  void addPolar(Vec3& point, double radiusMm, double degrees) const {
+    const double radians = degrees * std::acos(-1.0) / 180.0;
+    const std::size_t second = (m_planeFirstAxis + 1) % base::kAxisCount;
+    point.set(m_planeFirstAxis, point[m_planeFirstAxis] + radiusMm * std::cos(radians));
+    point.set(second, point[second] + radiusMm * std::sin(radians));
+  }
+
+  // --- motion
+  // -------------------------------------------------------------------------------------
+
+  void executeMotion(BlockWords& words) {
+    const bool arcMode = m_motion == Motion::ArcClockwise || m_motion == Motion::ArcCounter;
+    const bool isPolar =
+        words.rare && (words.named("AP") != nullptr || words.named("RP") != nullptr);
+    const bool isTurn = words.rare && words.named("AR") != nullptr;
+    const bool moves = words.moves() || isPolar || (arcMode && (words.hasAnyCentre() || isTurn));
+    if (words.machineMove && words.moves()) {
+      moveInMachine(words);
+      return;
+    }
+    if (m_motion == Motion::Unsupported) {
+      if (moves) {
+        m_facts.otherMotion();
+        m_facts.forget();
+      }
+      return;
+    }
+    if (!m_furtherTokens.empty()) {
+      for (const Token& token : m_furtherTokens) {
+        m_findings.error(token, DiagnosticCode::UnknownWord);
+      }
+      m_furtherTokens.clear();
+    }
+    if (!arcMode && m_motion != Motion::CubicSpline && m_motion != Motion::QuadraticSpline) {
+      rejectArcWords(words);
+    }
+    if (words.hasAnyCentre() && m_motion == Motion::ThreePointArc) {
+      rejectArcWords(words);
+    }
+    if (m_motion == Motion::Nurbs && words.rare && words.rare->splineKey == 52 && !moves) {
+      m_nurbsFirstWeight = words.p.value_or(1.0);
+    }
+    if (moves) {
+      move(words);
+    }
+  }
+
+  /// SUPA, G53, M91: where that is in the workpiece is not known.
+  void moveInMachine(const BlockWords& words) {
+    m_findings.error(*words.machineToken, DiagnosticCode::MachineCoordinates,
+                     words.machineToken->kind == TokenKind::Word
+                         ? Findings::wordText(*words.machineToken)
+                         : base::toUpper(tokenName(*words.machineToken)));
+    m_furtherTokens.clear();
+    if (const int g = motionNumber(); g >= -1) {
+      m_facts.machineMotion(g, words.axes);
+    } else {
+      m_facts.otherMotion();
+      m_facts.forget();
+    }
+  }
+
+  /// 0 to 3 for G0 to G3, -1 before any of them, -2 for other motions.
+  [[nodiscard]] int motionNumber() const {
+    switch (m_motion) {
+      case Motion::None:
+        return -1;
+      case Motion::Rapid:
+        return 0;
+      case Motion::Line:
+        return m_motionAssumed ? -1 : 1;
+      case Motion::ArcClockwise:
+        return 2;
+      case Motion::ArcCounter:
+        return 3;
+      default:
+        return -2;
+    }
+  }
+
+  /// Takes the programmed axes over. @return the new position, programmed coordinates
+  Vec3 targetOf(const BlockWords& words) {
+    const Vec3 from = programmed();
+    Vec3 target = from;
+    const std::size_t second = (m_planeFirstAxis + 1) % base::kAxisCount;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (!words.axes.given[axis]) {
+        continue;
+      }
+      double value = words.axes.value[axis] * m_lengthFactor;
+      if (std::isnan(value)) {
+        continue;  // has been reported
+      }
+      if (!(std::abs(value) <= kCoordinateMmMax)) {
+        m_findings.error(*words.axisTokens[axis], DiagnosticCode::ValueOutOfRange);
+        continue;
+      }
+      if (m_diameter && axis == 0 && (!words.axes.isIncrement[axis] || m_diameterIncrements)) {
+        value /= 2.0;
+      }
+      if (words.axes.isIncrement[axis]) {
+        const double origin = m_incrementFrom[axis].value_or(from[axis]);
+        if (std::isnan(origin)) {
+          m_findings.error(*words.axisTokens[axis], DiagnosticCode::RelativeFromUnknownPosition,
+                           std::string(1, base::kAxisNames[axis]));
+          continue;
+        }
+        value += origin;
+      }
+      m_incrementFrom[axis].reset();
       target.set(axis, value);
-      // fmin and fmax pass over the NaN of an axis not seen before.
-      m_out.statistics.minMm.set(axis, std::fmin(m_out.statistics.minMm[axis], value));
-      m_out.statistics.maxMm.set(axis, std::fmax(m_out.statistics.maxMm[axis], value));
+    }
+    if (m_polar && (words.axes.given[m_planeFirstAxis] || words.axes.given[second])) {
+      // G16: the first axis of the plane is the radius, the second the angle.
+      m_polarRadiusMm = words.axes.given[m_planeFirstAxis]
+                            ? words.axes.value[m_planeFirstAxis] * m_lengthFactor
+                            : m_polarRadiusMm;
+      m_polarDegrees = words.axes.given[second] ? words.axes.value[second] : m_polarDegrees;
+      setPolar(target);
+    } else if (words.rare) {
+      takePolarWords(words, from, target);
     }
     return target;
   }
 
-  void move(const Words& words) {
-    if (m_motion == Motion::None) {
-      report(Severity::Warning, words.motionColumn, DiagnosticCode::MotionModeAssumed, {});
-      m_motion = Motion::Line;
+  void setPolar(Vec3& target) const {
+    const std::size_t second = (m_planeFirstAxis + 1) % base::kAxisCount;
+    const Vec3 pole = m_polar ? Vec3{} : m_poleMm;
+    target.set(m_planeFirstAxis, pole[m_planeFirstAxis]);
+    target.set(second, pole[second]);
+    addPolar(target, m_polarRadiusMm, m_polarDegrees);
+  }
+
+  void takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) {
+    const NamedWord* const radius = words.named("RP");
+    const NamedWord* const angle = words.named("AP");
+    if (radius == nullptr && angle == nullptr) {
+      return;
     }
+    const std::size_t second = (m_planeFirstAxis + 1) % base::kAxisCount;
+    const double first = from[m_planeFirstAxis] - m_poleMm[m_planeFirstAxis];
+    const double other = from[second] - m_poleMm[second];
+    // CP of Heidenhain names no radius: it is that of the start.
+    if (radius != nullptr) {
+      m_polarRadiusMm =
+          radius->value * m_lengthFactor + (radius->isIncrement ? m_polarRadiusMm : 0.0);
+    } else if (m_dialect == Dialect::Heidenhain) {
+      m_polarRadiusMm = std::hypot(first, other);
+    }
+    const double degrees = std::atan2(other, first) * 180.0 / std::acos(-1.0);
+    m_polarTurnDegrees = 0.0;
+    if (angle != nullptr) {
+      const bool relative = angle->isIncrement || m_relative;
+      if (relative) {
+        m_polarTurnDegrees = angle->value;
+      }
+      m_polarDegrees = angle->value + (relative ? degrees : 0.0);
+    }
+    setPolar(target);
+    if (m_polarTurnDegrees != 0.0 && std::fmod(m_polarTurnDegrees, 360.0) == 0.0) {
+      target.set(m_planeFirstAxis, from[m_planeFirstAxis]);
+      target.set(second, from[second]);
+    }
+  }
+
+  [[nodiscard]] MoveWords moveWords(const BlockWords& words, Vec3 target) {
+    MoveWords move;
+    move.line = m_line;
+    move.feedMmPerS = m_feedMmPerS;
+    if (m_feedMode == FeedMode::InverseTime) {
+      move.feedMmPerS = words.hasFeed ? m_path.lengthTo(target) * words.feed / 60.0 : 0.0;
+    }
+    if (words.hasRotary) {
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (!words.axes.given[axis + 3]) {
+          continue;
+        }
+        double degrees = words.axes.value[axis + 3];
+        if (words.axes.isIncrement[axis + 3]) {
+          if (std::isnan(m_path.rotary(axis))) {
+            m_findings.report(Severity::Error, words.motionColumn,
+                              DiagnosticCode::RelativeFromUnknownPosition,
+                              std::string(1, kProgrammedAxes[axis + 3]));
+            continue;
+          }
+          degrees += m_path.rotary(axis);
+        }
+        move.rotaryDegrees[axis] = degrees;
+        noteRotary(axis, degrees, words.motionColumn);
+      }
+    }
+    if (words.rare) {
+      takeDirection(words, move);
+    }
+    return move;
+  }
+
+  void takeDirection(const BlockWords& words, MoveWords& move) {
+    const NamedWord* const a = words.named("A3");
+    const NamedWord* const b = words.named("B3");
+    const NamedWord* const c = words.named("C3");
+    if (a == nullptr && b == nullptr && c == nullptr) {
+      return;
+    }
+    const auto value = [](const NamedWord* word) { return word == nullptr ? 0.0 : word->value; };
+    const Vec3 direction{value(a), value(b), value(c)};
+    const double length = base::norm(direction);
+    if (!(length > 0.0)) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ValueOutOfRange,
+                        "A3= B3= C3=");
+      return;
+    }
+    move.toolDirection = (1.0 / length) * direction;
+    if (!m_directionReported) {
+      m_directionReported = true;
+      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::RotaryAxes,
+                        "A3 B3 C3");
+    }
+  }
+
+  void noteRotary(std::size_t axis, double degrees, int column) {
+    if (!m_rotaryFirst[axis]) {
+      m_rotaryFirst[axis] = degrees;
+    } else if (*m_rotaryFirst[axis] != degrees && !m_rotaryReported[axis]) {
+      m_rotaryReported[axis] = true;
+      m_findings.report(Severity::Warning, column, DiagnosticCode::RotaryAxes,
+                        std::string(1, kProgrammedAxes[axis + 3]));
+    }
+  }
+
+  void move(BlockWords& words) {
+    if (m_motion == Motion::None) {
+      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::MotionModeAssumed,
+                        {});
+      m_motion = Motion::Line;
+      m_motionAssumed = !m_motionNamed;
+    }
+    m_motionAssumed = m_motionAssumed && words.motionKey < 0;
     m_moved = true;
     const Vec3 target = targetOf(words);
+    const MoveWords details = moveWords(words, target);
     const bool rapid = m_motion == Motion::Rapid;
-    if (!rapid && m_feedMmPerS == 0.0 && !m_feedMissingReported) {
-      report(Severity::Warning, words.motionColumn, DiagnosticCode::FeedMissing, {});
+    if (!rapid && details.feedMmPerS == 0.0 && !m_feedMissingReported &&
+        !(m_feedMode == FeedMode::InverseTime && words.hasFeed)) {
+      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::FeedMissing, {});
       m_feedMissingReported = true;
     }
     Statistics& statistics = m_out.statistics;
-    if (rapid || m_motion == Motion::Line) {
-      ++statistics.motions[rapid ? 0 : 1];
-      (rapid ? statistics.rapidLengthMm : statistics.cutLengthMm) += knownLength(target);
-      append(target, rapid ? MoveKind::Rapid : MoveKind::Feed);
-    } else {
-      ++statistics.motions[m_motion == Motion::ArcClockwise ? 2 : 3];
-      const std::optional<Arc> arc = arcOf(words, target);
-      if (arc) {
-        m_arcPoints.clear();
-        statistics.cutLengthMm += flattenArc(*arc, m_options.chordToleranceMm, m_arcPoints);
-        for (const Vec3& point : m_arcPoints) {
-          append(point, MoveKind::ArcPiece);
-        }
-      } else {
-        append(target, MoveKind::ArcPiece);
+    switch (m_motion) {
+      case Motion::Rapid:
+      case Motion::Line:
+        ++statistics.motions[rapid ? 0 : 1];
+        m_facts.motion(motionNumber(), words.axes);
+        m_path.line(target, rapid, details);
+        break;
+      case Motion::ArcClockwise:
+      case Motion::ArcCounter:
+        moveArc(words, target, details);
+        break;
+      case Motion::ThreePointArc:
+      case Motion::TangentArc:
+        m_facts.otherMotion();
+        m_facts.forget();
+        moveSpaceArc(words, target, details);
+        break;
+      case Motion::BSpline:
+      case Motion::Nurbs:
+        m_facts.otherMotion();
+        m_facts.forget();
+        addControlPoint(words, target, details);
+        break;
+      case Motion::CubicSpline:
+      case Motion::QuadraticSpline:
+        m_facts.otherMotion();
+        m_facts.forget();
+        moveBezier(words, target, details);
+        break;
+      case Motion::None:
+      case Motion::Unsupported:
+        break;
+    }
+  }
+
+  void moveArc(BlockWords& words, Vec3 target, const MoveWords& details) {
+    const bool clockwise = m_motion == Motion::ArcClockwise;
+    ++m_out.statistics.motions[clockwise ? 2 : 3];
+    Arc arc;
+    arc.firstAxis = m_planeFirstAxis;
+    arc.clockwise = clockwise;
+    if (const NamedWord* const turns = words.named("TURN");
+        turns != nullptr && !(turns->value >= 0.0 && turns->value <= kTurnsMax &&
+                              turns->value == std::floor(turns->value))) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ValueOutOfRange,
+                        "TURN=");
+      m_facts.motion(clockwise ? 2 : 3, words.axes);
+      m_path.unknownWay(target, details);
+      return;
+    }
+    ArcWords arcWords = arcWordsOf(words, arc);
+    countArc(words, arc, arcWords);
+    for (const std::size_t axis : {0U, 1U, 2U}) {
+      if (arcWords.centre[axis] && !centreFits(words, axis)) {
+        m_path.unknownWay(target, details);
+        return;
+      }
+      if (arcWords.centre[axis]) {
+        *arcWords.centre[axis] *= m_lengthFactor;
       }
     }
-    m_position = target;
+    if (arcWords.radius) {
+      *arcWords.radius *= m_lengthFactor;
+      if (!(std::abs(*arcWords.radius) <= kCoordinateMmMax)) {
+        m_findings.error(*words.radiusToken, DiagnosticCode::ValueOutOfRange);
+        m_path.unknownWay(target, details);
+        return;
+      }
+    }
+    const std::size_t second = (m_planeFirstAxis + 1) % base::kAxisCount;
+    const std::size_t third = (m_planeFirstAxis + 2) % base::kAxisCount;
+    usePoleAsCentre(words, arcWords);
+    if (!arcWords.centre[m_planeFirstAxis] && !arcWords.centre[second] && !arcWords.centre[third] &&
+        !arcWords.radius && !arcWords.degrees) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ArcWithoutCentre, {});
+      m_path.unknownWay(target, details);
+      return;
+    }
+    const Vec3 from = m_path.position();
+    for (const std::size_t axis : {m_planeFirstAxis, second, third}) {
+      const bool needed = axis != third || words.axes.given[third];
+      if (needed && std::isnan(from[axis])) {
+        m_findings.report(Severity::Error, words.motionColumn,
+                          DiagnosticCode::ArcFromUnknownPosition,
+                          std::string(1, base::kAxisNames[axis]));
+        m_path.unknownWay(target, details);
+        return;
+      }
+    }
+    arc.startMm = from;
+    arc.endMm = target;
+    const double across = arcWords.centre[third].value_or(0.0);
+    if (m_dialect == Dialect::Sinumerik && across != 0.0 && words.axes.given[third]) {
+      // A helix: the centre is a place in the plane, its third coordinate has no meaning.
+      m_findings.report(Severity::Warning, words.centreTokens[third]->column,
+                        DiagnosticCode::CentreOutsidePlane,
+                        std::string(words.centreTokens[third]->text));
+      arcWords.centre[third].reset();
+    }
+    applyReading(arcWords);
+    if (m_polarTurnDegrees != 0.0 && words.named("AP") != nullptr) {
+      arc.turns =
+          std::max(0, static_cast<int>(std::ceil(std::abs(m_polarTurnDegrees) / 360.0)) - 1);
+    }
+    const ResolvedArc resolved = resolveArc(arc, arcWords);
+    if (!reportArcProblem(resolved, words)) {
+      m_path.unknownWay(target, details);
+      return;
+    }
+    MoveWords arcDetails = details;
+    if (m_feedMode == FeedMode::InverseTime && words.hasFeed) {
+      arcDetails.feedMmPerS = arcLength(resolved.arc) * words.feed / 60.0;
+    }
+    m_path.arc(resolved.arc, arcDetails);
   }
 
-  void append(Vec3 position, MoveKind kind) {
-    m_out.trajectory.points.push_back(
-        {position, kind == MoveKind::Rapid ? 0.0 : m_feedMmPerS, m_line, kind});
-  }
-
-  /// 0 if an axis comes from a place the program never named.
-  [[nodiscard]] double knownLength(Vec3 target) const {
-    double squares = 0.0;
+  void applyReading(ArcWords& arcWords) const {
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      const double step = target[axis] - m_position[axis];
-      if (!std::isnan(step)) {
-        squares += step * step;
-      } else if (!std::isnan(target[axis])) {
-        return 0.0;
+      if (m_options.centres == CentreReading::Absolute) {
+        arcWords.centreIsAbsolute[axis] = true;
+      } else if (m_options.centres == CentreReading::StartMinusCentre && arcWords.centre[axis]) {
+        *arcWords.centre[axis] *= -1.0;
       }
     }
-    return std::sqrt(squares);
   }
 
-  /// The arc of a block, if it can be known.
-  std::optional<Arc> arcOf(const Words& words, Vec3 target) {
-    const int column = words.motionColumn;
-    const std::size_t first = m_planeFirstAxis;
-    const std::size_t second = (first + 1) % base::kAxisCount;
-    const std::size_t third = (first + 2) % base::kAxisCount;
-    for (const std::size_t axis : {first, second, third}) {
-      const bool needed = axis != third || words.hasAxis[third];
-      if (needed && std::isnan(m_position[axis])) {
-        report(Severity::Error, column, DiagnosticCode::ArcFromUnknownPosition,
-               std::string(1, base::kAxisNames[axis]));
-        return std::nullopt;
+  ArcWords arcWordsOf(const BlockWords& words, Arc& arc) const {
+    ArcWords arcWords;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (words.hasCentre[axis]) {
+        arcWords.centre[axis] = words.centre[axis];
+        arcWords.centreIsAbsolute[axis] = words.centreIsAbsolute[axis];
       }
     }
-    if (words.hasCentre[third] && words.centre[third] != 0.0) {
-      error(*words.centreTokens[third], DiagnosticCode::CentreOutsidePlane);
-      return std::nullopt;
-    }
-    const bool hasCentre = words.hasCentre[first] || words.hasCentre[second];
-    if (hasCentre && words.hasRadius) {
-      report(Severity::Error, column, DiagnosticCode::ConflictingGCodes,
-             words.radiusIsWord ? "I J K and R" : "I J K and CR=");
-      return std::nullopt;
-    }
-    Arc arc{m_position, target, m_position, first, m_motion == Motion::ArcClockwise};
     if (words.hasRadius) {
-      return arcOfRadius(words, arc, first, second);
+      arcWords.radius = words.radius;
     }
-    if (!hasCentre) {
-      report(Severity::Error, column, DiagnosticCode::ArcWithoutCentre, {});
-      return std::nullopt;
-    }
-    for (const std::size_t axis : {first, second}) {
-      const double offsetMm = words.hasCentre[axis] ? words.centre[axis] * m_lengthFactor : 0.0;
-      if (!(std::abs(offsetMm) <= kCoordinateMmMax)) {
-        error(*words.centreTokens[axis], DiagnosticCode::ValueOutOfRange);
-        return std::nullopt;
+    const std::size_t second = (m_planeFirstAxis + 1) % base::kAxisCount;
+    arcWords.endIsGiven = words.axes.given[m_planeFirstAxis] || words.axes.given[second];
+    if (words.rare) {
+      if (const NamedWord* const angle = words.named("AR")) {
+        arcWords.degrees = angle->value;
       }
-      arc.centreMm.set(axis, m_position[axis] + offsetMm);
+      if (const NamedWord* const turns = words.named("TURN")) {
+        arc.turns = static_cast<int>(turns->value);
+      }
     }
-    const ArcRadii radii = arcRadii(arc);
-    const double mismatchMm = std::abs(radii.endMm - radii.startMm);
-    if (!(mismatchMm <= kArcRadiusToleranceMm)) {
-      report(Severity::Error, column, DiagnosticCode::ArcRadiusMismatch,
-             base::formatFixed(mismatchMm, 4));
-      return std::nullopt;
-    }
-    if (!(std::min(radii.startMm, radii.endMm) > 0.0)) {
-      report(Severity::Error, column, DiagnosticCode::ArcWithoutCentre, {});
-      return std::nullopt;
-    }
-    return arc;
+    return arcWords;
   }
 
-  std::optional<Arc> arcOfRadius(const Words& words, Arc arc, std::size_t first,
-                                 std::size_t second) {
-    const double radiusMm = words.radius * m_lengthFactor;
-    if (!(std::abs(radiusMm) <= kCoordinateMmMax)) {
-      error(*words.radiusToken, DiagnosticCode::ValueOutOfRange);
-      return std::nullopt;
+  /// Arcs of Heidenhain's plain text, and those with AP=, turn about the pole.
+  void usePoleAsCentre(const BlockWords& words, ArcWords& arcWords) const {
+    const bool hasCentre = words.hasAnyCentre() || words.hasRadius || arcWords.degrees;
+    const bool turnsAboutPole = m_dialect == Dialect::Heidenhain || words.named("AP") != nullptr;
+    if (hasCentre || !turnsAboutPole) {
+      return;
     }
-    const double halfChordMm =
-        std::hypot(arc.endMm[first] - arc.startMm[first], arc.endMm[second] - arc.startMm[second]) /
-        2.0;
-    if (halfChordMm == 0.0) {
-      // Any centre at the right distance would do: the control refuses this as well.
-      report(Severity::Error, words.motionColumn, DiagnosticCode::ArcWithoutCentre, {});
-      return std::nullopt;
+    for (const std::size_t axis : {m_planeFirstAxis, (m_planeFirstAxis + 1) % base::kAxisCount}) {
+      arcWords.centre[axis] = m_poleMm[axis];
+      arcWords.centreIsAbsolute[axis] = true;
     }
-    if (radiusMm == 0.0 || halfChordMm - std::abs(radiusMm) > kArcRadiusToleranceMm) {
-      report(Severity::Error, words.motionColumn, DiagnosticCode::ArcRadiusTooSmall,
-             fmt::format("{} < {}", base::formatFixed(std::abs(radiusMm), 4),
-                         base::formatFixed(halfChordMm, 4)));
-      return std::nullopt;
-    }
-    arc.centreMm = arcCentre(arc, radiusMm);
-    return arc;
   }
+
+  void countArc(const BlockWords& words, const Arc& arc, ArcWords arcWords) {
+    const int g = arc.clockwise ? 2 : 3;
+    if (words.named("AP") != nullptr) {
+      // The end of a polar arc is calculated, not programmed.
+      m_facts.otherMotion();
+      m_facts.forget();
+      return;
+    }
+    usePoleAsCentre(words, arcWords);
+    for (const std::size_t axis : {m_planeFirstAxis, (m_planeFirstAxis + 1) % base::kAxisCount}) {
+      if (m_dialect == Dialect::Heidenhain && arcWords.centre[axis]) {
+        *arcWords.centre[axis] /= m_lengthFactor;
+      }
+    }
+    m_facts.arc(g, words.axes, arc, arcWords);
+  }
+
+  bool centreFits(const BlockWords& words, std::size_t axis) {
+    if (words.centreTokens[axis] == nullptr ||
+        std::abs(words.centre[axis] * m_lengthFactor) <= kCoordinateMmMax) {
+      return true;
+    }
+    m_findings.error(*words.centreTokens[axis], DiagnosticCode::ValueOutOfRange);
+    return false;
+  }
+
+  /// @return true if there is none
+  bool reportArcProblem(const ResolvedArc& resolved, const BlockWords& words) {
+    const int column = words.motionColumn;
+    switch (resolved.problem) {
+      case ArcProblem::None:
+        return true;
+      case ArcProblem::CentreMissing:
+        m_findings.report(Severity::Error, column, DiagnosticCode::ArcWithoutCentre, {});
+        break;
+      case ArcProblem::CentreOutsidePlane:
+        m_findings.error(*words.centreTokens[resolved.axis], DiagnosticCode::CentreOutsidePlane);
+        break;
+      case ArcProblem::CentreAndRadius:
+        m_findings.report(Severity::Error, column, DiagnosticCode::ConflictingGCodes,
+                          words.radiusIsWord ? "I J K and R" : "I J K and CR=");
+        break;
+      case ArcProblem::RadiusMismatch:
+        if (isAllowedSpiral(resolved)) {
+          m_findings.report(Severity::Warning, column, DiagnosticCode::ArcRadiusMismatch,
+                            base::formatFixed(resolved.mismatch, 4));
+          return true;
+        }
+        m_findings.report(Severity::Error, column, DiagnosticCode::ArcRadiusMismatch,
+                          base::formatFixed(resolved.mismatch, 4));
+        break;
+      case ArcProblem::RadiusTooSmall:
+        m_findings.report(Severity::Error, column, DiagnosticCode::ArcRadiusTooSmall,
+                          fmt::format("{} < {}", base::formatFixed(resolved.mismatch, 4),
+                                      base::formatFixed(resolved.halfChord, 4)));
+        break;
+    }
+    return false;
+  }
+
+  /// RS-274/NGC and what follows it make a spiral of an arc whose radii differ by a thousandth.
+  [[nodiscard]] bool isAllowedSpiral(const ResolvedArc& resolved) const {
+    constexpr double kShare = 1e-3;
+    const ArcRadii radii = arcRadii(resolved.arc);
+    return m_dialect != Dialect::Sinumerik && m_dialect != Dialect::Heidenhain &&
+           resolved.mismatch <= kShare * std::max(radii.startMm, radii.endMm);
+  }
+
+  void moveSpaceArc(const BlockWords& words, Vec3 target, const MoveWords& details) {
+    const Vec3 from = m_path.position();
+    if (!base::isFinite(from) || !base::isFinite(target)) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ArcFromUnknownPosition,
+                        "X Y Z");
+      m_path.unknownWay(target, details);
+      return;
+    }
+    std::optional<SpaceArc> arc;
+    if (m_motion == Motion::ThreePointArc) {
+      Vec3 middle = m_relative ? from : target;
+      static constexpr std::array<std::string_view, base::kAxisCount> kNames{"I1", "J1", "K1"};
+      bool given = false;
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (const NamedWord* const word = words.named(kNames[axis])) {
+          middle.set(axis, word->value * m_lengthFactor + (m_relative ? from[axis] : 0.0));
+          given = true;
+        } else if (!m_relative) {
+          middle.set(axis, from[axis]);
+        }
+      }
+      arc = given ? arcThrough(from, middle, target) : std::nullopt;
+    } else {
+      arc = tangentArc(from, m_path.direction(), target);
+      if (!arc && base::norm(m_path.direction()) > 0.0) {
+        m_path.line(target, false, details);  // straight on
+        return;
+      }
+    }
+    if (!arc) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ArcWithoutCentre, {});
+      m_path.unknownWay(target, details);
+      return;
+    }
+    m_path.spaceArc(*arc, target, details);
+  }
+
+  // --- splines
+  // -------------------------------------------------------------------------------------
+
+  void addControlPoint(const BlockWords& words, Vec3 target, const MoveWords& details) {
+    const Vec3 from = programmed();
+    if (!base::isFinite(from)) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ArcFromUnknownPosition,
+                        "X Y Z");
+      m_path.unknownWay(target, details);
+      return;
+    }
+    if (!m_splineEnd) {
+      m_spline = {};
+      m_spline.controlMm.push_back(from);
+      m_spline.weights.push_back(m_motion == Motion::Nurbs ? m_nurbsFirstWeight : 1.0);
+      m_nurbsFirstWeight = 1.0;
+    }
+    double weight = 1.0;
+    if (m_motion == Motion::Nurbs) {
+      weight = words.p.value_or(1.0);
+      if (words.l) {
+        m_splineDegree = static_cast<int>(std::clamp(*words.l - 1.0, 1.0, 9.0));
+      }
+    } else if (const NamedWord* const given = words.named("PW")) {
+      weight = given->value;
+    }
+    if (words.named("PL") != nullptr) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::UnsupportedGCode,
+                        "PL");
+    }
+    if (!(weight > 0.0)) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ValueOutOfRange, "PW");
+      weight = 1.0;
+    }
+    m_spline.controlMm.push_back(target);
+    m_spline.weights.push_back(weight);
+    m_splineEnd = target;
+    m_splineDetails = details;
+  }
+
+  void flushSpline() {
+    if (!m_splineEnd) {
+      return;
+    }
+    m_splineEnd.reset();
+    const std::size_t points = m_spline.controlMm.size();
+    m_spline.degree = std::min(m_splineDegree, static_cast<int>(points) - 1);
+    m_spline.knots = clampedKnots(points, m_spline.degree);
+    m_path.spline(m_spline, m_splineDetails);
+  }
+
+  /// G5: I J from the start, P Q from the end. G5.1: I J only.
+  void moveBezier(const BlockWords& words, Vec3 target, const MoveWords& details) {
+    const Vec3 from = m_path.position();
+    const bool cubic = m_motion == Motion::CubicSpline;
+    if (!base::isFinite(from) || m_planeFirstAxis != 0) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ArcFromUnknownPosition,
+                        "X Y Z");
+      m_path.unknownWay(target, details);
+      return;
+    }
+    const bool hasStart = words.hasCentre[0] || words.hasCentre[1];
+    const Vec3 start =
+        hasStart ? Vec3{words.centre[0] * m_lengthFactor, words.centre[1] * m_lengthFactor, 0.0}
+                 : -1.0 * m_lastTangent;
+    if (!hasStart && m_lastTangent == Vec3{}) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::ArcWithoutCentre, {});
+      m_path.unknownWay(target, details);
+      return;
+    }
+    Spline spline;
+    spline.controlMm = {from, from + start};
+    if (cubic) {
+      const Vec3 end{words.p.value_or(0.0) * m_lengthFactor, words.q.value_or(0.0) * m_lengthFactor,
+                     0.0};
+      spline.controlMm.push_back(target + end);
+      m_lastTangent = end;
+    }
+    spline.controlMm.push_back(target);
+    spline.degree = static_cast<int>(spline.controlMm.size()) - 1;
+    spline.weights.assign(spline.controlMm.size(), 1.0);
+    spline.knots = clampedKnots(spline.controlMm.size(), spline.degree);
+    m_path.spline(spline, details);
+  }
+
+  // --- the end -----------------------------------------------------------------------------------
 
   void finish() {
-    // Within a block the findings about the motion come after those about its words.
-    std::stable_sort(m_out.diagnostics.begin(), m_out.diagnostics.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) {
-                       return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-                     });
-    if (m_suppressed > 0) {
-      m_out.diagnostics.push_back({m_suppressedWorst, m_suppressedLine, 1,
-                                   DiagnosticCode::MoreFindings, fmt::format("{}", m_suppressed)});
+    flushSpline();
+    if (m_flow.stopped()) {
+      m_findings.setLine(m_flow.stoppedLine());
+      m_findings.report(Severity::Error, 1, m_flow.stopped()->code, m_flow.stopped()->argument);
+      m_facts.incomplete();
     }
     Statistics& statistics = m_out.statistics;
+    if (m_ended && !m_tailReported && !m_out.cancelled) {
+      reportTail();
+    }
+    statistics.lines = m_out.cancelled ? 0 : m_flow.fileLines();
+    m_out.facts = m_facts.take();
+    if (m_out.facts.centreReading != CentreReading::AsProgrammed &&
+        m_options.centres == CentreReading::AsProgrammed) {
+      m_findings.setLine(base::LineNumber{1});
+      m_findings.report(Severity::Note, 1, DiagnosticCode::CentreReading,
+                        std::string(centreReadingName(m_out.facts.centreReading)));
+    }
+    if (m_out.trajectory.points.empty() && !m_out.cancelled) {
+      m_findings.setLine(base::LineNumber{1});
+      m_findings.report(Severity::Warning, 1, DiagnosticCode::NoMotion, {});
+    }
+    m_out.diagnostics = m_findings.take();
     std::vector<double>& feeds = statistics.feedsMmPerMin;
     std::sort(feeds.begin(), feeds.end());
     feeds.erase(std::unique(feeds.begin(), feeds.end()), feeds.end());
     statistics.points = m_out.trajectory.points.size();
   }
 
+  /// What stands behind the end of a program is not read; subprograms behind it are.
+  void reportTail() {
+    Block block;
+    while (m_flow.nextBehindEnd(block)) {
+      if (block.tokens.empty() || block.tokens.front().kind == TokenKind::Tape) {
+        continue;
+      }
+      m_findings.setLine(block.line);
+      m_findings.report(Severity::Warning, block.tokens.front().column,
+                        DiagnosticCode::TextAfterProgramEnd, {});
+      return;
+    }
+  }
+
   std::string_view m_text;
-  LoadOptions m_options;
+  const LoadOptions& m_options;
+  Dialect m_dialect;
+  const GTable& m_g;
   Interpretation m_out;
+  Findings m_findings;
+  Calculator m_calculator;
+  Flow m_flow;
+  PathBuilder m_path;
+  FactCounter m_facts;
 
   // Modal state of the control.
-  Vec3 m_position;
   double m_feedMmPerS = 0.0;
+  double m_feedWord = 0.0;
+  FeedMode m_feedMode = FeedMode::PerMinute;
+  double m_spindlePerMin = 0.0;
   double m_lengthFactor = 1.0;
   double m_feedFactor = 1.0;
   std::size_t m_planeFirstAxis = 0;
   Motion m_motion = Motion::None;
   Motion m_motionBeforeUnsupported = Motion::None;
+  bool m_motionAssumed = false;  ///< G1 by default, not by a word
+  bool m_motionNamed = false;
   bool m_relative = false;
+  bool m_centreIsAbsolute = false;
+  bool m_diameter = false;
+  bool m_diameterIncrements = false;
   bool m_moved = false;
   int m_workOffset = -1;
+
+  // Frames and poles, programmed coordinates.
+  Frame m_baseFrame;  ///< G52 and G92; TRANS and ROT work on it
+  /// Programmed coordinates from before a change of the frame, for increments.
+  std::array<std::optional<double>, base::kAxisCount> m_incrementFrom;
+  Vec3 m_setOffsetMm;
+  Vec3 m_localOffsetMm;
+  Vec3 m_poleMm;
+  bool m_polar = false;  ///< G16
+  double m_polarRadiusMm = 0.0;
+  double m_polarDegrees = 0.0;
+  double m_polarTurnDegrees = 0.0;  ///< of the present block, where it is an increment
+
+  // A spline under way.
+  Spline m_spline;
+  std::optional<Vec3> m_splineEnd;  ///< its last control point so far
+  MoveWords m_splineDetails;
+  int m_splineDegree = 3;
+  double m_nurbsFirstWeight = 1.0;
+  Vec3 m_lastTangent;  ///< P Q of the last G5
 
   // Reading.
   base::LineNumber m_line;
   bool m_ended = false;
   bool m_tailReported = false;
   Token m_feedToken;
-  std::vector<Vec3> m_arcPoints;
+  Token m_callToken;
+  std::deque<Token> m_calculated;      ///< of the present block
+  std::vector<Token> m_furtherTokens;  ///< U, V, W of the present block
 
-  // Findings made once, and those left out.
+  // Findings made once.
   bool m_feedMissingReported = false;
-  std::bitset<10000> m_ignoredG;
-  std::bitset<10000> m_ignoredM;
-  std::bitset<10000> m_warnedM;
-  std::bitset<26> m_ignoredLetters;
-  std::vector<std::string> m_ignoredNames;
-  std::size_t m_suppressed = 0;
-  base::LineNumber m_suppressedLine;
-  Severity m_suppressedWorst = Severity::Note;
+  bool m_directionReported = false;
+  std::array<std::optional<double>, base::kAxisCount> m_rotaryFirst;
+  std::array<bool, base::kAxisCount> m_rotaryReported{};
 };
 
 }  // namespace
 
 Interpretation interpret(std::string_view text, const LoadOptions& options) {
   RIVULET_ASSERT(options.chordToleranceMm > 0.0);
-  return Interpreter(text, options).run();
+  const DialectGuess guess =
+      options.dialect ? DialectGuess{*options.dialect, {}} : detectDialect(text);
+  return Interpreter(text, options, guess).run();
 }
 
 }  // namespace rivulet::gcode

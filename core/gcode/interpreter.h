@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Blocks → trajectory, findings and figures: keeps the modal state of the control (G functions,
-/// feed, position) from block to block. @threadsafety pure.
+/// Blocks → trajectory, findings, figures and facts: keeps the modal state of the control (G
+/// functions, feed, position, frame) from block to block. @threadsafety pure.
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,11 +22,15 @@ struct Interpretation {
   Trajectory trajectory;
   std::vector<Diagnostic> diagnostics;
   Statistics statistics;
+  ProgramFacts facts;
+  Dialect dialect = Dialect::Iso;
+  std::string dialectEvidence;
   std::size_t blocks = 0;  ///< lines that hold more than a number and a comment
+  bool cancelled = false;  ///< `LoadOptions::progress` said so: the rest is not there
 };
 
 /// @param options chordToleranceMm > 0
-/// @threadsafety pure; O(text + points).
+/// @threadsafety pure; O(text + points), and what the program repeats.
 [[nodiscard]] Interpretation interpret(std::string_view text, const LoadOptions& options);
 
 }  // namespace rivulet::gcode

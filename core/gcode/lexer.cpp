@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "base/text.h"
+#include "gcode/klartext.h"
 
 namespace rivulet::gcode {
 
@@ -55,14 +56,31 @@ constexpr std::string_view kOperators = "+-*/<>=[^";
 
 /// Names that start a statement of the control's language; the rest of the line belongs to it.
 constexpr std::array<std::string_view, 42> kStatements{
-    "CALL",   "CANCEL", "CASE",    "CLEAR",    "DEF",    "DEFAULT", "DEFINE", "DO",     "ELSE",
-    "ENDFOR", "ENDIF",  "ENDLOOP", "ENDWHILE", "EVERY",  "EXTCALL", "EXTERN", "FOR",    "FROM",
-    "GOTO",   "GOTOB",  "GOTOC",   "GOTOF",    "GOTOS",  "ID",      "IDS",    "IF",     "LOOP",
-    "MCALL",  "PCALL",  "PROC",    "REDEF",    "REPEAT", "REPEATB", "SETAL",  "SETINT", "SUB",
-    "ENDSUB", "UNTIL",  "WHEN",    "WHENEVER", "WHILE",  "SAVE"};
+    "CALL",   "CANCEL", "CASE",    "CLEAR",    "DEF",    "DEFAULT", "DEFINE", "DO",  "ELSE",
+    "ENDFOR", "ENDIF",  "ENDLOOP", "ENDWHILE", "EVERY",  "EXTCALL", "EXTERN", "FOR", "FROM",
+    "GOTO",   "GOTOB",  "GOTOC",   "GOTOF",    "GOTOS",  "ID",      "IDS",    "IF",  "LOOP",
+    "MCALL",  "PCALL",  "PROC",    "REDEF",    "REPEAT", "REPEATB", "SETINT", "SUB", "ENDSUB",
+    "END",    "UNTIL",  "WHEN",    "WHENEVER", "WHILE",  "SAVE"};
+
+bool isOperatorWord(std::string_view name) {
+  std::array<char, 5> folded{};
+  if (name.size() < 2 || name.size() > folded.size()) {
+    return false;
+  }
+  std::transform(name.begin(), name.end(), folded.begin(), upper);
+  const std::string_view key(folded.data(), name.size());
+  static constexpr std::array<std::string_view, 14> kWords{"MOD", "DIV",   "AND",  "OR",    "XOR",
+                                                           "NOT", "B_AND", "B_OR", "B_XOR", "EQ",
+                                                           "NE",  "GT",    "LT",   "GE"};
+  return key == "LE" || std::find(kWords.begin(), kWords.end(), key) != kWords.end();
+}
 
 bool isStatement(std::string_view name) {
   std::array<char, 8> folded{};
+  // DO1, END1 and GOTO100 of the ISO dialects.
+  while (!name.empty() && classOf(name.back()) == kDigit) {
+    name.remove_suffix(1);
+  }
   if (name.size() > folded.size()) {
     return false;
   }
@@ -74,8 +92,8 @@ bool isStatement(std::string_view name) {
 /// Reads one line. Pointers instead of indices: this loop decides how fast a program loads.
 class LineReader {
  public:
-  LineReader(const char* begin, const char* end, std::vector<Token>& tokens)
-      : m_begin(begin), m_end(end), m_at(begin), m_tokens(tokens) {}
+  LineReader(const char* begin, const char* end, Dialect dialect, std::vector<Token>& tokens)
+      : m_begin(begin), m_end(end), m_at(begin), m_dialect(dialect), m_tokens(tokens) {}
 
   void read() {
     skipBlanks();
@@ -114,7 +132,7 @@ class LineReader {
   Token& add(TokenKind kind, const char* from, const char* to, char address = 0,
              double value = 0.0) {
     return m_tokens.emplace_back(
-        Token{kind, address, static_cast<int>(from - m_begin) + 1, value,
+        Token{kind, address, m_hasPoint, false, static_cast<int>(from - m_begin) + 1, value,
               std::string_view(from, static_cast<std::size_t>(to - from))});
   }
 
@@ -131,25 +149,50 @@ class LineReader {
     return end;
   }
 
-  void addExpressionToEnd(const char* from, char address = 0) {
+  void addStatement(const char* from, char address = 0) {
     const char* const end = endOfStatement();
-    add(TokenKind::Expression, from, end, address);
+    add(TokenKind::Statement, from, end, address);
     m_at = end;
   }
 
-  /// An expression in the place of one word's value ends at a blank outside of brackets.
-  void addExpressionWord(const char* from, char address) {
+  /// True behind a blank if the calculation goes on with an operator that is a word.
+  [[nodiscard]] bool atOperatorWord() const {
+    const char* end = m_at;
+    while (end != m_end && classOf(*end) == kLetter) {
+      ++end;
+    }
+    return isOperatorWord({m_at, static_cast<std::size_t>(end - m_at)});
+  }
+
+  [[nodiscard]] bool behindOperatorWord(const char* from, const char* at) const {
+    const char* begin = at;
+    while (begin != from && classOf(begin[-1]) == kLetter) {
+      --begin;
+    }
+    return isOperatorWord({begin, static_cast<std::size_t>(at - begin)});
+  }
+
+  /// A calculation in the place of one word's value ends at a blank outside of brackets.
+  void addCalculation(TokenKind kind, const char* from, char address) {
     int depth = 0;
-    while (m_at != m_end && *m_at != ';') {
+    bool quoted = false;
+    while (m_at != m_end && (quoted || *m_at != ';')) {
       const char c = *m_at;
-      if (isOneOf(c, "([")) {
+      const bool comment = c == '(' && depth == 0 && hasBracketComments();
+      if (c == '"') {
+        quoted = !quoted;
+      } else if (quoted) {
+      } else if (comment) {
+        break;
+      } else if (isOneOf(c, "([")) {
         ++depth;
       } else if (isOneOf(c, ")]")) {
         --depth;
       } else if (depth <= 0 && classOf(c) == kBlank) {
         const char* const blank = m_at;
         skipBlanks();
-        const bool goesOn = isOneOf(peek(), kOperators) || isOneOf(blank[-1], kOperators);
+        const bool goesOn = isOneOf(peek(), kOperators) || isOneOf(blank[-1], kOperators) ||
+                            atOperatorWord() || behindOperatorWord(from, blank);
         if (m_at == m_end || !goesOn) {
           m_at = blank;
           break;
@@ -158,8 +201,36 @@ class LineReader {
       }
       ++m_at;
     }
+    add(kind, from, m_at, address);
+  }
+
+  /// X[#1+2], X#1, X-#<depth>: the value ends where its brackets or its number do.
+  void addBracketValue(const char* from, char address) {
+    while (m_at != m_end && isOneOf(*m_at, "+-")) {
+      ++m_at;
+    }
+    while (m_at != m_end && *m_at == '#') {
+      ++m_at;
+    }
+    if (m_at != m_end && isOneOf(*m_at, "[<")) {
+      int depth = 0;
+      while (m_at != m_end) {
+        depth += isOneOf(*m_at, "[<") ? 1 : (isOneOf(*m_at, "]>") ? -1 : 0);
+        ++m_at;
+        if (depth == 0) {
+          break;
+        }
+      }
+    } else {
+      const std::uint8_t kind = classOf(peek());
+      while (m_at != m_end && (kind == kDigit || kind == kLetter) && classOf(*m_at) == kind) {
+        ++m_at;
+      }
+    }
     add(TokenKind::Expression, from, m_at, address);
   }
+
+  [[nodiscard]] bool hasBracketComments() const { return m_dialect != Dialect::Sinumerik; }
 
   enum class NumberStatus { Read, Missing, Malformed };
 
@@ -171,6 +242,7 @@ class LineReader {
       skipBlanks();
     }
     const char* const from = m_at;
+    m_hasPoint = false;
     std::uint64_t mantissa = 0;
     while (m_at != m_end && classOf(*m_at) == kDigit) {
       mantissa = mantissa * 10 + static_cast<std::uint64_t>(*m_at - '0');
@@ -186,6 +258,7 @@ class LineReader {
       }
       decimals = m_at - point;
       digits += decimals;
+      m_hasPoint = true;
     }
     if (digits == 0) {
       return m_at == from ? NumberStatus::Missing : NumberStatus::Malformed;
@@ -232,12 +305,15 @@ class LineReader {
       readAssignedValue(from, address, TokenKind::Word);
       return;
     }
-    if (c == '<' || (isOneOf(c, "[#$") && m_at != m_end)) {
-      // O<name> starts a named subprogram, X#1 and X[...] are calculated.
-      if (isOneOf(address, "XYZIJKF")) {
-        addExpressionWord(from, address);
+    if (address == 'O' && startsSubprogramWord()) {
+      addStatement(from, address);
+      return;
+    }
+    if (isOneOf(c, "[#$<") && m_at != m_end) {
+      if (address == 'R' && c == '[') {
+        addCalculation(TokenKind::Assignment, from, address);
       } else {
-        addExpressionToEnd(from, address);
+        addBracketValue(from, address);
       }
       return;
     }
@@ -249,7 +325,8 @@ class LineReader {
         break;
       case NumberStatus::Missing:
         if (m_at != m_end && isOneOf(*m_at, "[#$")) {
-          addExpressionWord(from, address);
+          m_at = numberFrom;
+          addBracketValue(from, address);
         } else {
           add(TokenKind::NumberMissing, from, from + 1, address);
         }
@@ -258,6 +335,25 @@ class LineReader {
         addMalformed(numberFrom, address);
         break;
     }
+  }
+
+  /// O<name> and O100 with a word behind it, as in "O100 while": RS-274/NGC.
+  [[nodiscard]] bool startsSubprogramWord() const {
+    if (!m_tokens.empty() && !(m_tokens.size() == 1 && m_tokens.front().address == 'N')) {
+      return false;
+    }
+    const char* at = m_at;
+    if (at != m_end && *at == '<') {
+      return true;
+    }
+    while (at != m_end && (classOf(*at) == kDigit || *at == '.')) {
+      ++at;
+    }
+    const bool hasNumber = at != m_at;
+    while (at != m_end && classOf(*at) == kBlank) {
+      ++at;
+    }
+    return hasNumber && at != m_end && classOf(*at) == kLetter;
   }
 
   /// Behind the "=" of `X=`, `CR=` or `M1=`.
@@ -273,7 +369,7 @@ class LineReader {
         return;
       }
       ++m_at;
-      add(kind == TokenKind::Word ? TokenKind::TextWord : kind, from, m_at, address);
+      add(kind == TokenKind::IndexedWord ? kind : TokenKind::TextWord, from, m_at, address);
       return;
     }
     const char* const valueFrom = m_at;
@@ -281,7 +377,7 @@ class LineReader {
     if (readNumber(value) == NumberStatus::Read) {
       const char* const end = m_at;
       skipBlanks();
-      if (m_at == m_end || !isOneOf(*m_at, kOperators)) {
+      if (m_at == m_end || (!isOneOf(*m_at, kOperators) && !atOperatorWord())) {
         m_at = end;
         add(kind, from, end, address, value);
         return;
@@ -294,10 +390,9 @@ class LineReader {
     m_at = valueFrom;
     if (m_at == m_end || *m_at == ';') {
       add(TokenKind::NumberMissing, from, m_at, address);
-    } else if (kind == TokenKind::Word && isOneOf(address, "XYZIJKF")) {
-      addExpressionWord(from, address);
     } else {
-      addExpressionToEnd(from, address);
+      addCalculation(kind == TokenKind::NamedValue ? TokenKind::Assignment : TokenKind::Expression,
+                     from, address);
     }
   }
 
@@ -313,7 +408,7 @@ class LineReader {
       return;
     }
     if (isStatement(name)) {
-      addExpressionToEnd(from);
+      addStatement(from);
       return;
     }
     skipBlanks();
@@ -323,7 +418,7 @@ class LineReader {
       return;
     }
     if (peek() == '[') {
-      addExpressionToEnd(from);
+      addCalculation(TokenKind::Assignment, from, 0);
       return;
     }
     // Behind a blank, "(" starts a comment unless it encloses a text, as in MSG ("...").
@@ -390,15 +485,19 @@ class LineReader {
           const bool indexed = isOneOf(previous.address, "MSTHD");
           if (indexed) {
             readAssignedValue(previous.text.data(), previous.address, TokenKind::IndexedWord);
+          } else if (previous.address == 'R') {
+            skipBlanks();
+            addCalculation(TokenKind::Assignment, previous.text.data(), previous.address);
           } else {
-            addExpressionToEnd(previous.text.data(), previous.address);
+            // I1=, A3=: an address of its own.
+            readAssignedValue(previous.text.data(), 0, TokenKind::NamedValue);
           }
           return true;
         }
         break;
       case '#':
       case '$':
-        addExpressionToEnd(from);
+        addCalculation(TokenKind::Assignment, from, 0);
         return true;
       default:
         break;
@@ -432,6 +531,8 @@ class LineReader {
   const char* m_begin;
   const char* m_end;
   const char* m_at;
+  Dialect m_dialect;
+  bool m_hasPoint = false;  ///< of the number read last
   std::vector<Token>& m_tokens;
 };
 
@@ -446,7 +547,7 @@ std::string_view tokenName(const Token& token) {
   return token.text.substr(0, length);
 }
 
-Lexer::Lexer(std::string_view text) {
+Lexer::Lexer(std::string_view text, Dialect dialect) : m_dialect(dialect) {
   // A byte order mark and the end marks of old systems are not part of the program.
   if (text.substr(0, 3) == "\xEF\xBB\xBF") {
     text.remove_prefix(3);
@@ -454,18 +555,40 @@ Lexer::Lexer(std::string_view text) {
   while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) {
     text.remove_suffix(1);
   }
+  if (text.empty()) {
+    text = std::string_view("", 0);  // never a null pointer
+  }
   m_position = text.data();
   m_end = text.data() + text.size();
   m_lineFeed = nullptr;
 }
 
 bool Lexer::next(Block& block) {
-  if (m_position == m_end) {
+  const std::optional<std::string_view> line = nextLine();
+  if (!line) {
     return false;
   }
-  ++m_line;
   block.line.value = m_line;
   block.tokens.clear();
+  if (m_dialect == Dialect::Heidenhain) {
+    readKlartext(*line, m_continues, block.tokens);
+  } else {
+    LineReader(line->data(), line->data() + line->size(), m_dialect, block.tokens).read();
+  }
+  return true;
+}
+
+void Lexer::seek(Place place) {
+  m_position = place.at;
+  m_line = place.line;
+  m_lineFeed = nullptr;
+}
+
+std::optional<std::string_view> Lexer::nextLine() {
+  if (m_position == m_end) {
+    return std::nullopt;
+  }
+  ++m_line;
   const char* const begin = m_position;
   const auto find = [begin](char c, const char* end) {
     const void* const found = std::memchr(begin, c, static_cast<std::size_t>(end - begin));
@@ -482,8 +605,7 @@ bool Lexer::next(Block& block) {
   if (m_position != m_end && *m_position == '\n' && m_position == m_lineFeed) {
     ++m_position;
   }
-  LineReader(begin, end, block.tokens).read();
-  return true;
+  return std::string_view(begin, static_cast<std::size_t>(end - begin));
 }
 
 }  // namespace rivulet::gcode

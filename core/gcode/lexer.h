@@ -9,10 +9,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "base/id.h"
+#include "gcode/dialect.h"
 
 namespace rivulet::gcode {
 
@@ -24,7 +26,9 @@ enum class TokenKind : unsigned char {
   NamedValue,   ///< a name and a number: CR=12.5
   Call,         ///< a name and arguments: MSG("roughing")
   Label,        ///< a jump target: START:
-  Expression,   ///< a variable, calculation, jump or condition; `text` is all of it
+  Expression,   ///< a word whose value is calculated: X=R1+2, X[#1+2], X=AC(5); `text` is all of it
+  Assignment,   ///< a variable is set: R1=5, #1=[#2+1], DEPTH=-3; `text` is all of it
+  Statement,    ///< a jump, loop, definition or condition: the rest of the block
   BlockSkip,    ///< "/" at the start of a block, with its level if any
   Tape,         ///< a line that starts with "%"
   UnexpectedCharacter,
@@ -35,8 +39,10 @@ enum class TokenKind : unsigned char {
 
 struct Token {
   TokenKind kind = TokenKind::Word;
-  char address = 0;  ///< upper case letter of a word, else 0
-  int column = 1;    ///< from 1, in bytes
+  char address = 0;          ///< upper case letter of a word, else 0
+  bool hasPoint = false;     ///< the number was written with a decimal point
+  bool isIncrement = false;  ///< Heidenhain's IX: an increment, whatever the mode
+  int column = 1;            ///< from 1, in bytes
   double value = 0.0;
   std::string_view text;  ///< as written, points into the program text
 };
@@ -50,13 +56,26 @@ struct Block {
 /// cannot be part of a name.
 [[nodiscard]] std::string_view tokenName(const Token& token);
 
+/// A place between two lines of the text.
+struct Place {
+  const char* at = nullptr;
+  std::uint32_t line = 0;  ///< lines before it
+};
+
 class Lexer {
  public:
   /// @param text must outlive the lexer and the tokens; LF, CRLF and CR end a line
-  explicit Lexer(std::string_view text);
+  explicit Lexer(std::string_view text, Dialect dialect = Dialect::Iso);
 
   /// Reads the next line into `block`. @return false at the end of the text
   [[nodiscard]] bool next(Block& block);
+  /// Steps over the next line. @return its text without the line end; nothing at the end
+  [[nodiscard]] std::optional<std::string_view> nextLine();
+
+  /// Where the next line begins.
+  [[nodiscard]] Place place() const { return {m_position, m_line}; }
+  /// @param place  of this text
+  void seek(Place place);
 
   /// Lines read so far. A line end at the very end of the text does not start another line.
   [[nodiscard]] std::size_t lines() const { return m_line; }
@@ -66,6 +85,8 @@ class Lexer {
   const char* m_end;
   const char* m_lineFeed;  ///< the next one at or behind m_position, searched once
   std::uint32_t m_line = 0;
+  Dialect m_dialect;
+  bool m_continues = false;  ///< Heidenhain: the next line belongs to this one
 };
 
 }  // namespace rivulet::gcode

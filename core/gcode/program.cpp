@@ -6,11 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
+#include <optional>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "base/text.h"
 #include "gcode/interpreter.h"
 
 namespace rivulet::gcode {
@@ -26,46 +30,82 @@ std::string hashOf(std::string_view text) {
   return fmt::format("{:016x}", hash);
 }
 
+/// Subprograms are small; a file beyond this is none.
+constexpr std::uintmax_t kSubprogramBytesMax = std::uintmax_t{16} * 1024 * 1024;
+
+/// NAME.SPF beside the program, whatever the case of its letters.
+std::optional<std::string> subprogramIn(const std::filesystem::path& folder,
+                                        std::string_view name) {
+  static constexpr std::array<std::string_view, 8> kEndings{"",    ".SPF", ".MPF", ".SUB",
+                                                            ".NC", ".NGC", ".TAP", ".CNC"};
+  // O<name> of RS-274/NGC is name.ngc.
+  if (name.size() > 3 && name.substr(0, 2) == "O<") {
+    name = name.substr(2, name.size() - 3);
+  }
+  if (name.empty() || name.find_first_of("/\\") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  std::error_code status;
+  for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, status), end;
+       !status && entry != end; entry.increment(status)) {
+    const std::string file = base::toUpper(entry->path().filename().string());
+    const bool matches =
+        std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view ending) {
+          return file.size() == name.size() + ending.size() && file.rfind(name, 0) == 0 &&
+                 file.substr(name.size()) == ending;
+        });
+    std::error_code ignored;
+    if (!matches || !entry->is_regular_file(ignored) ||
+        entry->file_size(ignored) > kSubprogramBytesMax) {
+      continue;
+    }
+    std::ifstream stream(entry->path(), std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (stream) {
+      return std::move(text).str();
+    }
+  }
+  return std::nullopt;
+}
+
 bool isError(const Diagnostic& diagnostic) {
   return diagnostic.severity == Severity::Error;
 }
 
 }  // namespace
 
-bool Program::isStreamable() const {
+bool Program::isUnderstood() const {
   return std::none_of(diagnostics.begin(), diagnostics.end(), isError);
+}
+
+bool Program::isStreamable() const {
+  return isUnderstood() && !trajectory.points.empty() &&
+         std::none_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+           return diagnostic.code == DiagnosticCode::RotaryAxes;
+         });
 }
 
 base::Result<Program> interpretProgram(std::string name, std::string text,
                                        const LoadOptions& options) {
   Interpretation interpretation = interpret(text, options);
-  if (interpretation.trajectory.points.empty()) {
-    // The finding that stands in the way of a motion is worth more than the bare fact.
-    const auto first =
-        std::find_if(interpretation.diagnostics.begin(), interpretation.diagnostics.end(), isError);
-    const std::string reason =
-        first == interpretation.diagnostics.end()
-            ? std::string()
-            : fmt::format(" Line {}: {}", first->line.value, describe(*first));
-    if (interpretation.blocks == 0) {
-      return base::fail(GcodeError::EmptyProgram,
-                        "The program has no block: choose a file with NC text.", std::move(name));
-    }
-    return base::fail(GcodeError::NoMotion,
-                      "The program moves no axis: choose a program with G0, G1, G2 or G3 and X, Y "
-                      "or Z." +
-                          reason,
-                      std::move(name));
+  if (interpretation.cancelled) {
+    return base::fail(GcodeError::Cancelled, "Loading the program was cancelled.", std::move(name));
+  }
+  if (interpretation.blocks == 0) {
+    return base::fail(GcodeError::EmptyProgram,
+                      "The program has no block: choose a file with NC text.", std::move(name));
   }
   std::string hash = hashOf(text);
-  Program program;
-  program.name = std::move(name);
-  program.text = std::move(text);
-  program.hash = std::move(hash);
-  program.trajectory = std::move(interpretation.trajectory);
-  program.diagnostics = std::move(interpretation.diagnostics);
-  program.statistics = std::move(interpretation.statistics);
-  return program;
+  return Program{std::move(name),
+                 std::move(text),
+                 std::move(hash),
+                 interpretation.dialect,
+                 std::move(interpretation.dialectEvidence),
+                 std::move(interpretation.trajectory),
+                 std::move(interpretation.diagnostics),
+                 std::move(interpretation.statistics),
+                 std::move(interpretation.facts)};
 }
 
 base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadOptions& options) {
@@ -103,8 +143,13 @@ base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadO
   if (static_cast<std::uintmax_t>(stream.gcount()) != bytes) {
     return unreadable("The file could not be read to its end: check the drive and try again.");
   }
-  base::Result<Program> program =
-      interpretProgram(path.filename().string(), std::move(text), options);
+  LoadOptions own = options;
+  if (!own.subprogram) {
+    own.subprogram = [folder = path.parent_path()](std::string_view name) {
+      return subprogramIn(folder, name);
+    };
+  }
+  base::Result<Program> program = interpretProgram(path.filename().string(), std::move(text), own);
   if (!program) {
     base::Error error = program.error();
     error.context = path.string();

@@ -33,8 +33,10 @@ inline constexpr std::uintmax_t kProgramBytesMax = std::uintmax_t{512} * 1024 * 
 
 struct LoadOptions {
   double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
-  bool keepArcs = false;            ///< arcs stay one point each, see `Trajectory::arcs`
-  std::optional<Dialect> dialect;   ///< nothing: as detected from the text
+  CentreReading centres = CentreReading::AsProgrammed;  ///< what I, J and K of arcs are
+  bool blockSkip = false;          ///< blocks with "/" are left out, as with the switch on
+  bool keepArcs = false;           ///< arcs stay one point each, see `Trajectory::arcs`
+  std::optional<Dialect> dialect;  ///< nothing: as detected from the text
   /// Names (`acceptableName`) of what Rivulet does not understand and the user knows to be
   /// harmless: the finding becomes a warning, the word is left out.
   std::vector<std::string> accepted;
@@ -71,6 +73,9 @@ struct Program {
   ProgramFacts facts;
 
   /// True if no finding is an error: the whole path is known.
+  [[nodiscard]] bool isUnderstood() const;
+  /// True if it is understood and all it moves are X, Y and Z: rotary axes may be set once, before
+  /// the path, but not turn on it.
   [[nodiscard]] bool isStreamable() const;
 };
 

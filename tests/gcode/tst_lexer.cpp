@@ -15,7 +15,7 @@ namespace {
 
 /// "1: X10 X@1=10 | 2: …": per line its tokens as kind, text and, for words, the value read.
 std::string tokens(std::string_view text) {
-  gcode::Lexer lexer(text);
+  gcode::Lexer lexer(text, gcode::detectDialect(text).dialect);
   gcode::Block block;
   std::string out;
   while (lexer.next(block)) {
@@ -49,6 +49,12 @@ std::string tokens(std::string_view text) {
           break;
         case TokenKind::Expression:
           out += "expression<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::Assignment:
+          out += "assignment<" + std::string(token.text) + ">" + at;
+          break;
+        case TokenKind::Statement:
+          out += "statement<" + std::string(token.text) + ">" + at;
           break;
         case TokenKind::BlockSkip:
           out += "skip" + at;
@@ -107,17 +113,29 @@ class TestLexer : public QObject {
     add("label", "START: X1", "1: label<START:>@1 X1@8");
     add("tool name", "T=\"MILL 10\" D1", "1: text<T=\"MILL 10\">@1 D1@13");
     add("indexed", "M1=3 S2=500 M30", "1: indexed<M1=3>@1 indexed<S2=500>@6 M30@13");
-    add("R assignment", "R1=5 R2=R1+2", "1: expression<R1=5 R2=R1+2>@1");
+    add("R assignment", "R1=5 R2=R1+2", "1: assignment<R1=5>@1 assignment<R2=R1+2>@6");
     add("axis expression", "G1 X=R1+2 Y=AC(10) Z3",
         "1: G1@1 expression<X=R1+2>@4 expression<Y=AC(10)>@11 Z3@20");
+    add("operator words", "X=5 DIV R1 Y=R2 MOD 3 Z1",
+        "1: expression<X=5 DIV R1>@1 expression<Y=R2 MOD 3>@12 Z1@23");
+    add("own addresses", "G1 X=AC(1) A3=0.5 I1=2 CR=R1",
+        "1: G1@1 expression<X=AC(1)>@4 A3=0.5@12 I1=2@19 assignment<CR=R1>@24");
+    add("text", "TAG = \"B-2\"\nX=1", "1: text<TAG = \"B-2\">@1 | 2: X1@1");
+    add("values of hashes", "G1 X#1Y[#2+1]Z-#<depth>F[100]",
+        "1: G1@1 expression<X#1>@4 expression<Y[#2+1]>@7 expression<Z-#<depth>>@14 "
+        "expression<F[100]>@24");
+    add("hash and comment", "#1=[2*3](six) #2=3", "1: assignment<#1=[2*3]>@1 assignment<#2=3>@15");
+    add("jumps of ISO", "IF[#1EQ2]GOTO10\nGOTO 20\nEND1",
+        "1: statement<IF[#1EQ2]GOTO10>@1 | 2: statement<GOTO 20>@1 | 3: statement<END1>@1");
+    add("numbered o word", "o100 while [#1 LT 3]", "1: statement<o100 while [#1 LT 3]>@1");
     add("spaced expression", "X=R1 + 2 Y3", "1: expression<X=R1 + 2>@1 Y3@10");
     add("sum", "X=10+5", "1: expression<X=10+5>@1");
-    add("hash", "#1=2 ; c", "1: expression<#1=2>@1");
+    add("hash", "#1=2 ; c", "1: assignment<#1=2>@1");
     add("hash value", "X#1 Y-[2] Z1", "1: expression<X#1>@1 expression<Y-[2]>@5 Z1@11");
-    add("system variable", "$AA_OFF[X]=1", "1: expression<$AA_OFF[X]=1>@1");
-    add("statement", "N5 IF R1==2 GOTOF END ; c", "1: N5@1 expression<IF R1==2 GOTOF END>@4");
-    add("o word", "o<sub> call", "1: expression<o<sub> call>@1");
-    add("array", "DEF REAL A[2]", "1: expression<DEF REAL A[2]>@1");
+    add("system variable", "$AA_OFF[X]=1", "1: assignment<$AA_OFF[X]=1>@1");
+    add("statement", "N5 IF R1==2 GOTOF END ; c", "1: N5@1 statement<IF R1==2 GOTOF END>@4");
+    add("o word", "o<sub> call", "1: statement<o<sub> call>@1");
+    add("array", "DEF REAL A[2]", "1: statement<DEF REAL A[2]>@1");
     add("missing", "G1 X Y2\nZ-", "1: G1@1 missing<X>@4 Y2@6 | 2: missing<Z>@1");
     add("decimal comma", "X1,5 Y2", "1: malformed<1,5>@2 Y2@6");
     add("two points", "X1.2.3 Y2", "1: malformed<1.2.3>@2 Y2@8");

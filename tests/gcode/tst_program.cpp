@@ -72,7 +72,7 @@ class TestProgram : public QObject {
     QCOMPARE(std::stoull(one->hash, nullptr, 16), expected);
   }
 
-  void emptyAndMotionless_data() {
+  void empty_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<int>("code");
     const auto add = [](const char* text, GcodeError code) {
@@ -82,13 +82,9 @@ class TestProgram : public QObject {
     add("", GcodeError::EmptyProgram);
     add("\n\r\n  \n", GcodeError::EmptyProgram);
     add("%\n(only a comment)\n; another\nO12\nN5\n%", GcodeError::EmptyProgram);
-    add("G90 G21\nM30", GcodeError::NoMotion);
-    add("G4 X5", GcodeError::NoMotion);
-    add("M30\nG0 X1", GcodeError::NoMotion);
-    add("WHILE R1<5", GcodeError::NoMotion);
   }
 
-  void emptyAndMotionless() {
+  void empty() {
     QFETCH(const QByteArray, text);
     QFETCH(const int, code);
     const auto program = gcode::interpretProgram("a.nc", text.toStdString());
@@ -98,14 +94,89 @@ class TestProgram : public QObject {
     QVERIFY(program.error().message.find(": choose a") != std::string::npos);
   }
 
-  void noMotionNamesTheFindingInTheWay() {
-    const auto program = gcode::interpretProgram("a.nc", "G90\nWHILE R1<5");
-    QVERIFY(!program);
-    QVERIFY(program.error().message.find("Line 2: \"WHILE R1<5\"") != std::string::npos);
+  void motionlessProgramsLoadAndAreNotStreamed() {
+    for (const char* text : {"G90 G21\nM30", "G4 X5", "M30\nG0 X1"}) {
+      const auto program = gcode::interpretProgram("a.nc", text);
+      QVERIFY(program.has_value());
+      QVERIFY(program->isUnderstood());
+      QVERIFY(!program->isStreamable());
+      QVERIFY(test::printProblems(program->diagnostics).find("no-motion") != std::string::npos);
+    }
+  }
+
+  void rotaryAxesMayBeSetButNotTurned() {
+    const auto set = gcode::interpretProgram("a.nc", "G0 X1 B90\nG1 X2 F60");
+    QVERIFY(set && set->isStreamable());
+    const auto turned = gcode::interpretProgram("a.nc", "G0 X1 B90\nG1 X2 B91 F60");
+    QVERIFY(turned && turned->isUnderstood() && !turned->isStreamable());
+  }
+
+  /// What is not understood stops the load, unless the user has accepted it by name.
+  void acceptedByName() {
+    const std::string text = "G0 X1\nG28 Z0\nCYCLE83(1,2)\nSUPA X5\nG1 X2 F60\n";
+    gcode::LoadOptions options;
+    std::vector<std::string> names;
+    const auto refused = gcode::interpretProgram("a.nc", text, options);
+    QVERIFY(refused && !refused->isUnderstood());
+    for (const gcode::Diagnostic& diagnostic : refused->diagnostics) {
+      if (diagnostic.severity == gcode::Severity::Error) {
+        names.push_back(gcode::acceptableName(diagnostic));
+      }
+    }
+    QCOMPARE(names, (std::vector<std::string>{"G28", "CYCLE83", "SUPA"}));
+    options.accepted = {"G28", "CYCLE83"};
+    const auto partly = gcode::interpretProgram("a.nc", text, options);
+    QVERIFY(partly && !partly->isUnderstood());
+    options.accepted = names;
+    const auto accepted = gcode::interpretProgram("a.nc", text, options);
+    QVERIFY(accepted && accepted->isStreamable());
+    QCOMPARE(QByteArray::fromStdString(test::printProblems(accepted->diagnostics)),
+             QByteArray("2:1 warning accepted G28 | 3:1 warning accepted CYCLE83 | "
+                        "4:1 warning accepted SUPA"));
+    QCOMPARE(accepted->trajectory.points.size(), std::size_t{2});
+    // A word that is no word at all cannot be accepted.
+    const auto malformed = gcode::interpretProgram("a.nc", "G0 X1,5");
+    QVERIFY(malformed && gcode::acceptableName(malformed->diagnostics.front()).empty());
+  }
+
+  void subprogramsBesideTheFile() {
+    const QTemporaryDir folder;
+    const auto path = write(folder, "MSG(\"a\")\nG0 X0 Y0 Z0\nHOLE(5)\nHOLE(7)\nM30\n");
+    std::ofstream(path.parent_path() / "hole.spf")
+        << "PROC HOLE(REAL DEPTH)\nG1 Z=-DEPTH F100\nG0 Z1\nRET\n";
+    const auto program = gcode::loadProgram(path);
+    QVERIFY(program.has_value());
+    QCOMPARE(QByteArray::fromStdString(test::printPoints(program->trajectory)),
+             QByteArray("2 R X0 Y0 Z0 | 3 L X0 Y0 Z-5 F100 | 3 R X0 Y0 Z1 | 4 L X0 Y0 Z-7 F100 | "
+                        "4 R X0 Y0 Z1"));
+    std::filesystem::remove(path.parent_path() / "hole.spf");
+    const auto missing = gcode::loadProgram(path);
+    QVERIFY(missing && !missing->isUnderstood());
+  }
+
+  void progressAndCancel() {
+    std::string text = "G0 X0 Y0 Z0\n";
+    for (int i = 0; i < 200'000; ++i) {
+      text += "G1 X1 F60\n";
+    }
+    gcode::LoadOptions options;
+    double last = 0.0;
+    int calls = 0;
+    options.progress = [&](double share) {
+      ++calls;
+      const bool grows = share >= last && share <= 1.0;
+      last = share;
+      return grows && calls < 6;
+    };
+    const auto cancelled = gcode::interpretProgram("a.nc", text, options);
+    QVERIFY(!cancelled);
+    QVERIFY(cancelled.error().code == GcodeError::Cancelled);
+    QCOMPARE(calls, 6);
+    QVERIFY(last > 0.3 && last < 0.7);
   }
 
   void notStreamableWithAnError() {
-    const auto program = gcode::interpretProgram("a.nc", "G0 X1\nG92 X0\nG0 X2");
+    const auto program = gcode::interpretProgram("a.nc", "G0 X1\nG28 X0\nG0 X2");
     QVERIFY(program.has_value());
     QVERIFY(!program->isStreamable());
     const auto warned = gcode::interpretProgram("a.nc", "G1 X1");
@@ -147,10 +218,10 @@ class TestProgram : public QObject {
 
   void fileErrorsCarryThePath() {
     const QTemporaryDir folder;
-    const std::filesystem::path path = write(folder, "G90\n");
+    const std::filesystem::path path = write(folder, "(nothing)\n");
     const auto program = gcode::loadProgram(path);
     QVERIFY(!program);
-    QVERIFY(program.error().code == GcodeError::NoMotion);
+    QVERIFY(program.error().code == GcodeError::EmptyProgram);
     QCOMPARE(program.error().context, path.string());
   }
 

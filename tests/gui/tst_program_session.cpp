@@ -19,6 +19,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "hmi/main_window.h"
 #include "session/file_watch.h"
@@ -298,6 +299,47 @@ class TestProgramSession : public QObject {
           static_cast<long long>(clock.elapsed()), heartbeat.takeLongestMs());
     QTRY_VERIFY_WITH_TIMEOUT(page->path()->canvas()->isFine(), kSoonMs);
     QVERIFY(window.grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/million-lines.png")));
+  }
+
+  /// What is not understood is accepted and taken back, a dialect is ordered: the program is read
+  /// again each time, with all that was ordered before.
+  void theWayOfReadingIsOrdered() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("a.mpf");
+    write(path, "G0 X0 Y0 Z0\nG1 X10 F500\nG87 X20\nG1 X30\nCYCLE83(1)\nG1 X40\n");
+    hmi::MainWindow window(settings(), false);
+    window.openProgram(path);
+    QTRY_VERIFY_WITH_TIMEOUT(window.program() != nullptr, kSoonMs);
+    QVERIFY(!window.program()->isStreamable());
+    auto* panel = window.programPage()->panel();
+    const auto readAgain = [&](const std::function<void()>& order) {
+      const auto before = window.program();
+      order();
+      return QTest::qWaitFor([&] { return window.program() != before; }, kSoonMs);
+    };
+    QStringList names;
+    for (const gcode::Diagnostic& finding : window.program()->diagnostics) {
+      const QString name = QString::fromStdString(gcode::acceptableName(finding));
+      if (!name.isEmpty() && !names.contains(name)) {
+        names.append(name);
+      }
+    }
+    QVERIFY(names.size() >= 2);
+    for (const QString& name : names) {
+      QVERIFY(!window.program()->isStreamable());
+      QVERIFY(readAgain([&] { Q_EMIT panel->acceptRequested(name); }));
+    }
+    QVERIFY(window.program()->isStreamable());
+    // Another dialect keeps what was accepted.
+    QVERIFY(readAgain([&] { Q_EMIT panel->dialectRequested(gcode::Dialect::Sinumerik); }));
+    QVERIFY(window.program()->dialect == gcode::Dialect::Sinumerik);
+    QVERIFY(window.program()->isStreamable());
+    QVERIFY(readAgain([&] { Q_EMIT panel->takeBackRequested(names.front()); }));
+    QVERIFY(!window.program()->isStreamable());
+    QVERIFY(window.program()->dialect == gcode::Dialect::Sinumerik);
+    // Opened anew, it is read as any other.
+    QVERIFY(readAgain([&] { window.openProgram(path); }));
+    QVERIFY(!window.program()->isStreamable());
   }
 
   /// The file changes under the window; Reload takes the new text, the old one stays until then.

@@ -134,6 +134,14 @@ struct DiagnosticTexts {
         return tr(
             "The file holds bytes that no NC text has: choose a text file, not an archive or a "
             "picture.");
+      case DiagnosticCode::CentreReading:
+        return tr(
+            "All arcs of the program fit if I, J and K are read as %1: check how the "
+            "post-processor writes them, and load the program that way.");
+      case DiagnosticCode::NoMotion:
+        return tr(
+            "The program moves no axis: there is nothing to stream. Choose a program with G0, G1, "
+            "G2 or G3 and X, Y or Z.");
       case DiagnosticCode::Accepted:
         return tr("%1 is left out, as you have accepted: the path may differ from the control's.");
       case DiagnosticCode::MoreFindings:

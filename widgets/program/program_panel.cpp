@@ -212,9 +212,11 @@ void ProgramPanel::setProgram(std::shared_ptr<const ProgramView> view) {
 }
 
 void ProgramPanel::setReading(std::optional<gcode::Dialect> dialect,
-                              const std::vector<std::string>& accepted) {
+                              const std::vector<std::string>& accepted,
+                              gcode::CentreReading centres) {
   m_ordered = dialect;
   m_accepted = accepted;
+  m_centres = centres;
   showDialect();
   showAccepted();
 }
@@ -266,8 +268,6 @@ void ProgramPanel::retranslate() {
   m_recent->setText(tr("Recent"));
   m_dialectName->setText(tr("Dialect"));
   m_tabs->setTabText(static_cast<int>(Tab::Figures), tr("Figures"));
-  m_accept->setText(tr("Accept…"));
-  m_accept->setToolTip(tr("The program is read again with this word left out"));
   const auto name = [this](Figure figure, const QString& text) {
     m_figureNames[static_cast<std::size_t>(figure)]->setText(text);
   };
@@ -331,6 +331,12 @@ void ProgramPanel::showProgram() {
                                .arg(countText(found[2]), countText(found[1]), countText(found[0]));
     if (found[2] > 0) {
       m_summary->setStatus(Status::Fault, tr("Cannot be streamed.") + QLatin1Char(' ') + counts);
+    } else if (!program.isStreamable()) {
+      m_summary->setStatus(Status::Fault,
+                           (program.trajectory.points.empty()
+                                ? tr("Cannot be streamed: no axis moves.")
+                                : tr("Cannot be streamed: rotary axes turn on the path.")) +
+                               QLatin1Char(' ') + counts);
     } else {
       m_summary->setStatus(found[1] > 0 ? Status::Attention : Status::Good, counts);
     }
@@ -491,24 +497,41 @@ void ProgramPanel::showAccepted() {
     delete item->widget();
     delete item;
   }
-  m_acceptedArea->setVisible(!m_accepted.empty());
-  for (const std::string& accepted : m_accepted) {
-    const QString name = QString::fromStdString(accepted);
-    auto* row = new QWidget(m_acceptedArea);
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    auto* label = new StatusLabel(row);
-    label->setStatus(Status::Attention, tr("Accepted: %1").arg(name));
-    auto* back = makeTouchButton(row);
-    back->setText(tr("Take back"));
-    back->setAccessibleName(tr("Take back %1").arg(name));
-    layout->addWidget(label, 1);
-    layout->addWidget(back);
-    m_acceptedRows->addWidget(row);
+  const bool ordersCentres = m_centres != gcode::CentreReading::AsProgrammed;
+  m_acceptedArea->setVisible(!m_accepted.empty() || ordersCentres);
+  // A row is gone while its button still reports: what it asks for waits.
+  if (ordersCentres) {
+    const QString text = m_centres == gcode::CentreReading::Absolute
+                             ? tr("I, J, K are read as the centre itself")
+                             : tr("I, J, K are read from the centre to the start");
     connect(
-        back, &QPushButton::clicked, this, [this, name] { Q_EMIT takeBackRequested(name); },
+        addReadingRow(text, tr("Read I, J, K as usual")), &QPushButton::clicked, this,
+        [this] { Q_EMIT centresRequested(gcode::CentreReading::AsProgrammed); },
         Qt::QueuedConnection);
   }
+  for (const std::string& accepted : m_accepted) {
+    const QString name = QString::fromStdString(accepted);
+    connect(
+        addReadingRow(tr("Accepted: %1").arg(name), tr("Take back %1").arg(name)),
+        &QPushButton::clicked, this, [this, name] { Q_EMIT takeBackRequested(name); },
+        Qt::QueuedConnection);
+  }
+}
+
+QPushButton* ProgramPanel::addReadingRow(const QString& text, const QString& accessibleName) {
+  auto* row = new QWidget(m_acceptedArea);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* label = new StatusLabel(row);
+  label->setStatus(Status::Attention, text);
+  label->setWordWrap(true);
+  auto* back = makeTouchButton(row);
+  back->setText(tr("Take back"));
+  back->setAccessibleName(accessibleName);
+  layout->addWidget(label, 1);
+  layout->addWidget(back);
+  m_acceptedRows->addWidget(row);
+  return back;
 }
 
 const gcode::Diagnostic* ProgramPanel::currentFinding() const {
@@ -524,13 +547,24 @@ void ProgramPanel::showFinding() {
   m_finding->setText(row.isValid() ? row.siblingAtColumn(DiagnosticModel::Text).data().toString()
                                    : (m_program ? tr("No findings") : QString()));
   const gcode::Diagnostic* finding = currentFinding();
-  m_accept->setVisible(finding != nullptr && !gcode::acceptableName(*finding).empty());
+  const bool isReading = finding != nullptr &&
+                         finding->code == gcode::DiagnosticCode::CentreReading &&
+                         m_program->program->facts.centreReading != m_centres;
+  m_accept->setVisible(isReading ||
+                       (finding != nullptr && !gcode::acceptableName(*finding).empty()));
   m_accept->setEnabled(m_openEnabled);
+  m_accept->setText(isReading ? tr("Read it that way") : tr("Accept…"));
+  m_accept->setToolTip(isReading ? QString()
+                                 : tr("The program is read again with this word left out"));
 }
 
 void ProgramPanel::askToAccept() {
   const gcode::Diagnostic* finding = currentFinding();
   if (finding == nullptr) {
+    return;
+  }
+  if (finding->code == gcode::DiagnosticCode::CentreReading) {
+    Q_EMIT centresRequested(m_program->program->facts.centreReading);
     return;
   }
   const QString name = QString::fromStdString(gcode::acceptableName(*finding));

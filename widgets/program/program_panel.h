@@ -42,7 +42,9 @@ class ProgramPanel final : public Page {
   /// How the program was ordered to be read.
   /// @param dialect   nothing: as detected
   /// @param accepted  names of what was accepted without being understood
-  void setReading(std::optional<gcode::Dialect> dialect, const std::vector<std::string>& accepted);
+  /// @param centres   what I, J and K are taken for
+  void setReading(std::optional<gcode::Dialect> dialect, const std::vector<std::string>& accepted,
+                  gcode::CentreReading centres = gcode::CentreReading::AsProgrammed);
   /// d_min and d_min^N of the points that will be streamed; nothing if there are none.
   void setDistances(const std::optional<feasibility::ProgramDistances>& distances);
   /// @param times  null: not known (yet)
@@ -69,6 +71,8 @@ class ProgramPanel final : public Page {
   /// The operator was asked and takes the responsibility.
   void acceptRequested(const QString& name);
   void takeBackRequested(const QString& name);
+  /// I, J and K are to be taken for something else.
+  void centresRequested(rivulet::gcode::CentreReading centres);
 
  protected:
   void retranslate() override;
@@ -110,6 +114,8 @@ class ProgramPanel final : public Page {
   void fillRecentMenu();
   void showFinding();
   void askToAccept();
+  /// A row that says how the text is read, and a button that ends it.
+  QPushButton* addReadingRow(const QString& text, const QString& accessibleName);
   [[nodiscard]] const gcode::Diagnostic* currentFinding() const;
   void followLink(const QString& link);
 
@@ -118,6 +124,7 @@ class ProgramPanel final : public Page {
   std::optional<feasibility::ProgramDistances> m_distances;
   std::optional<gcode::Dialect> m_ordered;
   std::vector<std::string> m_accepted;
+  gcode::CentreReading m_centres = gcode::CentreReading::AsProgrammed;
   QStringList m_recentFiles;
   bool m_openEnabled = true;
   bool m_dropHovers = false;

@@ -151,6 +151,55 @@ class TestProgramPanel : public QObject {
     QVERIFY(!test::visibleText(panel).contains("Accepted"));
   }
 
+  void centresAreReadAnotherWayOnDemand() {
+    test::Language language;
+    auto program = std::make_shared<gcode::Program>(*test::pocket());
+    gcode::Diagnostic finding;
+    finding.severity = gcode::Severity::Error;
+    finding.line = {9};
+    finding.code = gcode::DiagnosticCode::CentreReading;
+    finding.argument = "absolute";
+    program->diagnostics = {finding};
+    program->facts.centreReading = gcode::CentreReading::Absolute;
+    ProgramPanel panel;
+    panel.setProgram(test::viewOf(program));
+    panel.setReading(std::nullopt, {});
+    static_cast<void>(test::picture(panel, {420, 700}));
+    std::vector<gcode::CentreReading> wanted;
+    connect(&panel, &ProgramPanel::centresRequested, this,
+            [&](gcode::CentreReading centres) { wanted.push_back(centres); });
+    QTest::mouseClick(button(panel, "Read it that way"), Qt::LeftButton);
+    QCOMPARE(wanted.size(), std::size_t{1});
+    QVERIFY(wanted.back() == gcode::CentreReading::Absolute);
+    panel.setReading(std::nullopt, {}, gcode::CentreReading::Absolute);
+    QCoreApplication::processEvents();
+    QVERIFY(test::visibleText(panel).contains("I, J, K are read as the centre itself"));
+    QTest::mouseClick(button(panel, "Take back"), Qt::LeftButton);
+    QTRY_COMPARE(wanted.size(), std::size_t{2});
+    QVERIFY(wanted.back() == gcode::CentreReading::AsProgrammed);
+  }
+
+  void rotaryAxesOnThePathAreSaid() {
+    test::Language language;
+    auto program = std::make_shared<gcode::Program>(*test::pocket());
+    gcode::Diagnostic finding;
+    finding.severity = gcode::Severity::Warning;
+    finding.line = {9};
+    finding.code = gcode::DiagnosticCode::RotaryAxes;
+    finding.argument = "A";
+    program->diagnostics = {finding};
+    QVERIFY(program->isUnderstood() && !program->isStreamable());
+    ProgramPanel panel;
+    panel.setProgram(test::viewOf(program));
+    QVERIFY(test::visibleText(panel).contains("rotary axes turn on the path"));
+    // A text that moves nothing is shown as well.
+    auto still = std::make_shared<gcode::Program>(
+        gcode::interpretProgram("STILL.MPF", "G71\nM30\n").value_or(gcode::Program{}));
+    panel.setProgram(test::viewOf(still));
+    QVERIFY(test::visibleText(panel).contains("no axis moves"));
+    QVERIFY(test::colourCount(test::picture(panel, {420, 700})) > 5);
+  }
+
   void theDialectIsShownAndOrdered() {
     test::Language language;
     auto program = std::make_shared<gcode::Program>(*test::pocket());

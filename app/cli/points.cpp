@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "cli/commands.h"
+#include "gcode/program.h"
+#include "gcode/thinning.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+std::string_view kindName(gcode::MoveKind kind) {
+  switch (kind) {
+    case gcode::MoveKind::Rapid:
+      return "rapid";
+    case gcode::MoveKind::Feed:
+      return "line";
+    case gcode::MoveKind::ArcPiece:
+      return "arc-piece";
+    case gcode::MoveKind::SplinePiece:
+      return "spline-piece";
+    case gcode::MoveKind::Arc:
+      return "arc";
+  }
+  return "";
+}
+
+/// Empty where there is no number.
+std::string cell(double value) {
+  return std::isnan(value) ? std::string() : base::formatNumber(value);
+}
+
+void print(const gcode::Trajectory& trajectory, std::FILE* out) {
+  const bool hasRotary = !trajectory.rotary.empty();
+  const bool hasDirection = !trajectory.toolDirections.empty();
+  fmt::print(out, "line,kind,x_mm,y_mm,z_mm{}{},feed_mm_per_min\n",
+             hasRotary ? ",a_deg,b_deg,c_deg" : "", hasDirection ? ",tool_x,tool_y,tool_z" : "");
+  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+    const gcode::TrajectoryPoint& point = trajectory.points[i];
+    fmt::print(out, "{},{},{},{},{}", point.line.value, kindName(point.kind),
+               cell(point.positionMm.x), cell(point.positionMm.y), cell(point.positionMm.z));
+    if (hasRotary) {
+      const auto& degrees = trajectory.rotary[i].degrees;
+      fmt::print(out, ",{},{},{}", cell(degrees[0]), cell(degrees[1]), cell(degrees[2]));
+    }
+    if (hasDirection) {
+      const base::Vec3& direction = trajectory.toolDirections[i];
+      fmt::print(out, ",{},{},{}", cell(direction.x), cell(direction.y), cell(direction.z));
+    }
+    fmt::print(out, ",{}\n",
+               point.feedMmPerS > 0.0
+                   ? base::formatFixed(base::mmPerMinFromMmPerS(point.feedMmPerS), 6)
+                   : std::string());
+  }
+}
+
+}  // namespace
+
+Exit points(const PointsOptions& options) {
+  gcode::LoadOptions loading = options.loading.loadOptions();
+  loading.keepArcs = options.keepArcs;
+  base::Result<gcode::Program> program = gcode::loadProgram(options.file, loading);
+  if (!program) {
+    return reportError(program.error(), false);
+  }
+  gcode::Trajectory trajectory = std::move(program->trajectory);
+  if (options.thinMm > 0.0) {
+    gcode::ThinnedTrajectory thinned = gcode::thin(trajectory, options.thinMm);
+    fmt::print(stderr, "{} points left out; the path moves by at most {:.6f} mm.\n",
+               thinned.leftOut, thinned.errorMmMax);
+    trajectory = std::move(thinned.trajectory);
+  }
+  if (options.splitMm > 0.0) {
+    trajectory = gcode::split(trajectory, options.splitMm);
+  }
+  if (options.output.empty()) {
+    print(trajectory, stdout);
+  } else {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+        std::fopen(options.output.c_str(), "wb"), &std::fclose);
+    if (!file) {
+      fmt::print(stderr, "The file {} cannot be written: check folder and permissions.\n",
+                 options.output);
+      return Exit::BadInput;
+    }
+    print(trajectory, file.get());
+  }
+  for (const gcode::Diagnostic& diagnostic : program->diagnostics) {
+    if (diagnostic.severity == gcode::Severity::Error) {
+      fmt::print(stderr, "{}:{}:{}: error: {}\n", program->name, diagnostic.line.value,
+                 diagnostic.column, gcode::describe(diagnostic));
+    }
+  }
+  return program->isUnderstood() ? Exit::Done : Exit::Wrong;
+}
+
+}  // namespace rivulet::cli

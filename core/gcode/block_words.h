@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The words of one block, collected before anything is executed: on a control, the order of words
+/// in a block does not matter. @threadsafety plain values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "gcode/arc.h"
+#include "gcode/fact_counter.h"
+#include "gcode/lexer.h"
+
+namespace rivulet::gcode {
+
+/// A value that came with a name: CR=, AP=, TURN=.
+struct NamedWord {
+  double value = 0.0;
+  bool isIncrement = false;
+};
+
+/// Words only few blocks have. They are made when the first one is met.
+struct RareWords {
+  std::map<std::string, NamedWord, std::less<>> named;
+  std::map<int, double> arguments;  ///< of G65: #1 and on
+  std::string frame;                ///< TRANS, ROT, ...
+  std::string call;                 ///< a subprogram by name
+  std::string callArguments;
+  std::optional<Token> statement;
+  bool hasStatementFirst = false;
+  bool macroCall = false;
+  bool call98 = false;
+  bool returns = false;
+  bool setsPosition = false;
+  bool resetsPosition = false;
+  bool localOffset = false;
+  bool pole = false;
+  int poleKey = 0;
+  int splineKey = -1;
+  bool tangentArc = false;
+  bool threePointArc = false;
+  bool bSpline = false;
+  bool workOffsetP = false;
+};
+
+struct BlockWords {
+  AxisValues axes;  ///< in the unit of the file
+  std::array<double, base::kAxisCount> centre{};
+  std::array<bool, base::kAxisCount> hasCentre{};
+  std::array<bool, base::kAxisCount> centreIsAbsolute{};
+  double feed = 0.0;
+  double radius = 0.0;
+  bool hasFeed = false;
+  bool hasRadius = false;
+  bool radiusIsWord = false;  ///< R12 instead of CR=12
+  bool dwell = false;
+  bool tolerance = false;
+  bool taken = false;        ///< a statement takes the axis words: no motion
+  bool machineMove = false;  ///< in machine coordinates
+  bool ends = false;
+  bool hasRotary = false;  ///< an axis beyond X, Y, Z
+  bool hasSplineOff = false;
+  int motionKey = -1;
+  int distanceKey = -1;
+  int planeKey = -1;
+  int unitsKey = -1;
+  unsigned repeated = 0;             ///< bit per letter seen
+  int motionColumn = 0;              ///< of the first axis, centre or radius word
+  const Token* parameter = nullptr;  ///< the last of P, Q, L and U
+  std::optional<double> p;
+  std::optional<double> q;
+  std::optional<double> l;
+  const Token* radiusToken = nullptr;
+  const Token* machineToken = nullptr;
+  std::array<const Token*, base::kAxisCount> centreTokens{};
+  std::array<const Token*, base::kAxisCount> axisTokens{};
+  std::optional<RareWords> rare;
+
+  [[nodiscard]] bool movesLinear() const { return axes.given[0] || axes.given[1] || axes.given[2]; }
+  [[nodiscard]] bool moves() const { return movesLinear() || hasRotary; }
+  [[nodiscard]] bool hasAnyCentre() const { return hasCentre[0] || hasCentre[1] || hasCentre[2]; }
+  [[nodiscard]] const NamedWord* named(std::string_view name) const {
+    if (!rare) {
+      return nullptr;
+    }
+    const auto found = rare->named.find(name);
+    return found == rare->named.end() ? nullptr : &found->second;
+  }
+  RareWords& rareWords() { return rare ? *rare : rare.emplace(); }
+};
+
+}  // namespace rivulet::gcode

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gcode/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "gcode/program.h"
+
+namespace rivulet::gcode {
+
+void Findings::report(Severity severity, int column, DiagnosticCode code, std::string argument) {
+  Diagnostic found{severity, m_line, column, code, std::move(argument)};
+  if (severity == Severity::Error && !m_accepted.empty()) {
+    std::string name = acceptableName(found);
+    if (!name.empty() &&
+        std::find(m_accepted.begin(), m_accepted.end(), name) != m_accepted.end()) {
+      // One warning per name says what was accepted and where it begins.
+      if (std::find(m_acceptedSeen.begin(), m_acceptedSeen.end(), name) != m_acceptedSeen.end()) {
+        return;
+      }
+      m_acceptedSeen.push_back(name);
+      found = {Severity::Warning, m_line, column, DiagnosticCode::Accepted, std::move(name)};
+    }
+  }
+  m_hasErrors |= found.severity == Severity::Error;
+  if (m_list.size() >= kDiagnosticsMax) {
+    if (m_suppressed++ == 0) {
+      m_suppressedLine = m_line;
+    }
+    m_suppressedWorst = std::max(m_suppressedWorst, found.severity);
+    return;
+  }
+  m_list.push_back(std::move(found));
+}
+
+void Findings::error(const Token& token, DiagnosticCode code) {
+  error(token, code, std::string(token.text));
+}
+
+void Findings::error(const Token& token, DiagnosticCode code, std::string argument) {
+  constexpr std::size_t kLongest = 120;
+  if (argument.size() > kLongest) {
+    argument.resize(kLongest);
+    // A cut inside a UTF-8 character would make the text unreadable for the display.
+    while (!argument.empty() && (static_cast<unsigned char>(argument.back()) & 0x80) != 0) {
+      argument.pop_back();
+    }
+    argument += "...";
+  }
+  report(Severity::Error, token.column, code, std::move(argument));
+}
+
+void Findings::ignore(Severity severity, const Token& token, std::string argument) {
+  if (std::find(m_ignoredNames.begin(), m_ignoredNames.end(), argument) != m_ignoredNames.end()) {
+    return;
+  }
+  if (m_ignoredNames.size() < kDiagnosticsMax) {
+    m_ignoredNames.push_back(argument);
+  }
+  report(severity, token.column, DiagnosticCode::IgnoredCode, std::move(argument));
+}
+
+void Findings::ignoreG(std::size_t key, const Token& token) {
+  if (!m_ignoredG.test(key)) {
+    m_ignoredG.set(key);
+    report(Severity::Note, token.column, DiagnosticCode::IgnoredCode, wordText(token));
+  }
+}
+
+void Findings::ignoreM(Severity severity, std::size_t number, const Token& token) {
+  auto& seen = severity == Severity::Note ? m_ignoredM : m_warnedM;
+  if (!seen.test(number)) {
+    seen.set(number);
+    report(severity, token.column, DiagnosticCode::IgnoredCode, wordText(token));
+  }
+}
+
+void Findings::ignoreLetter(const Token& token) {
+  const auto letter = static_cast<std::size_t>(token.address - 'A');
+  if (!m_ignoredLetters.test(letter)) {
+    m_ignoredLetters.set(letter);
+    report(Severity::Note, token.column, DiagnosticCode::IgnoredCode,
+           std::string(1, token.address));
+  }
+}
+
+std::vector<Diagnostic> Findings::take() {
+  // Within a block the findings about the motion come after those about its words.
+  std::stable_sort(m_list.begin(), m_list.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+  if (m_suppressed > 0) {
+    m_list.push_back({m_suppressedWorst, m_suppressedLine, 1, DiagnosticCode::MoreFindings,
+                      fmt::format("{}", m_suppressed)});
+  }
+  return std::move(m_list);
+}
+
+std::string Findings::wordText(const Token& token) {
+  return fmt::format("{}{}", token.address, token.value);
+}
+
+}  // namespace rivulet::gcode

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Collects the findings of one program: in order, bounded, words without effect only once, and
+/// what the user has accepted as warnings. @threadsafety one object, one thread.
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gcode/diagnostic.h"
+#include "gcode/lexer.h"
+
+namespace rivulet::gcode {
+
+class Findings {
+ public:
+  /// @param accepted  names as in `acceptableName`; outlives the object
+  explicit Findings(const std::vector<std::string>& accepted) : m_accepted(accepted) {}
+
+  void setLine(base::LineNumber line) { m_line = line; }
+
+  void report(Severity severity, int column, DiagnosticCode code, std::string argument);
+  /// With the token's text, cut where it is long.
+  void error(const Token& token, DiagnosticCode code);
+  void error(const Token& token, DiagnosticCode code, std::string argument);
+  /// A word without effect on the path is noted at its first place only: a program with M3 S500
+  /// in every block has one such finding, not a thousand that hide the others.
+  void ignore(Severity severity, const Token& token, std::string argument);
+  /// The same by number, for the words of which there are millions.
+  void ignoreG(std::size_t key, const Token& token);
+  void ignoreM(Severity severity, std::size_t number, const Token& token);
+  void ignoreLetter(const Token& token);
+
+  /// True if an error was found that stands in the way of the path.
+  [[nodiscard]] bool hasErrors() const { return m_hasErrors; }
+  /// The findings, sorted by place. The object is empty afterwards.
+  [[nodiscard]] std::vector<Diagnostic> take();
+
+  /// "G01" and "g 1" are G1 to the reader of a finding.
+  [[nodiscard]] static std::string wordText(const Token& token);
+
+ private:
+  const std::vector<std::string>& m_accepted;
+  std::vector<Diagnostic> m_list;
+  base::LineNumber m_line;
+  bool m_hasErrors = false;
+  std::bitset<10000> m_ignoredG;
+  std::bitset<10000> m_ignoredM;
+  std::bitset<10000> m_warnedM;
+  std::bitset<26> m_ignoredLetters;
+  std::vector<std::string> m_ignoredNames;
+  std::vector<std::string> m_acceptedSeen;
+  std::size_t m_suppressed = 0;
+  base::LineNumber m_suppressedLine;
+  Severity m_suppressedWorst = Severity::Note;
+};
+
+}  // namespace rivulet::gcode

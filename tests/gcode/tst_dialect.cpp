@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include "gcode/dialect.h"
+
+using namespace rivulet;
+using gcode::Dialect;
+
+class TestDialect : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void namesAreTheirOwn() {
+    for (const Dialect dialect : gcode::kDialects) {
+      QVERIFY(gcode::dialectOfName(gcode::dialectName(dialect)) == dialect);
+    }
+    QVERIFY(!gcode::dialectOfName("fortran"));
+  }
+
+  void detects_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("expected");
+    QTest::addColumn<QByteArray>("evidence");
+    const auto add = [](const char* text, Dialect expected, const char* evidence) {
+      QTest::newRow(QByteArray(text).simplified().left(40).constData())
+          << QByteArray(text) << static_cast<int>(expected) << QByteArray(evidence);
+    };
+    add("", Dialect::Iso, "");
+    add("G0 X1\nG1 Y2 F100\n", Dialect::Iso, "");
+    add("%\nO1234 (PART)\nG0 X1\nM30\n%", Dialect::Iso, "Onnnn");
+    add("N10 TRAORI\nN20 G0 X1", Dialect::Sinumerik, "TRAORI");
+    add("G2 X1 Y1 CR=5", Dialect::Sinumerik, "CR=");
+    add("R1=5\nG0 X=R1", Dialect::Sinumerik, "Rn=");
+    add("%_N_PART_MPF\nG0 X1", Dialect::Sinumerik, "%_N_");
+    add("(TRAORI is a comment)\nG0 X1", Dialect::Iso, "");
+    add("; MCALL in a comment\nG0 X1", Dialect::Iso, "");
+    add("O<part> sub\nO<part> endsub", Dialect::LinuxCnc, "O<");
+    add("#<depth>=3\nG1 Z-#<depth> F100", Dialect::LinuxCnc, "#<");
+    add("$H\nG0 X1", Dialect::Grbl, "$H");
+    add("0 BEGIN PGM A MM\n1 L X+0 Y+0 FMAX\n2 END PGM A MM", Dialect::Heidenhain, "BEGIN PGM");
+  }
+
+  void detects() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const int, expected);
+    QFETCH(const QByteArray, evidence);
+    const gcode::DialectGuess guess = gcode::detectDialect(text.toStdString());
+    QCOMPARE(static_cast<int>(guess.dialect), expected);
+    QCOMPARE(QByteArray::fromStdString(guess.evidence), evidence);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestDialect)
+#include "tst_dialect.moc"
