@@ -472,11 +472,6 @@ void MainWindow::reckonTimes() {
   m_timer.start(m_view, settings);
 }
 
-bool MainWindow::isIdle() const {
-  return !m_loader.isBusy() && !m_loader.isPlacing() && !m_reckonTimer.isActive() &&
-         !m_timer.isBusy();
-}
-
 const std::vector<gcode::StreamPoint>& MainWindow::points() const {
   static const std::vector<gcode::StreamPoint> none;
   return m_view ? m_view->points.points : none;

@@ -72,8 +72,6 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] const std::optional<feasibility::Verdict>& verdict() const { return m_verdict; }
   [[nodiscard]] std::shared_ptr<const streaming::RunReport> lastReport() const { return m_report; }
   [[nodiscard]] const streaming::LiveUpdate& lastUpdate() const { return m_update; }
-  /// No program is being read, and no time of the loaded one is open.
-  [[nodiscard]] bool isIdle() const;
   /// The pages, for pictures and tests.
   [[nodiscard]] QTabWidget* pages() const { return m_tabs; }
   [[nodiscard]] widgets::TracePage* tracePage() const { return m_trace; }

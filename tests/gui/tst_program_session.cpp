@@ -249,6 +249,7 @@ class TestProgramSession : public QObject {
     QTemporaryDir folder;
     write(folder.filePath("small.mpf"), surface(300));
     write(folder.filePath("large.mpf"), surface(1'000'000));
+    write(folder.filePath("huge.mpf"), surface(3'000'000));  // read long enough to be cancelled
     hmi::MainWindow window(settings(), false);
     window.resize(1440, 900);
     window.show();
@@ -259,9 +260,8 @@ class TestProgramSession : public QObject {
     auto* bar = window.findChild<widgets::LoadBar*>();
     auto* progress = bar->findChild<QProgressBar*>();
     auto* messages = window.findChild<widgets::MessageArea*>();
-    window.openProgram(folder.filePath("large.mpf"));
-    QVERIFY(bar->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(progress->value() > 0, kLongMs);
+    window.openProgram(folder.filePath("huge.mpf"));
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && progress->value() > 0, kLongMs);
     QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
     QVERIFY(!bar->isVisible());
     QVERIFY(messages->text().isEmpty());

@@ -18,6 +18,7 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr int kSteps = 1000;
+constexpr int kMomentMs = 200;
 
 }  // namespace
 
@@ -32,6 +33,9 @@ LoadBar::LoadBar(QWidget* parent)
   layout->addWidget(m_name);
   layout->addWidget(m_bar, 1);
   layout->addWidget(m_cancel);
+  m_showTimer.setSingleShot(true);
+  m_showTimer.setInterval(kMomentMs);
+  connect(&m_showTimer, &QTimer::timeout, this, &LoadBar::show);
   connect(m_cancel, &QPushButton::clicked, this, &LoadBar::cancelRequested);
   hide();
   retranslate();
@@ -43,8 +47,13 @@ void LoadBar::setProgress(const std::optional<double>& share, const QString& nam
     m_fileName = name;
     m_bar->setValue(static_cast<int>(std::lround(*share * kSteps)));
     retranslate();
+    if (isHidden() && !m_showTimer.isActive()) {
+      m_showTimer.start();
+    }
+  } else {
+    m_showTimer.stop();
+    hide();
   }
-  setVisible(share.has_value());
 }
 
 void LoadBar::retranslate() {

@@ -6,6 +6,7 @@
 /// Each is hidden while there is nothing to say. @threadsafety GUI thread.
 #pragma once
 
+#include <QTimer>
 #include <optional>
 
 #include "widgets/common/page.h"
@@ -22,6 +23,7 @@ class LoadBar final : public Page {
  public:
   explicit LoadBar(QWidget* parent = nullptr);
 
+  /// Shown when it takes longer than a moment: a small program is there before the bar would be.
   /// @param share  0 to 1; nothing: no program is being read
   void setProgress(const std::optional<double>& share, const QString& name = {});
 
@@ -33,6 +35,7 @@ class LoadBar final : public Page {
   void restyle() override;
 
  private:
+  QTimer m_showTimer;
   QString m_fileName;
   QLabel* m_name;
   QProgressBar* m_bar;

@@ -152,9 +152,7 @@ void ProgramTextView::resizeEvent(QResizeEvent* event) {
   QAbstractScrollArea::resizeEvent(event);
   // A line that was in sight stays in sight.
   const std::size_t first = firstVisibleLine();
-  const auto before =
-      static_cast<std::size_t>(std::max(1, event->oldSize().height() / lineHeightPx()));
-  const bool wasInSight = m_current >= first && m_current < first + before;
+  const bool wasInSight = m_current >= first && m_current < first + m_pageLines;
   setRanges();
   if (wasInSight) {
     setCurrentLine(m_current);
@@ -254,6 +252,7 @@ std::size_t ProgramTextView::lineAt(int y) const {
 
 void ProgramTextView::setRanges() {
   const std::size_t page = pageLines();
+  m_pageLines = page;
   verticalScrollBar()->setPageStep(static_cast<int>(page));
   verticalScrollBar()->setRange(0, static_cast<int>(lines() > page ? lines() - page : 0));
   const std::size_t longest = m_program ? std::min(m_program->text.longestBytes(), kShownBytes) : 0;

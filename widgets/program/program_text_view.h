@@ -76,6 +76,7 @@ class ProgramTextView final : public QAbstractScrollArea {
   std::array<QPixmap, 3> m_icons;
   std::size_t m_current = 0;
   std::size_t m_painted = 0;
+  std::size_t m_pageLines = 1;  ///< of the present height
 };
 
 }  // namespace rivulet::widgets

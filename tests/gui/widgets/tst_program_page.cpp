@@ -90,6 +90,17 @@ class TestProgramPage : public QObject {
     QCOMPARE(view.currentLine(), std::size_t{123'456});
   }
 
+  /// A line chosen before the view has its size is in sight when it has.
+  void aLineChosenEarlyIsInSight() {
+    ProgramPage page;
+    page.setProgram(test::viewOf(test::pocket()));
+    page.showLine(700);
+    static_cast<void>(test::picture(page, {760, 640}));
+    const std::size_t first = page.text()->firstVisibleLine();
+    QVERIFY2(first <= 700 && 700 < first + page.text()->paintedLines(),
+             qPrintable(QString::number(first)));
+  }
+
   void keysAndClicksChooseLines() {
     ProgramTextView view;
     view.setProgram(textOnly("a\nb\nc\nd\n"));
@@ -185,12 +196,18 @@ class TestProgramPage : public QObject {
     LoadBar bar;
     QVERIFY(bar.isHidden());
     bar.setProgress(0.25, "A.MPF");
-    QVERIFY(!bar.isHidden());
+    QVERIFY(bar.isHidden());  // it may be there in a moment
+    QTRY_VERIFY(!bar.isHidden());
     QVERIFY(test::visibleText(bar).contains("A.MPF"));
     QSignalSpy cancel(&bar, &LoadBar::cancelRequested);
     QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(cancel.count(), 1);
     bar.setProgress(std::nullopt);
+    QVERIFY(bar.isHidden());
+    // What was read within a moment never showed.
+    bar.setProgress(0.5, "B.MPF");
+    bar.setProgress(std::nullopt);
+    QTest::qWait(300);
     QVERIFY(bar.isHidden());
   }
 };
