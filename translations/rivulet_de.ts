@@ -56,10 +56,6 @@
         <translation>%1 ändert Bahn oder Vorschub auf eine Weise, die Rivulet nicht unterstützt: Das Programm ohne diese Funktion ausgeben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is a variable, a calculation or a jump, which Rivulet does not run: post-process the program to plain coordinates.</source>
-        <translation>„%1“ ist eine Variable, eine Rechnung oder ein Sprung, die Rivulet nicht ausführt: Das Programm mit reinen Koordinaten ausgeben.</translation>
-    </message>
-    <message>
         <source>%1 is not sent to the control: it does not change the path.</source>
         <translation>%1 wird nicht an die Steuerung gesendet: Die Bahn ändert sich dadurch nicht.</translation>
     </message>
@@ -122,6 +118,54 @@
     <message>
         <source>%1 more findings from here on are not listed.</source>
         <translation>%1 weitere Befunde ab hier sind nicht aufgeführt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not run by Rivulet: what it does to the path is unknown.</source>
+        <translation>„%1“ führt Rivulet nicht aus: Was es mit der Bahn macht, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The loop that ends here does not come to an end: %1 blocks were run again, then reading stopped. Check its condition.</source>
+        <translation>Die Schleife, die hier endet, kommt zu keinem Ende: %1 Sätze liefen erneut, dann wurde nicht weiter gelesen. Ihre Bedingung prüfen.</translation>
+    </message>
+    <message>
+        <source>The calculation has no result: %1.</source>
+        <translation>Die Rechnung hat kein Ergebnis: %1.</translation>
+    </message>
+    <message>
+        <source>The order of the blocks is not known from here on: %1.</source>
+        <translation>Die Reihenfolge der Sätze ist ab hier unbekannt: %1.</translation>
+    </message>
+    <message>
+        <source>The subprogram %1 is not in this file and not beside it: the points it would give are missing.</source>
+        <translation>Das Unterprogramm %1 steht weder in dieser Datei noch daneben: Seine Punkte fehlen.</translation>
+    </message>
+    <message>
+        <source>%1 is a cycle of the control: the motions it makes are missing here.</source>
+        <translation>%1 ist ein Zyklus der Steuerung: Seine Bewegungen fehlen hier.</translation>
+    </message>
+    <message>
+        <source>%1 moves in machine coordinates, whose place in the workpiece is not known: the move is left out.</source>
+        <translation>%1 fährt in Maschinenkoordinaten, deren Lage im Werkstück unbekannt ist: Die Bewegung wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 turns on the path: the points carry it, but no streaming method sends more than X, Y and Z.</source>
+        <translation>%1 dreht auf der Bahn: Die Punkte tragen es, aber kein Verfahren sendet mehr als X, Y und Z.</translation>
+    </message>
+    <message>
+        <source>The file holds bytes that no NC text has: choose a text file, not an archive or a picture.</source>
+        <translation>Die Datei enthält Bytes, die kein NC-Text hat: eine Textdatei wählen, kein Archiv oder Bild.</translation>
+    </message>
+    <message>
+        <source>%1 is left out, as you have accepted: the path may differ from the control&apos;s.</source>
+        <translation>%1 wird ausgelassen, wie hingenommen: Die Bahn kann von der der Steuerung abweichen.</translation>
+    </message>
+    <message>
+        <source>All arcs of the program fit if I, J and K are read as %1: check how the post-processor writes them, and load the program that way.</source>
+        <translation>Alle Bögen des Programms passen, wenn I, J und K als %1 gelesen werden: prüfen, wie der Postprozessor sie schreibt, und das Programm so laden.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
+        <translation>Das Programm bewegt keine Achse: Es gibt nichts zu streamen. Ein Programm mit G0, G1, G2 oder G3 und X, Y oder Z wählen.</translation>
     </message>
 </context>
 <context>
@@ -299,8 +343,12 @@
         <translation>Die Steuerung hat ihr Programm beendet, weil von hier zu lange nichts kam. Prüfen Sie das Netzwerk, dann setzen Sie den Lauf fort.</translation>
     </message>
     <message>
+        <source>Loading was cancelled.</source>
+        <translation>Das Laden wurde abgebrochen.</translation>
+    </message>
+    <message>
         <source>Where the run was left is not known for certain. Start from the beginning.</source>
-        <translation>Wo der Lauf verlassen wurde, ist nicht sicher bekannt. Beginnen Sie von vorn.</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -555,6 +603,42 @@ GPL-3.0-or-later</translation>
         <source>A run lasts. Press Stop and wait for its end, then close.</source>
         <translation>Ein Lauf ist im Gang. Stopp drücken, sein Ende abwarten, dann schließen.</translation>
     </message>
+    <message>
+        <source>Reading %1 was cancelled.</source>
+        <translation>Das Lesen von %1 wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>Die Datei %1 hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>Die Datei %1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Running: %1, version %2</source>
+        <translation>Läuft: %1, Fassung %2</translation>
+    </message>
+    <message>
+        <source>Program: %1, version %2</source>
+        <translation>Programm: %1, Fassung %2</translation>
+    </message>
+    <message>
+        <source>%1 turns rotary axes on the path. No method streams them.</source>
+        <translation>%1 dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
+    </message>
+    <message>
+        <source>The program turns rotary axes on the path. No method streams them.</source>
+        <translation>Das Programm dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
+    </message>
+    <message>
+        <source>%1 moves no axis: there is nothing to stream.</source>
+        <translation>%1 bewegt keine Achse: Es gibt nichts zu streamen.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis.</source>
+        <translation>Das Programm bewegt keine Achse.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::CellModel</name>
@@ -798,6 +882,13 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::DistanceChart</name>
+    <message>
+        <source>%1 … %2: %3 distances</source>
+        <translation>%1 … %2: %3 Abstände</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FeasibilityPage</name>
     <message>
         <source>F over d_min</source>
@@ -914,6 +1005,44 @@ GPL-3.0-or-later</translation>
     <message>
         <source>reach: the client keeps up</source>
         <translation>Reichweite: Der Client kommt mit</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FileBanner</name>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>Die Datei %1 hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>Die Datei %1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>The run keeps version %1.</source>
+        <translation>Der Lauf behält Fassung %1.</translation>
+    </message>
+    <message>
+        <source>Reload it?</source>
+        <translation>Neu laden?</translation>
+    </message>
+    <message>
+        <source>Version %1 stays loaded.</source>
+        <translation>Fassung %1 bleibt geladen.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoadBar</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -1147,10 +1276,6 @@ GPL-3.0-or-later</translation>
         <translation>Kein Programm geladen</translation>
     </message>
     <message>
-        <source>To cut</source>
-        <translation>Noch zu fahren</translation>
-    </message>
-    <message>
         <source>Rapid</source>
         <translation>Eilgang</translation>
     </message>
@@ -1165,6 +1290,78 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Farbe nach</translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Art der Bewegung</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Margin of the method</source>
+        <translation>Reserve des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>by point</source>
+        <translation>nach Punkt</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>nach Zeit</translation>
+    </message>
+    <message>
+        <source>Walk along the path</source>
+        <translation>Die Bahn entlanggehen</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>no feed given</source>
+        <translation>ohne Vorschub</translation>
+    </message>
+    <message>
+        <source>margin over %1</source>
+        <translation>Reserve über %1</translation>
+    </message>
+    <message>
+        <source>not kept (below %1)</source>
+        <translation>nicht eingehalten (unter %1)</translation>
+    </message>
+    <message>
+        <source>Click on the path or move the slider.</source>
+        <translation>Auf die Bahn klicken oder den Regler bewegen.</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2, line %3</source>
+        <translation>Punkt %1 von %2, Zeile %3</translation>
+    </message>
+    <message>
+        <source>being computed …</source>
+        <translation>wird berechnet …</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>bis %1</translation>
     </message>
 </context>
 <context>
@@ -1183,14 +1380,17 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ProgramPage</name>
+    <message>
+        <source>Program text</source>
+        <translation>Programmtext</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ProgramPanel</name>
     <message>
         <source>Open an NC program</source>
         <translation>NC-Programm öffnen</translation>
-    </message>
-    <message>
-        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.txt)</source>
-        <translation>NC-Programme (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.txt)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -1279,6 +1479,185 @@ GPL-3.0-or-later</translation>
     <message>
         <source>No findings</source>
         <translation>Keine Befunde</translation>
+    </message>
+    <message>
+        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</source>
+        <translation>NC-Programme (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Accept…</source>
+        <translation>Hinnehmen…</translation>
+    </message>
+    <message>
+        <source>The program is read again with this word left out</source>
+        <translation>Das Programm wird ohne dieses Wort neu gelesen</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>Nach Art</translation>
+    </message>
+    <message>
+        <source>Time, feeds as programmed</source>
+        <translation>Zeit, Vorschübe wie programmiert</translation>
+    </message>
+    <message>
+        <source>Time, as streamed</source>
+        <translation>Zeit, wie gestreamt</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Distances of neighbouring points, mm</source>
+        <translation>Abstände benachbarter Punkte, mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated ones left out)</source>
+        <translation>%1 (%2 wiederholte ausgelassen)</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>mm and inch</source>
+        <translation>mm und Zoll</translation>
+    </message>
+    <message>
+        <source>lines %1</source>
+        <translation>Geraden %1</translation>
+    </message>
+    <message>
+        <source>arcs %1</source>
+        <translation>Bögen %1</translation>
+    </message>
+    <message>
+        <source>splines %1</source>
+        <translation>Splines %1</translation>
+    </message>
+    <message>
+        <source>median %1, largest %2</source>
+        <translation>Median %1, größter %2</translation>
+    </message>
+    <message>
+        <source>%1 of 45° and more; sharpest %2° (%3)</source>
+        <translation>%1 ab 45°; schärfste %2° (%3)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Findings (%1)</source>
+        <translation>Befunde (%1)</translation>
+    </message>
+    <message>
+        <source>%1 without pauses</source>
+        <translation>%1 ohne Pausen</translation>
+    </message>
+    <message>
+        <source>%1 with %2 pauses, of which %3 standing</source>
+        <translation>%1 mit %2 Pausen, davon %3 Stillstand</translation>
+    </message>
+    <message>
+        <source>as detected</source>
+        <translation>wie erkannt</translation>
+    </message>
+    <message>
+        <source>Read as %1, as ordered.</source>
+        <translation>Gelesen als %1, wie vorgegeben.</translation>
+    </message>
+    <message>
+        <source>Read as %1: nothing in the text decides.</source>
+        <translation>Gelesen als %1: Im Text entscheidet nichts.</translation>
+    </message>
+    <message>
+        <source>Read as %1 because of &quot;%2&quot;.</source>
+        <translation>Gelesen als %1 wegen „%2“.</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Hingenommen: %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take back %1</source>
+        <translation>%1 zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Accept %1</source>
+        <translation>%1 hinnehmen</translation>
+    </message>
+    <message>
+        <source>Rivulet does not understand %1. If you accept it, it is left out wherever the program has it, and the path is taken as if it were not there.
+
+Is it certain that %1 does not change the path of the tool?</source>
+        <translation>Rivulet versteht %1 nicht. Wird es hingenommen, bleibt es überall im Programm unbeachtet, und die Bahn gilt, als stünde es nicht da.
+
+Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
+    </message>
+    <message>
+        <source>Accept and read again</source>
+        <translation>Hinnehmen und neu lesen</translation>
+    </message>
+    <message>
+        <source>being computed …</source>
+        <translation>wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Computed with the axes of %1</source>
+        <translation>Berechnet mit den Achsen von %1</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: rotary axes turn on the path.</source>
+        <translation>Nicht streambar: Rundachsen drehen auf der Bahn.</translation>
+    </message>
+    <message>
+        <source>I, J, K are read as the centre itself</source>
+        <translation>I, J, K gelten als Mittelpunkt selbst</translation>
+    </message>
+    <message>
+        <source>I, J, K are read from the centre to the start</source>
+        <translation>I, J, K gelten vom Mittelpunkt zum Anfang</translation>
+    </message>
+    <message>
+        <source>Read I, J, K as usual</source>
+        <translation>I, J, K wie üblich lesen</translation>
+    </message>
+    <message>
+        <source>Read it that way</source>
+        <translation>So lesen</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: no axis moves.</source>
+        <translation>Nicht streambar: Keine Achse bewegt sich.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramTextView</name>
+    <message>
+        <source>No program is loaded</source>
+        <translation>Kein Programm geladen</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -31,7 +32,9 @@
 #include "widgets/common/number_format.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/feasibility/feasibility_page.h"
+#include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
+#include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/report_panel.h"
@@ -49,6 +52,10 @@ using gcode::Severity;
 constexpr std::size_t kSimulatedPoints = 200;
 /// Where the tool is taken to stand while no machine has been seen.
 constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
+/// After the last change of a setting the time of the run is reckoned again.
+constexpr int kReckonMs = 400;
+/// From here on the points a program leaves open are made anew.
+constexpr double kToolMovedMm = 0.01;
 
 widgets::ConnectionState connectionState(session::LinkState state) {
   switch (state) {
@@ -64,44 +71,28 @@ widgets::ConnectionState connectionState(session::LinkState state) {
   return widgets::ConnectionState::Disconnected;
 }
 
-/// Distances of neighbouring points, the smallest ones, ascending: what the region shows.
-std::vector<double> smallestDistances(const std::vector<gcode::StreamPoint>& points) {
-  constexpr std::size_t kShown = 200;
-  std::vector<double> distances;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    distances.push_back(base::distance(points[i - 1].positionMm, points[i].positionMm));
-  }
-  const auto shown = static_cast<std::ptrdiff_t>(std::min(kShown, distances.size()));
-  std::partial_sort(distances.begin(), distances.begin() + shown, distances.end());
-  distances.resize(static_cast<std::size_t>(shown));
-  return distances;
-}
-
-/// A column that scrolls when the window is smaller than its page. A rigid one is never narrower
-/// than its page: a cut button cannot be pressed.
+/// A column that scrolls when the window is lower than its page. It is never narrower than its
+/// page: a cut button cannot be pressed.
 class Column final : public QScrollArea {
  public:
-  enum class Width { Rigid, Flexible };
-  Column(QWidget* page, Width width, QWidget* parent) : QScrollArea(parent), m_width(width) {
+  Column(QWidget* page, QWidget* parent) : QScrollArea(parent) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    if (width == Width::Rigid) {
-      setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    }
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(page);
   }
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override {
-    if (m_width == Width::Rigid && object == widget() && event->type() == QEvent::LayoutRequest) {
-      const QSize page = widget()->sizeHint().expandedTo(widget()->minimumSizeHint());
+    if (object == widget() && event->type() == QEvent::LayoutRequest) {
+      const QSize page = widget()
+                             ->sizeHint()
+                             .expandedTo(widget()->minimumSizeHint())
+                             .expandedTo(widget()->minimumSize());
       setMinimumWidth(page.width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     }
     return QScrollArea::eventFilter(object, event);
   }
-
- private:
-  Width m_width;
 };
 
 }  // namespace
@@ -132,26 +123,25 @@ void MainWindow::buildPages() {
   auto* rows = new QVBoxLayout(central);
   m_messages = new widgets::MessageArea(central);
   rows->addWidget(m_messages);
+  m_loadBar = new widgets::LoadBar(central);
+  rows->addWidget(m_loadBar);
+  m_fileBanner = new widgets::FileBanner(central);
+  rows->addWidget(m_fileBanner);
 
   auto* columns = new QSplitter(Qt::Horizontal, central);
   m_connection = new widgets::ConnectionPanel;
-  columns->addWidget(new Column(m_connection, Column::Width::Rigid, columns));
+  columns->addWidget(new Column(m_connection, columns));
 
   m_tabs = new QTabWidget(columns);
-  auto* programPage = new QSplitter(Qt::Horizontal, m_tabs);
-  m_path = new widgets::PathView(programPage);
-  m_programPanel = new widgets::ProgramPanel;
-  programPage->addWidget(m_path);
-  programPage->addWidget(new Column(m_programPanel, Column::Width::Flexible, programPage));
-  programPage->setStretchFactor(0, 1);
-  programPage->setStretchFactor(1, 0);
-  programPage->setSizes({250, 450});
+  m_programPage = new widgets::ProgramPage(m_tabs);
+  m_path = m_programPage->path();
+  m_programPanel = m_programPage->panel();
   m_feasibility = new widgets::FeasibilityPage(m_tabs);
   m_trace = new widgets::TracePage(m_tabs);
   m_template = new widgets::TemplatePage(m_tabs);
   m_reportPanel = new widgets::ReportPanel(m_tabs);
   m_log = new widgets::LogView(m_tabs);
-  for (QWidget* page : {static_cast<QWidget*>(programPage), static_cast<QWidget*>(m_feasibility),
+  for (QWidget* page : {static_cast<QWidget*>(m_programPage), static_cast<QWidget*>(m_feasibility),
                         static_cast<QWidget*>(m_trace), static_cast<QWidget*>(m_template),
                         static_cast<QWidget*>(m_reportPanel), static_cast<QWidget*>(m_log)}) {
     m_tabs->addTab(page, QString());
@@ -159,13 +149,17 @@ void MainWindow::buildPages() {
   columns->addWidget(m_tabs);
 
   m_method = new widgets::MethodPanel;
-  columns->addWidget(new Column(m_method, Column::Width::Rigid, columns));
+  columns->addWidget(new Column(m_method, columns));
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
   columns->setStretchFactor(2, 0);
   columns->setChildrenCollapsible(false);
   rows->addWidget(columns, 1);
 
+  m_runProgram = widgets::makeValueLabel(central);
+  m_runProgram->setContentsMargins(12, 0, 12, 0);
+  m_runProgram->hide();
+  rows->addWidget(m_runProgram);
   m_run = new widgets::RunPanel(central);
   rows->addWidget(m_run);
   setCentralWidget(central);
@@ -250,8 +244,67 @@ void MainWindow::connectPages() {
   connect(m_run, &widgets::RunPanel::startRequested, this, &MainWindow::start);
   connect(m_run, &widgets::RunPanel::stopRequested, this, &MainWindow::stop);
 
+  using widgets::ProgramPanel;
+  connect(m_programPanel, &ProgramPanel::dialectRequested, this,
+          [this](const std::optional<gcode::Dialect>& dialect) {
+            session::Reading reading = m_reading;
+            reading.dialect = dialect;
+            readAgain(reading);
+          });
+  connect(m_programPanel, &ProgramPanel::acceptRequested, this, [this](const QString& name) {
+    session::Reading reading = m_reading;
+    reading.accepted.push_back(name.toStdString());
+    readAgain(reading);
+  });
+  connect(m_programPanel, &ProgramPanel::takeBackRequested, this, [this](const QString& name) {
+    session::Reading reading = m_reading;
+    std::erase(reading.accepted, name.toStdString());
+    readAgain(reading);
+  });
+  connect(m_programPanel, &ProgramPanel::centresRequested, this,
+          [this](gcode::CentreReading centres) {
+            session::Reading reading = m_reading;
+            reading.centres = centres;
+            readAgain(reading);
+          });
+  connect(m_loadBar, &widgets::LoadBar::cancelRequested, &m_loader,
+          &session::ProgramLoader::cancel);
+  connect(m_fileBanner, &widgets::FileBanner::reloadRequested, this,
+          [this] { readAgain(m_reading); });
+  connect(&m_loader, &session::ProgramLoader::progressed, this, [this](double share) {
+    m_loadBar->setProgress(share, QFileInfo(m_loadingPath).fileName());
+  });
   connect(&m_loader, &session::ProgramLoader::loaded, this, &MainWindow::showProgram);
   connect(&m_loader, &session::ProgramLoader::failed, this, &MainWindow::showLoadError);
+  connect(&m_loader, &session::ProgramLoader::cancelled, this, [this] {
+    m_loadBar->setProgress(std::nullopt);
+    m_programPanel->setReading(m_reading.dialect, m_reading.accepted, m_reading.centres);
+    log(Severity::Note, tr("Reading %1 was cancelled.").arg(m_loadingPath));
+  });
+  connect(&m_loader, &session::ProgramLoader::placed, this,
+          [this](const std::shared_ptr<const widgets::ProgramView>& view,
+                 const std::shared_ptr<const widgets::ProgramView>& of) {
+            if (of != m_view) {
+              return;
+            }
+            m_view = view;
+            m_programPage->replaceProgram(m_view);
+            if (!m_session.isRunning()) {
+              m_run->setTotal(points().size());
+              judge();
+            }
+          });
+  connect(&m_watch, &session::FileWatch::stateChanged, this, &MainWindow::showFileState);
+  connect(&m_timer, &session::ProgramTimer::reckoned, this,
+          [this](const std::shared_ptr<const widgets::ProgramTimes>& times,
+                 const std::shared_ptr<const widgets::ProgramView>& view) {
+            if (m_view && view->program == m_program && times->atS.size() == points().size()) {
+              m_programPage->setTimes(times);
+            }
+          });
+  m_reckonTimer.setSingleShot(true);
+  m_reckonTimer.setInterval(kReckonMs);
+  connect(&m_reckonTimer, &QTimer::timeout, this, &MainWindow::reckonTimes);
   connect(&m_session, &session::StreamSession::linkChanged, this, &MainWindow::showLink);
   connect(&m_session, &session::StreamSession::machineSeen, this, &MainWindow::showMachine);
   connect(&m_session, &session::StreamSession::updateArrived, this, &MainWindow::showUpdate);
@@ -322,37 +375,111 @@ void MainWindow::openProgram(const QString& path) {
                             tr("A run lasts. Open another program when it has ended."));
     return;
   }
-  m_loader.load(path);
+  readProgram(path, {});
 }
 
-void MainWindow::showProgram(const std::shared_ptr<const gcode::Program>& program,
-                             const QString& path) {
-  m_program = program;
+void MainWindow::readAgain(const session::Reading& reading) {
+  if (m_program && !m_session.isRunning()) {
+    readProgram(m_programPath, reading);
+  }
+}
+
+void MainWindow::readProgram(const QString& path, const session::Reading& reading) {
+  m_loadingPath = path;
+  m_loadBar->setProgress(0.0, QFileInfo(path).fileName());
+  m_loader.load({path, reading, m_machine.positionMm.value_or(kOriginMm),
+                 std::max(2, m_settings.stream.parameters.pointsPerLoop)});
+}
+
+void MainWindow::showProgram(const session::LoadedProgram& loaded) {
+  m_loadBar->setProgress(std::nullopt);
+  if (m_session.isRunning()) {
+    return;  // a run began while it was read: what runs stays what is shown
+  }
+  m_view = loaded.view;
+  m_program = m_view->program;
+  m_programPath = QFileInfo(loaded.request.path).absoluteFilePath();
+  m_reading = loaded.request.reading;
   m_region.cancel();
   m_feasibility->clearRegions();
-  m_settings.addRecentFile(QFileInfo(path).absoluteFilePath());
+  m_settings.addRecentFile(m_programPath);
   m_programPanel->setRecentFiles(m_settings.recentFiles);
-  m_programPanel->setProgram(program);
-  m_points = gcode::streamPoints(program->trajectory, m_machine.positionMm.value_or(kOriginMm));
-  m_path->setProgram(program);
-  m_path->setPoints(m_points.points);
-  m_run->setTotal(m_points.points.size());
+  m_programPage->setProgram(m_view);
+  m_programPanel->setReading(m_reading.dialect, m_reading.accepted, m_reading.centres);
+  const QString name = QString::fromStdString(m_program->name);
+  const QString hash = QString::fromStdString(m_program->hash);
+  m_fileBanner->setProgram(name, hash);
+  m_fileBanner->setState(widgets::FileBanner::State::Same);
+  m_watch.watch(m_programPath, loaded.stamp);
+  m_run->setTotal(points().size());
   m_messages->clear();
   log(Severity::Note,
-      tr("Opened %1 (%2), %3 points.")
-          .arg(QString::fromStdString(program->name), QString::fromStdString(program->hash),
-               widgets::countText(m_points.points.size())));
-  if (!program->isStreamable()) {
+      tr("Opened %1 (%2), %3 points.").arg(name, hash, widgets::countText(points().size())));
+  if (m_program->isUnderstood() && !m_program->isStreamable()) {
+    m_messages->showMessage(
+        Severity::Error,
+        points().empty()
+            ? tr("%1 moves no axis: there is nothing to stream.").arg(name)
+            : tr("%1 turns rotary axes on the path. No method streams them.").arg(name));
+  } else if (!m_program->isStreamable()) {
     m_messages->showMessage(Severity::Error,
                             tr("The path of %1 is not known everywhere: see the findings. It "
                                "cannot be streamed.")
-                                .arg(QString::fromStdString(program->name)));
+                                .arg(name));
   }
+  m_timer.cancel();
+  m_reckonedFor.reset();
   retranslate();
   judge();
 }
 
+void MainWindow::showFileState(session::FileWatch::State state) {
+  using State = widgets::FileBanner::State;
+  switch (state) {
+    case session::FileWatch::State::Same:
+      m_fileBanner->setState(State::Same);
+      return;
+    case session::FileWatch::State::Changed:
+      m_fileBanner->setState(State::Changed);
+      log(Severity::Warning, tr("The file %1 has changed.").arg(m_programPath));
+      return;
+    case session::FileWatch::State::Gone:
+      m_fileBanner->setState(State::Gone);
+      log(Severity::Warning, tr("The file %1 is no longer there.").arg(m_programPath));
+      return;
+  }
+}
+
+void MainWindow::followTool() {
+  const base::Vec3 startMm = m_machine.positionMm.value_or(kOriginMm);
+  // Axes at rest tremble; a hundredth of a millimetre is not seen.
+  if (m_view && m_view->dependsOnStart && base::isFinite(startMm) &&
+      base::distance(m_view->startMm, startMm) > kToolMovedMm) {
+    m_loader.place(m_view, startMm, std::max(2, m_settings.stream.parameters.pointsPerLoop));
+  }
+}
+
+void MainWindow::reckonTimes() {
+  const session::TimeSettings settings{m_settings.stream.parameters.method,
+                                       m_settings.stream.parameters.pointsPerLoop,
+                                       m_settings.stream.feedMmPerS};
+  // The processors belong to the stream.
+  if (!m_view || points().size() < 2 || m_session.isRunning() || m_reckonedFor == settings ||
+      !(settings.feedMmPerS > 0.0)) {
+    return;
+  }
+  m_reckonedFor = settings;
+  m_timer.start(m_view, settings);
+}
+
+const std::vector<gcode::StreamPoint>& MainWindow::points() const {
+  static const std::vector<gcode::StreamPoint> none;
+  return m_view ? m_view->points.points : none;
+}
+
 void MainWindow::showLoadError(const base::Error& error, const QString& path) {
+  m_loadBar->setProgress(std::nullopt);
+  m_programPanel->setReading(m_reading.dialect, m_reading.accepted, m_reading.centres);
   const QString text = widgets::errorText(error);
   m_messages->showMessage(Severity::Error, text);
   log(Severity::Error, QStringLiteral("%1: %2").arg(path, text));
@@ -405,6 +532,9 @@ void MainWindow::showMachine(const session::MachineSeen& seen) {
   m_machine.isStale = false;
   m_connection->setMachineState(m_machine);
   m_path->setToolPosition(seen.positionMm);
+  if (!m_session.isRunning()) {
+    followTool();
+  }
   refreshStart();
 }
 
@@ -430,9 +560,13 @@ void MainWindow::judge() {
   }
   if (!m_program) {
     m_problem = m_problem.value_or(tr("No program is loaded."));
-  } else if (m_points.points.size() >= 2) {
-    m_distances = feasibility::programDistances(m_points.points, point.pointsPerLoop);
-    if (!m_problem) {
+  } else if (points().size() >= 2) {
+    if (m_view->distancesFor == point.pointsPerLoop) {
+      m_distances = m_view->distances;
+    } else if (point.pointsPerLoop >= 2) {
+      m_distances = feasibility::programDistances(points(), point.pointsPerLoop);
+    }
+    if (!m_problem && m_distances) {
       const auto verdict = feasibility::judge(point, *m_distances);
       if (verdict) {
         m_verdict = *verdict;
@@ -444,13 +578,17 @@ void MainWindow::judge() {
     m_problem = tr("The program has fewer than two points.");
   }
   m_programPanel->setDistances(m_distances);
+  m_path->setOperatingPoint(point);
+  m_reckonTimer.start();
   m_method->setVerdict(m_verdict, m_problem);
   widgets::FeasibilityModel model;
   model.operatingPoint = point;
   if (m_distances) {
     model.distances = *m_distances;
   }
-  model.smallestDistancesMm = smallestDistances(m_points.points);
+  if (m_view) {
+    model.smallestDistancesMm = m_view->smallestDistancesMm;
+  }
   m_feasibility->setModel(model);
   refreshStart();
 }
@@ -464,6 +602,11 @@ QString MainWindow::startBlockedReason() const {
   }
   if (!m_program) {
     return tr("Open a program first.");
+  }
+  if (m_program->isUnderstood() && !m_program->isStreamable()) {
+    return points().empty()
+               ? tr("The program moves no axis.")
+               : tr("The program turns rotary axes on the path. No method streams them.");
   }
   if (!m_program->isStreamable()) {
     return tr("The path of the program is not known everywhere: see the findings.");
@@ -489,6 +632,13 @@ void MainWindow::refreshStart() {
   m_method->setEditable(!running);
   m_feasibility->setEditable(!running);
   m_programPanel->setOpenEnabled(!running);
+  m_fileBanner->setRunning(running);
+  m_runProgram->setVisible(m_program != nullptr);
+  if (m_program) {
+    m_runProgram->setText(
+        (running ? tr("Running: %1, version %2") : tr("Program: %1, version %2"))
+            .arg(QString::fromStdString(m_program->name), QString::fromStdString(m_program->hash)));
+  }
   m_connection->setDisconnectEnabled(!running);
   m_openAction->setEnabled(!running);
 }
@@ -502,7 +652,7 @@ void MainWindow::simulateRegion(const widgets::SimulationWanted& wanted) {
       m_settings.stream.parameters.method == base::MethodKind::Position
           ? m_distances->pointDistancePlace
           : m_distances->windowPlace;
-  job.points = experiments::stretchOf(m_points.points, tightest.point.value, kSimulatedPoints);
+  job.points = experiments::stretchOf(points(), tightest.point.value, kSimulatedPoints);
   job.settings.parameters = m_settings.stream.parameters;
   job.settings.deltaMm = m_settings.stream.deltaMm;
   job.settings.feedMmPerS = m_settings.stream.feedMmPerS;
@@ -548,18 +698,18 @@ bool MainWindow::start() {
   settings.parameters = m_settings.stream.parameters;
   settings.deltaMm = m_settings.stream.deltaMm;
   settings.feedMmPerS = m_settings.stream.feedMmPerS;
-  m_points = gcode::streamPoints(m_program->trajectory, m_machine.positionMm.value_or(kOriginMm));
-  m_path->setPoints(m_points.points);
+  followTool();
+  m_timer.cancel();
   m_path->setExecuted(0);
   m_trace->clear();
   m_report.reset();
   m_reportPanel->setReport(std::nullopt);
   m_runBegan.reset();
   m_messages->clear();
-  if (m_machine.positionMm && !m_points.points.empty()) {
+  if (m_machine.positionMm && !points().empty()) {
     log(Severity::Note, tr("Start. The tool first moves %1 in a straight line to the first point.")
-                            .arg(widgets::lengthText(base::distance(
-                                *m_machine.positionMm, m_points.points.front().positionMm))));
+                            .arg(widgets::lengthText(base::distance(*m_machine.positionMm,
+                                                                    points().front().positionMm))));
   }
   // The processors belong to the stream.
   m_region.cancel();
@@ -655,6 +805,10 @@ void MainWindow::showFinished(const session::RunFinished& finished) {
     log(Severity::Note, tr("Recording: %1").arg(QString::fromStdString(finished.recordingPath)));
   }
   refreshStart();
+  if (!m_programPage->hasTimes() || !m_reckonedFor) {
+    m_reckonedFor.reset();  // the start has interrupted it
+    m_reckonTimer.start();
+  }
   Q_EMIT runFinished(m_report);
 }
 

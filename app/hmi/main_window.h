@@ -8,13 +8,16 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
 #include "feasibility/verdict.h"
 #include "hmi/settings.h"
 #include "hmi/translator.h"
+#include "session/file_watch.h"
 #include "session/program_loader.h"
+#include "session/program_timer.h"
 #include "session/region_worker.h"
 #include "session/stream_session.h"
 #include "widgets/connection/machine_view.h"
@@ -22,16 +25,20 @@
 
 class QAction;
 class QActionGroup;
+class QLabel;
 class QMenu;
 class QTabWidget;
 
 namespace rivulet::widgets {
 class ConnectionPanel;
 class FeasibilityPage;
+class FileBanner;
+class LoadBar;
 class LogView;
 class MessageArea;
 class MethodPanel;
 class PathView;
+class ProgramPage;
 class ProgramPanel;
 class ReportPanel;
 class RunPanel;
@@ -50,6 +57,7 @@ class MainWindow final : public QMainWindow {
   explicit MainWindow(Settings settings, bool persistent, QWidget* parent = nullptr);
   ~MainWindow() override;
 
+  /// Reads a program in the background; what is loaded stays until it is there.
   void openProgram(const QString& path);
   void connectTo(const QString& endpoint);
   void setStreamSettings(const widgets::StreamSettings& settings);
@@ -67,6 +75,8 @@ class MainWindow final : public QMainWindow {
   /// The pages, for pictures and tests.
   [[nodiscard]] QTabWidget* pages() const { return m_tabs; }
   [[nodiscard]] widgets::TracePage* tracePage() const { return m_trace; }
+  [[nodiscard]] widgets::ProgramPage* programPage() const { return m_programPage; }
+  [[nodiscard]] std::shared_ptr<const gcode::Program> program() const { return m_program; }
 
  Q_SIGNALS:
   void runFinished(const std::shared_ptr<const rivulet::streaming::RunReport>& report);
@@ -84,7 +94,9 @@ class MainWindow final : public QMainWindow {
   void connectPages();
   void retranslate();
 
-  void showProgram(const std::shared_ptr<const gcode::Program>& program, const QString& path);
+  /// @param reading  how the text is to be read
+  void readProgram(const QString& path, const session::Reading& reading);
+  void showProgram(const session::LoadedProgram& loaded);
   void showLoadError(const base::Error& error, const QString& path);
   void showLink(const session::LinkChanged& change);
   void showMachine(const session::MachineSeen& seen);
@@ -93,6 +105,13 @@ class MainWindow final : public QMainWindow {
   void simulateRegion(const widgets::SimulationWanted& wanted);
   void showRegion(const session::RegionOutcome& outcome);
 
+  /// Reads the loaded program's file again, in another way.
+  void readAgain(const session::Reading& reading);
+  /// Makes the points anew if the program leaves coordinates open and the tool has moved.
+  void followTool();
+  void showFileState(session::FileWatch::State state);
+  void reckonTimes();
+  [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const;
   /// Everything that follows from program and settings: verdict, region, template.
   void judge();
   void refreshStart();
@@ -105,10 +124,17 @@ class MainWindow final : public QMainWindow {
   Translator m_translator;
   session::StreamSession m_session;
   session::ProgramLoader m_loader;
+  session::ProgramTimer m_timer;
+  session::FileWatch m_watch;
+  QTimer m_reckonTimer;  ///< settings change while a hand turns them: reckon when it rests
   session::RegionWorker m_region;
 
   std::shared_ptr<const gcode::Program> m_program;
-  gcode::PointList m_points;
+  std::shared_ptr<const widgets::ProgramView> m_view;  ///< of `m_program`; null with it
+  QString m_programPath;
+  QString m_loadingPath;  ///< of the request made last
+  session::Reading m_reading;
+  std::optional<session::TimeSettings> m_reckonedFor;
   std::optional<feasibility::ProgramDistances> m_distances;
   std::optional<feasibility::Verdict> m_verdict;
   std::optional<QString> m_problem;
@@ -121,6 +147,9 @@ class MainWindow final : public QMainWindow {
   widgets::MessageArea* m_messages = nullptr;
   widgets::ConnectionPanel* m_connection = nullptr;
   widgets::MethodPanel* m_method = nullptr;
+  widgets::LoadBar* m_loadBar = nullptr;
+  widgets::FileBanner* m_fileBanner = nullptr;
+  widgets::ProgramPage* m_programPage = nullptr;
   widgets::ProgramPanel* m_programPanel = nullptr;
   widgets::PathView* m_path = nullptr;
   widgets::FeasibilityPage* m_feasibility = nullptr;
@@ -128,6 +157,7 @@ class MainWindow final : public QMainWindow {
   widgets::TemplatePage* m_template = nullptr;
   widgets::ReportPanel* m_reportPanel = nullptr;
   widgets::LogView* m_log = nullptr;
+  QLabel* m_runProgram = nullptr;  ///< which version of which program a start runs
   widgets::RunPanel* m_run = nullptr;
   QTabWidget* m_tabs = nullptr;
 

@@ -6,26 +6,115 @@
 #include <QCoreApplication>
 #include <QPointer>
 #include <QThreadPool>
+#include <chrono>
 #include <filesystem>
 
 namespace rivulet::session {
 
-void ProgramLoader::load(const QString& path) {
-  const int request = ++m_latest;
-  QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), path, request] {
-    auto result = std::make_shared<base::Result<gcode::Program>>(
-        gcode::loadProgram(std::filesystem::path(path.toStdString())));
-    // The context of the call is the application: `self` is only touched on its own thread.
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kReportInterval = std::chrono::milliseconds{50};
+/// Reading takes most of the time; what the page shows the rest.
+constexpr double kReadShare = 0.7;
+
+}  // namespace
+
+ProgramLoader::~ProgramLoader() {
+  forget();
+  if (m_placing) {
+    m_placing->store(true);
+  }
+}
+
+void ProgramLoader::forget() {
+  if (m_stop) {
+    m_stop->store(true);
+    m_stop.reset();
+  }
+}
+
+void ProgramLoader::cancel() {
+  if (m_stop) {
+    forget();
+    Q_EMIT cancelled();
+  }
+}
+
+void ProgramLoader::load(LoadRequest request) {
+  forget();
+  m_stop = std::make_shared<std::atomic<bool>>(false);
+  QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), stop = m_stop,
+                                        request = std::move(request)] {
+    // The context of each call is the application: `self` is only touched on its own thread.
+    const auto tell = [&self, &stop](auto what) {
+      QMetaObject::invokeMethod(
+          qApp,
+          [self, stop, what = std::move(what)] {
+            if (self && self->m_stop == stop) {
+              what(*self);
+            }
+          },
+          Qt::QueuedConnection);
+    };
+    Clock::time_point told{};
+    const auto progress = [&](double share) {
+      if (const Clock::time_point now = Clock::now(); now - told >= kReportInterval) {
+        told = now;
+        tell([share](ProgramLoader& loader) { Q_EMIT loader.progressed(share); });
+      }
+      return !stop->load();
+    };
+    gcode::LoadOptions options;
+    options.chordToleranceMm = request.reading.chordToleranceMm;
+    options.dialect = request.reading.dialect;
+    options.accepted = request.reading.accepted;
+    options.centres = request.reading.centres;
+    options.progress = [&](double share) { return progress(kReadShare * share); };
+    // Looked at before the text is read: what is written meanwhile counts as a change.
+    const FileStamp stamp = fileStamp(request.path);
+    auto program = gcode::loadProgram(std::filesystem::path(request.path.toStdString()), options);
+    if (!program) {
+      tell([error = program.error(), path = request.path](ProgramLoader& loader) {
+        loader.m_stop.reset();
+        if (error.code == gcode::GcodeError::Cancelled) {
+          Q_EMIT loader.cancelled();
+        } else {
+          Q_EMIT loader.failed(error, path);
+        }
+      });
+      return;
+    }
+    auto view = widgets::makeProgramView(
+        std::make_shared<const gcode::Program>(*std::move(program)), request.startMm,
+        request.pointsPerLoop,
+        [&](double share) { return progress(kReadShare + (1.0 - kReadShare) * share); });
+    if (view) {
+      tell([loaded = LoadedProgram{request, stamp, std::move(view)}](ProgramLoader& loader) {
+        loader.m_stop.reset();
+        Q_EMIT loader.loaded(loaded);
+      });
+    }
+  });
+}
+
+void ProgramLoader::place(std::shared_ptr<const widgets::ProgramView> view, base::Vec3 startMm,
+                          int pointsPerLoop) {
+  if (m_placing) {
+    return;
+  }
+  m_placing = std::make_shared<std::atomic<bool>>(false);
+  QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), stop = m_placing,
+                                        view = std::move(view), startMm, pointsPerLoop] {
+    auto placed = widgets::makeProgramView(view->program, startMm, pointsPerLoop,
+                                           [&stop](double) { return !stop->load(); });
     QMetaObject::invokeMethod(
         qApp,
-        [self, path, request, result] {
-          if (!self || self->m_latest != request) {
-            return;
-          }
-          if (*result) {
-            Q_EMIT self->loaded(std::make_shared<const gcode::Program>(std::move(**result)), path);
-          } else {
-            Q_EMIT self->failed(result->error(), path);
+        [self, placed = std::move(placed), view] {
+          if (self && placed) {
+            self->m_placing.reset();
+            Q_EMIT self->placed(placed, view);
           }
         },
         Qt::QueuedConnection);

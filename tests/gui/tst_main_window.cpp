@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
@@ -14,6 +15,7 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 
 #include "base/units.h"
 #include "hmi/main_window.h"
@@ -22,6 +24,7 @@
 #include "trace/recording.h"
 #include "widgets/common/message_area.h"
 #include "widgets/feasibility/feasibility_page.h"
+#include "widgets/program/file_bars.h"
 #include "widgets/streaming/run_panel.h"
 #include "widgets/trace/trace_page.h"
 
@@ -122,9 +125,9 @@ class TestMainWindow : public QObject {
   std::unique_ptr<MachineProcess> m_machine;
   std::unique_ptr<MainWindow> m_window;
 
-  void open(const widgets::StreamSettings& stream) {
+  void open(const widgets::StreamSettings& stream, const QString& path = kScorpion) {
     m_window->setStreamSettings(stream);
-    m_window->openProgram(kScorpion);
+    m_window->openProgram(path);
     m_window->connectTo(m_machine->endpoint());
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
   }
@@ -307,6 +310,44 @@ class TestMainWindow : public QObject {
     QCOMPARE(recording->end->outcome, std::string("stopped"));
     // The next start finds the machine ready again.
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+
+  /// The file changes while it runs: the run keeps its version, and says so; afterwards the new
+  /// one can be read.
+  void aRunKeepsItsVersion() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.tap"));
+    QVERIFY(QFile::copy(kScorpion, path));
+    open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0), path);
+    const QString hash = QString::fromStdString(m_window->program()->hash);
+    auto* banner = m_window->findChild<widgets::FileBanner*>();
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 7, kRunMs);
+    QFile file(path);
+    QVERIFY(file.setPermissions(file.permissions() | QFile::WriteOwner));
+    QVERIFY(file.open(QIODevice::Append));
+    QVERIFY(file.write("G0 X1\n") > 0);
+    file.close();
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), kSoonMs);
+    const auto shows = [](const QWidget* widget, const QString& text) {
+      const auto labels = widget->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+        return label->isVisible() && label->text().contains(text);
+      });
+    };
+    QVERIFY(shows(banner, QStringLiteral("keeps version ") + hash));
+    QVERIFY(shows(m_window.get(), QStringLiteral("Running: a.tap, version ") + hash));
+    QVERIFY(!banner->findChild<QPushButton*>()->isVisible());
+    QVERIFY(
+        m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/changed-while-running.png")));
+    m_window->stop();
+    QVERIFY(finished.wait(kRunMs));
+    QVERIFY(m_window->lastReport()->integrity.isFaultless());
+    QCOMPARE(QString::fromStdString(m_window->program()->hash), hash);
+    QVERIFY(banner->findChild<QPushButton*>()->isVisible());
+    QTest::mouseClick(banner->findChild<QPushButton*>(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(QString::fromStdString(m_window->program()->hash) != hash, kSoonMs);
   }
 
   /// The network cable is pulled: one clear sentence, nothing goes on by itself.

@@ -65,9 +65,7 @@ struct DiagnosticTexts {
             "%1 changes the path or the feed in a way Rivulet does not support: "
             "post-process the program without it.");
       case DiagnosticCode::UnsupportedExpression:
-        return tr(
-            "\"%1\" is a variable, a calculation or a jump, which Rivulet does not run: "
-            "post-process the program to plain coordinates.");
+        return tr("\"%1\" is not run by Rivulet: what it does to the path is unknown.");
       case DiagnosticCode::IgnoredCode:
         return tr("%1 is not sent to the control: it does not change the path.");
       case DiagnosticCode::ConflictingGCodes:
@@ -110,6 +108,42 @@ struct DiagnosticTexts {
         return tr("The centre word %1 does not lie in the plane of the arc: check G17, G18, G19.");
       case DiagnosticCode::TooManyPoints:
         return tr("The program has more than %1 points: it is not read further. Split it.");
+      case DiagnosticCode::EndlessLoop:
+        return tr(
+            "The loop that ends here does not come to an end: %1 blocks were run again, then "
+            "reading stopped. Check its condition.");
+      case DiagnosticCode::ExpressionFault:
+        return tr("The calculation has no result: %1.");
+      case DiagnosticCode::FlowFault:
+        return tr("The order of the blocks is not known from here on: %1.");
+      case DiagnosticCode::SubprogramMissing:
+        return tr(
+            "The subprogram %1 is not in this file and not beside it: the points it would give are "
+            "missing.");
+      case DiagnosticCode::CycleNotRun:
+        return tr("%1 is a cycle of the control: the motions it makes are missing here.");
+      case DiagnosticCode::MachineCoordinates:
+        return tr(
+            "%1 moves in machine coordinates, whose place in the workpiece is not known: the move "
+            "is left out.");
+      case DiagnosticCode::RotaryAxes:
+        return tr(
+            "%1 turns on the path: the points carry it, but no streaming method sends more than X, "
+            "Y and Z.");
+      case DiagnosticCode::NotAnyDialect:
+        return tr(
+            "The file holds bytes that no NC text has: choose a text file, not an archive or a "
+            "picture.");
+      case DiagnosticCode::CentreReading:
+        return tr(
+            "All arcs of the program fit if I, J and K are read as %1: check how the "
+            "post-processor writes them, and load the program that way.");
+      case DiagnosticCode::NoMotion:
+        return tr(
+            "The program moves no axis: there is nothing to stream. Choose a program with G0, G1, "
+            "G2 or G3 and X, Y or Z.");
+      case DiagnosticCode::Accepted:
+        return tr("%1 is left out, as you have accepted: the path may differ from the control's.");
       case DiagnosticCode::MoreFindings:
         return tr("%1 more findings from here on are not listed.");
     }

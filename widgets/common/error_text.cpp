@@ -40,6 +40,8 @@ struct ErrorTexts {
         return tr("The program moves no axis. Choose a program with G0, G1, G2 or G3.");
       case GcodeError::NotUnderstood:
         return tr("Parts of the program are not understood. See the list of findings.");
+      case GcodeError::Cancelled:
+        return tr("Loading was cancelled.");
     }
     return {};
   }

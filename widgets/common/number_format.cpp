@@ -56,6 +56,24 @@ QString secondsText(double seconds, int decimals) {
   return withUnit(numberText(seconds, decimals), QStringLiteral("s"));
 }
 
+QString durationText(double seconds) {
+  if (!(seconds >= 59.95)) {
+    return secondsText(seconds);
+  }
+  const auto whole = static_cast<qlonglong>(std::llround(seconds));
+  const auto twoDigits = [](qlonglong value) {
+    return QStringLiteral("%1").arg(value, 2, 10, QLatin1Char('0'));
+  };
+  const QString minutes = QString::number(whole / 60);
+  if (whole < 3600) {
+    return withUnit(minutes + QLatin1Char(':') + twoDigits(whole % 60), QStringLiteral("min"));
+  }
+  return withUnit(
+      QStringLiteral("%1:%2:%3")
+          .arg(QString::number(whole / 3600), twoDigits(whole / 60 % 60), twoDigits(whole % 60)),
+      QStringLiteral("h"));
+}
+
 QString millisecondsText(double milliseconds, int decimals) {
   return withUnit(numberText(milliseconds, decimals), QStringLiteral("ms"));
 }

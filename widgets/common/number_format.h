@@ -33,6 +33,9 @@ namespace rivulet::widgets {
 /// "12.3 s".
 [[nodiscard]] QString secondsText(double seconds, int decimals = 1);
 
+/// "12.3 s", "2:05 min" or "1:02:05 h": how long something takes.
+[[nodiscard]] QString durationText(double seconds);
+
 /// "41.2 ms".
 [[nodiscard]] QString millisecondsText(double milliseconds, int decimals = 1);
 [[nodiscard]] QString millisecondsText(base::Duration duration, int decimals = 1);

@@ -6,7 +6,6 @@
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
@@ -15,17 +14,26 @@
 
 #include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
+#include "widgets/program/thin_line.h"
 
 namespace rivulet::widgets {
 
 namespace {
 
-constexpr double kMarginPx = 44.0;               // room for scale bar, axes and legend
-constexpr double kThinningPx = 0.7;              // moves shorter than this on the screen are merged
-constexpr std::size_t kSmoothVertices = 20'000;  // above, smooth lines cost more than they show
+constexpr double kMarginPx = 44.0;             // room for scale bar and axes
+constexpr double kTolerancePx = 0.4;           // what a level may leave out on the screen
+constexpr double kThinningPx = 0.7;            // moves shorter than this on the screen are merged
+constexpr std::size_t kSmoothMoves = 2'000;    // above, smooth lines cost more than they show
+constexpr double kSmoothPx = 60'000.0;         // and so do long ones
+constexpr double kMovePxMax = 3'000.0;         // of a move that is drawn, as it is clipped
+constexpr std::size_t kFineMoves = 3'000'000;  // of the fine picture: it is to come to an end
 constexpr qsizetype kPieceVertices = 128;  // a wide line is filled as one shape: keep shapes small
 constexpr double kPixelsPerMmMin = 1e-3;
 constexpr double kPixelsPerMmMax = 1e5;
+constexpr double kNearPx = 14.0;             // a finger does not hit a line
+constexpr double kClickPx = 4.0;             // a press that moves no farther is a click
+constexpr std::size_t kSelectedMax = 2'000;  // moves shown as chosen
+constexpr int kRestMs = 120;  // after the last move of the picture the fine one is made
 
 /// 1, 2 or 5 times a power of ten, not below `value`.
 double roundUp125(double value) {
@@ -50,68 +58,66 @@ PathCanvas::PathCanvas(QWidget* parent) : QWidget(parent) {
   setMouseTracking(false);
   setCursor(Qt::OpenHandCursor);
   setAttribute(Qt::WA_OpaquePaintEvent);
+  m_refineTimer.setSingleShot(true);
+  connect(&m_refineTimer, &QTimer::timeout, this, &PathCanvas::refine);
 }
 
 void PathCanvas::setTexts(const Texts& texts) {
   m_texts = texts;
-  dropPicture();
+  update();
 }
 
-void PathCanvas::setProgram(std::shared_ptr<const gcode::Program> program) {
-  m_program = std::move(program);
-  std::vector<Vertex> vertices;
-  if (m_program) {
-    const auto& points = m_program->trajectory.points;
-    // Coordinates the program has not named yet are drawn where it names them first.
-    base::Vec3 open;
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      const auto named = std::find_if(points.begin(), points.end(), [axis](const auto& point) {
-        return std::isfinite(point.positionMm[axis]);
-      });
-      open.set(axis, named == points.end() ? 0.0 : named->positionMm[axis]);
-    }
-    vertices.reserve(points.size());
-    for (const gcode::TrajectoryPoint& point : points) {
-      base::Vec3 position = point.positionMm;
-      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (!std::isfinite(position[axis])) {
-          position.set(axis, open[axis]);
-        }
-      }
-      vertices.push_back({position, point.kind == gcode::MoveKind::Rapid});
-    }
-  }
+void PathCanvas::setProgram(std::shared_ptr<const ProgramView> view) {
   m_executed = 0;
-  takeVertices(std::move(vertices));
+  m_selected.clear();
+  m_marked.reset();
+  replaceProgram(std::move(view));
   fit();
 }
 
-void PathCanvas::setPoints(const std::vector<gcode::StreamPoint>& points) {
-  std::vector<Vertex> vertices;
-  vertices.reserve(points.size());
-  // Streamed points are the programmed ones without repetitions, so both lists are walked
-  // together to learn which moves are rapids.
-  std::size_t programmed = 0;
-  for (const gcode::StreamPoint& point : points) {
-    bool isRapid = false;
-    if (m_program) {
-      const auto& trajectory = m_program->trajectory.points;
-      while (programmed < trajectory.size() && trajectory[programmed].line < point.line) {
-        ++programmed;
-      }
-      isRapid = programmed < trajectory.size() && trajectory[programmed].line == point.line &&
-                trajectory[programmed].kind == gcode::MoveKind::Rapid;
-    }
-    vertices.push_back({point.positionMm, isRapid});
+void PathCanvas::replaceProgram(std::shared_ptr<const ProgramView> view) {
+  m_program = std::move(view);
+  m_style = {};
+  m_levelClasses.clear();
+  const std::size_t count = hasPath() ? m_program->points.points.size() : 0;
+  m_executed = std::min(m_executed, count);
+  if (m_marked && *m_marked >= count) {
+    m_marked.reset();
   }
-  takeVertices(std::move(vertices));
-  if (m_fits) {
-    fit();
+  std::erase_if(m_selected, [count](std::uint32_t point) { return point >= count; });
+  dropPicture();
+}
+
+void PathCanvas::setStyle(Style style) {
+  m_style = std::move(style);
+  m_levelClasses.clear();
+  dropPicture();
+  if (!hasPath() || m_style.classes.ofPoint.size() != m_program->points.points.size()) {
+    m_style = {};
+    return;
+  }
+  // A move that stands for several shows the class of the last, or the highest of all.
+  const bool highest = m_style.classes.highestWins;
+  m_levelClasses.push_back(m_style.classes.ofPoint);
+  for (std::size_t level = 1; level < levels().size(); ++level) {
+    const std::vector<std::uint32_t>& fine = levels()[level - 1].kept;
+    const std::vector<std::uint8_t>& fineClasses = m_levelClasses.back();
+    std::vector<std::uint8_t> classes;
+    classes.reserve(levels()[level].kept.size());
+    std::size_t at = 0;
+    for (const std::uint32_t point : levels()[level].kept) {
+      std::uint8_t shown = 0;
+      for (; at < fine.size() && fine[at] <= point; ++at) {
+        shown = highest ? std::max(shown, fineClasses[at]) : fineClasses[at];
+      }
+      classes.push_back(shown);
+    }
+    m_levelClasses.push_back(std::move(classes));
   }
 }
 
 void PathCanvas::setExecuted(std::size_t count) {
-  count = std::min(count, m_vertices.size());
+  count = std::min(count, hasPath() ? m_program->points.points.size() : 0);
   if (count == m_executed) {
     return;
   }
@@ -127,10 +133,29 @@ void PathCanvas::setToolPosition(const std::optional<base::Vec3>& positionMm) {
   update();
 }
 
+void PathCanvas::setSelected(std::vector<std::uint32_t> points) {
+  m_selected = std::move(points);
+  update();
+}
+
+void PathCanvas::setMarked(std::optional<std::size_t> point) {
+  m_marked = point;
+  update();
+}
+
+void PathCanvas::reveal(std::size_t point) {
+  // Fitted, every point is in sight, or will be when the widget gets its size.
+  const QPointF place = placeOf(point);
+  if (!m_fits && !QRectF(rect()).adjusted(kNearPx, kNearPx, -kNearPx, -kNearPx).contains(place)) {
+    m_centreMm = project(m_program->points.points[point].positionMm, m_view);
+    m_fits = false;
+    dropPicture();
+  }
+}
+
 void PathCanvas::setView(View view) {
   if (view != m_view) {
     m_view = view;
-    project();
     fit();
   }
 }
@@ -138,22 +163,69 @@ void PathCanvas::setView(View view) {
 void PathCanvas::fit() {
   m_fits = true;
   dropPicture();
-  if (m_projectedMm.empty()) {
+  if (!hasPath()) {
     m_centreMm = {};
     m_pixelsPerMm = 10.0;
     return;
   }
-  const auto [left, right] =
-      std::minmax_element(m_projectedMm.begin(), m_projectedMm.end(),
-                          [](QPointF a, QPointF b) { return a.x() < b.x(); });
-  const auto [low, high] = std::minmax_element(m_projectedMm.begin(), m_projectedMm.end(),
-                                               [](QPointF a, QPointF b) { return a.y() < b.y(); });
-  m_centreMm = {(left->x() + right->x()) / 2.0, (low->y() + high->y()) / 2.0};
-  const double widthMm = std::max(right->x() - left->x(), 1e-3);
-  const double heightMm = std::max(high->y() - low->y(), 1e-3);
+  const PlaneBox& box = m_program->levels.box(m_view);
+  m_centreMm = {0.5 * (static_cast<double>(box.left) + static_cast<double>(box.right)),
+                0.5 * (static_cast<double>(box.low) + static_cast<double>(box.high))};
+  const double widthMm = std::max(static_cast<double>(box.right - box.left), 1e-3);
+  const double heightMm = std::max(static_cast<double>(box.high - box.low), 1e-3);
   m_pixelsPerMm = std::clamp(std::min(std::max(width() - 2.0 * kMarginPx, 20.0) / widthMm,
                                       std::max(height() - 2.0 * kMarginPx, 20.0) / heightMm),
                              kPixelsPerMmMin, kPixelsPerMmMax);
+}
+
+std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
+  if (!hasPath()) {
+    return std::nullopt;
+  }
+  const std::vector<gcode::StreamPoint>& points = m_program->points.points;
+  const auto at = [&](std::size_t i) { return onScreen(project(points[i].positionMm, m_view)); };
+  const auto length = [](QPointF v) { return std::hypot(v.x(), v.y()); };
+  if (points.size() == 1) {
+    return length(at(0) - place) <= kNearPx ? std::optional<std::size_t>(0) : std::nullopt;
+  }
+  const std::vector<PlaneBox>& boxes = levels().front().boxes[static_cast<std::size_t>(m_view)];
+  double nearest = kNearPx;
+  double nearestEnd = 0.0;
+  std::optional<std::size_t> found;
+  for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) {
+    const PlaneBox& box = boxes[chunk];
+    const QPointF upperLeft = onScreen({box.left, box.high});
+    const QPointF lowerRight = onScreen({box.right, box.low});
+    if (place.x() < upperLeft.x() - kNearPx || place.x() > lowerRight.x() + kNearPx ||
+        place.y() < upperLeft.y() - kNearPx || place.y() > lowerRight.y() + kNearPx) {
+      continue;
+    }
+    const std::size_t first = chunk * kChunkMoves;
+    QPointF from = at(first);
+    for (std::size_t i = first + 1; i <= std::min(first + kChunkMoves, points.size() - 1); ++i) {
+      const QPointF to = at(i);
+      const QPointF along = to - from;
+      const double square = QPointF::dotProduct(along, along);
+      const double share =
+          square > 0.0 ? std::clamp(QPointF::dotProduct(place - from, along) / square, 0.0, 1.0)
+                       : 0.0;
+      const double distance = length(place - from - share * along);
+      const double toStart = length(place - from);
+      const double toEnd = length(place - to);
+      const double end = std::min(toStart, toEnd);
+      if (distance < nearest || (distance == nearest && found && end < nearestEnd)) {
+        nearest = distance;
+        nearestEnd = end;
+        found = toStart < toEnd ? i - 1 : i;
+      }
+      from = to;
+    }
+  }
+  return found;
+}
+
+QPointF PathCanvas::placeOf(std::size_t point) const {
+  return onScreen(project(m_program->points.points.at(point).positionMm, m_view));
 }
 
 void PathCanvas::changeEvent(QEvent* event) {
@@ -171,22 +243,25 @@ void PathCanvas::resizeEvent(QResizeEvent* /*event*/) {
 }
 
 void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
+  m_nowDrawn = 0;
+  if (m_executed > m_executedInPicture + kPathMoves) {
+    m_picture = QImage();  // more than a frame may cost: the levels do it
+  }
   if (m_picture.isNull()) {
     makePicture();
   }
   if (m_executedInPicture < m_executed) {
-    QPainter painter(&m_picture);
-    drawExecuted(painter, m_executedInPicture, m_executed);
+    drawExecuted(m_picture, m_executedInPicture, m_executed);
     m_executedInPicture = m_executed;
   }
   QPainter painter(this);
-  painter.drawPixmap(0, 0, m_picture);
-  if (m_vertices.empty()) {
+  painter.drawImage(0, 0, m_picture);
+  if (!hasPath()) {
     painter.setPen(themeColors(palette()).mutedText);
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_texts.empty);
   } else {
     drawStart(painter);
-    drawLegend(painter);
+    drawChosen(painter);
   }
   drawScaleBar(painter);
   drawAxes(painter);
@@ -201,7 +276,8 @@ void PathCanvas::wheelEvent(QWheelEvent* event) {
   // What lies under the pointer stays there.
   const QPointF fromCentre = event->position() - QPointF(width() / 2.0, height() / 2.0);
   const double shift = 1.0 / before - 1.0 / m_pixelsPerMm;
-  m_centreMm += QPointF(fromCentre.x() * shift, -fromCentre.y() * shift);
+  m_centreMm.right += fromCentre.x() * shift;
+  m_centreMm.up -= fromCentre.y() * shift;
   m_fits = false;
   dropPicture();
   event->accept();
@@ -210,21 +286,33 @@ void PathCanvas::wheelEvent(QWheelEvent* event) {
 void PathCanvas::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) {
     m_dragFrom = event->position();
+    m_pressedAt = event->position();
+    m_dragged = false;
     setCursor(Qt::ClosedHandCursor);
   }
 }
 
 void PathCanvas::mouseMoveEvent(QMouseEvent* event) {
-  if (m_dragFrom) {
+  if (!m_dragFrom) {
+    return;
+  }
+  m_dragged = m_dragged || (event->position() - m_pressedAt).manhattanLength() > kClickPx;
+  if (m_dragged) {
     const QPointF moved = event->position() - *m_dragFrom;
     m_dragFrom = event->position();
-    m_centreMm += QPointF(-moved.x(), moved.y()) / m_pixelsPerMm;
+    m_centreMm.right -= moved.x() / m_pixelsPerMm;
+    m_centreMm.up += moved.y() / m_pixelsPerMm;
     m_fits = false;
     dropPicture();
   }
 }
 
-void PathCanvas::mouseReleaseEvent(QMouseEvent* /*event*/) {
+void PathCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  if (m_dragFrom && !m_dragged) {
+    if (const std::optional<std::size_t> point = pointNear(event->position())) {
+      Q_EMIT pointClicked(*point);
+    }
+  }
   m_dragFrom.reset();
   setCursor(Qt::OpenHandCursor);
 }
@@ -233,68 +321,161 @@ void PathCanvas::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
   fit();
 }
 
-void PathCanvas::takeVertices(std::vector<Vertex> vertices) {
-  m_vertices = std::move(vertices);
-  m_executed = std::min(m_executed, m_vertices.size());
-  project();
-}
-
-void PathCanvas::project() {
-  m_projectedMm.clear();
-  m_projectedMm.reserve(m_vertices.size());
-  for (const Vertex& vertex : m_vertices) {
-    m_projectedMm.push_back(projected(vertex.positionMm));
-  }
-  dropPicture();
-}
-
 void PathCanvas::dropPicture() {
-  m_picture = QPixmap();
+  m_picture = QImage();
+  m_fine = QImage();
+  m_refineTimer.stop();
   m_executedInPicture = 0;
   update();
 }
 
-void PathCanvas::makePicture() {
+QImage PathCanvas::emptyPicture() const {
   const qreal ratio = devicePixelRatioF();
-  m_picture = QPixmap(size() * ratio);
-  m_picture.setDevicePixelRatio(ratio);
-  const ThemeColors& colors = themeColors(palette());
-  m_picture.fill(colors.surface);
-  QPainter painter(&m_picture);
+  QImage picture(size() * ratio, QImage::Format_RGB32);
+  picture.setDevicePixelRatio(ratio);
+  picture.fill(themeColors(palette()).surface);
+  QPainter painter(&picture);
   drawGrid(painter);
-  m_drawnVertices = 0;
-  if (!m_vertices.empty()) {
-    QPen rapid(colors.rapid, 1.2);
-    rapid.setDashPattern({5.0, 4.0});
-    m_drawnVertices = drawMoves(painter, 1, m_vertices.size(), QPen(colors.path, 1.4), rapid);
-    drawExecuted(painter, 0, m_executed);
-    m_executedInPicture = m_executed;
+  return picture;
+}
+
+void PathCanvas::makePicture() {
+  m_picture = emptyPicture();
+  m_drawnMoves = 0;
+  m_executedInPicture = 0;
+  m_isFine = true;
+  if (!hasPath() || m_levelClasses.empty()) {
+    return;
+  }
+  const std::size_t wanted = wantedLevel();
+  std::size_t level = wanted;
+  while (level + 1 < levels().size() && visibleMoves(level) > kPathMoves) {
+    ++level;
+  }
+  Strokes strokes;
+  const std::size_t moves = levels()[level].kept.size() - 1;
+  for (std::size_t chunk = 0; chunk * kChunkMoves < moves; ++chunk) {
+    if (isVisible(level, chunk)) {
+      collect(level, chunk * kChunkMoves + 1, std::min((chunk + 1) * kChunkMoves, moves) + 1, false,
+              strokes);
+    }
+  }
+  stroke(m_picture, strokes, m_style.pens, false);
+  m_drawnMoves = strokes.moves;
+  drawExecuted(m_picture, 0, m_executed);
+  m_executedInPicture = m_executed;
+
+  m_fineLevel = wanted;
+  while (m_fineLevel < level && visibleMoves(m_fineLevel) > kFineMoves) {
+    ++m_fineLevel;
+  }
+  m_isFine = m_fineLevel == level;
+  if (!m_isFine) {
+    m_refineTimer.start(kRestMs);
   }
 }
 
-std::size_t PathCanvas::drawMoves(QPainter& painter, std::size_t from, std::size_t to,
-                                  const QPen& cut, const QPen& rapid) const {
-  // Runs of moves of one kind become polylines; a move is merged into the next one while it
+void PathCanvas::refine() {
+  if (m_picture.isNull() || m_isFine || !hasPath()) {
+    return;
+  }
+  if (m_fine.isNull()) {
+    m_fine = emptyPicture();
+    m_fineChunk = 0;
+    m_fineMoves = 0;
+  }
+  m_nowDrawn = 0;
+  Strokes strokes;
+  const std::size_t moves = levels()[m_fineLevel].kept.size() - 1;
+  std::size_t collected = 0;
+  for (; m_fineChunk * kChunkMoves < moves && collected + kChunkMoves <= kPathMoves;
+       ++m_fineChunk) {
+    if (isVisible(m_fineLevel, m_fineChunk)) {
+      collect(m_fineLevel, m_fineChunk * kChunkMoves + 1,
+              std::min((m_fineChunk + 1) * kChunkMoves, moves) + 1, false, strokes);
+      collected += kChunkMoves;
+    }
+  }
+  stroke(m_fine, strokes, m_style.pens, true);
+  m_fineMoves += strokes.moves;
+  if (m_fineChunk * kChunkMoves < moves) {
+    m_refineTimer.start(0);
+    return;
+  }
+  drawExecuted(m_fine, 0, m_executed);
+  m_picture = std::exchange(m_fine, QImage());
+  m_executedInPicture = m_executed;
+  m_drawnMoves = m_fineMoves;
+  m_isFine = true;
+  update();
+}
+
+bool PathCanvas::isVisible(std::size_t level, std::size_t chunk) const {
+  const PlaneBox& box = levels()[level].boxes[static_cast<std::size_t>(m_view)][chunk];
+  const QPointF upperLeft = onScreen({box.left, box.high});
+  const QPointF lowerRight = onScreen({box.right, box.low});
+  constexpr double kEdgePx = 8.0;
+  return lowerRight.x() > -kEdgePx && upperLeft.x() < width() + kEdgePx &&
+         lowerRight.y() > -kEdgePx && upperLeft.y() < height() + kEdgePx;
+}
+
+std::size_t PathCanvas::visibleMoves(std::size_t level) const {
+  const std::size_t moves = levels()[level].kept.size() - 1;
+  std::size_t visible = 0;
+  for (std::size_t chunk = 0; chunk * kChunkMoves < moves; ++chunk) {
+    if (isVisible(level, chunk)) {
+      visible += std::min(kChunkMoves, moves - chunk * kChunkMoves);
+    }
+  }
+  return visible;
+}
+
+std::size_t PathCanvas::wantedLevel() const {
+  std::size_t level = 0;
+  while (level + 1 < levels().size() &&
+         levels()[level + 1].toleranceMm * m_pixelsPerMm <= kTolerancePx) {
+    ++level;
+  }
+  return level;
+}
+
+void PathCanvas::collect(std::size_t level, std::size_t from, std::size_t to, bool isExecuted,
+                         Strokes& strokes) const {
+  // Runs of moves of one class become polylines; a move is merged into the next one while it
   // stays below the resolution of the screen, and left out when it cannot cross the picture.
   const QRectF visible = QRectF(rect()).adjusted(-8.0, -8.0, 8.0, 8.0);
-  std::vector<QPolygonF> cuts;
-  std::vector<QPolygonF> rapids;
-  std::size_t vertices = 0;
+  const std::vector<std::uint32_t>& kept = levels()[level].kept;
+  const std::vector<gcode::StreamPoint>& points = m_program->points.points;
+  const auto at = [&](std::size_t i) {
+    return onScreen(project(points[kept[i]].positionMm, m_view));
+  };
+  const auto classAt = [&](std::size_t i) -> std::size_t {
+    if (isExecuted) {
+      return m_program->kinds[kept[i]] == gcode::MoveKind::Rapid ? 0 : 1;
+    }
+    return m_levelClasses[level][i];
+  };
+  const std::size_t classes = isExecuted ? 2 : m_style.classes.count;
+  strokes.lines.resize(std::max(strokes.lines.size(), classes));
   QPolygonF line;
-  bool lineIsRapid = false;
+  std::size_t lineClass = 0;
   const auto finish = [&] {
     if (line.size() > 1) {
-      vertices += static_cast<std::size_t>(line.size());
-      (lineIsRapid ? rapids : cuts).push_back(line);
+      strokes.moves += static_cast<std::size_t>(line.size()) - 1;
+      for (qsizetype i = 1; i < line.size(); ++i) {
+        const QPointF move = line[i] - line[i - 1];
+        strokes.lengthPx += std::min(std::abs(move.x()) + std::abs(move.y()), kMovePxMax);
+      }
+      strokes.lines[lineClass].push_back(line);
     }
     line.clear();
   };
-  QPointF last = onScreen(m_projectedMm[from - 1]);
+  QPointF last = at(from - 1);
   for (std::size_t index = from; index < to; ++index) {
-    const QPointF next = onScreen(m_projectedMm[index]);
-    const bool isRapid = m_vertices[index].isRapid;
-    const bool endsRun = index + 1 == to || m_vertices[index + 1].isRapid != isRapid;
-    if (!line.isEmpty() && isRapid != lineIsRapid) {
+    const QPointF next = at(index);
+    const std::size_t moveClass = classAt(index);
+    const bool endsRun = index + 1 == to || classAt(index + 1) != moveClass;
+    if (!line.isEmpty() && moveClass != lineClass) {
       finish();
     }
     const QPointF step = next - last;
@@ -305,7 +486,7 @@ std::size_t PathCanvas::drawMoves(QPainter& painter, std::size_t from, std::size
       finish();
     } else {
       if (line.isEmpty()) {
-        lineIsRapid = isRapid;
+        lineClass = moveClass;
         line.append(last);
       }
       line.append(next);
@@ -316,26 +497,40 @@ std::size_t PathCanvas::drawMoves(QPainter& painter, std::size_t from, std::size
     last = next;
   }
   finish();
-  const bool smooth = vertices < kSmoothVertices;
-  painter.setRenderHint(QPainter::Antialiasing, smooth);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(rapid);
-  for (const QPolygonF& polygon : rapids) {
-    painter.drawPolyline(polygon);
-  }
-  QPen cutPen = cut;
-  if (!smooth && cut.widthF() < 2.0) {
-    cutPen.setWidthF(1.0);  // thin lines are drawn, not filled: many times faster
-  }
-  painter.setPen(cutPen);
-  for (const QPolygonF& polygon : cuts) {
-    painter.drawPolyline(polygon);
-  }
-  return vertices;
 }
 
-void PathCanvas::drawExecuted(QPainter& painter, std::size_t from, std::size_t to) {
-  if (to < 2 || to <= from) {
+void PathCanvas::stroke(QImage& picture, const Strokes& strokes, const std::vector<QPen>& pens,
+                        bool isSlice) {
+  m_nowDrawn += strokes.moves;
+  m_mostAtOnce = std::max(m_mostAtOnce, m_nowDrawn);
+  // Slices must look alike: none is smooth.
+  if (strokes.moves < kSmoothMoves && strokes.lengthPx < kSmoothPx && !isSlice) {
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (std::size_t one = 0; one < strokes.lines.size(); ++one) {
+      painter.setPen(pens[one]);
+      for (const QPolygonF& polygon : strokes.lines[one]) {
+        painter.drawPolyline(polygon);
+      }
+    }
+    return;
+  }
+  // Dashes of thousands of short moves could not be told apart: all lines are solid.
+  const qreal ratio = picture.devicePixelRatio();
+  for (std::size_t one = 0; one < strokes.lines.size(); ++one) {
+    const QRgb color = pens[one].color().rgb();
+    const int width = std::max(1, static_cast<int>(pens[one].widthF() * ratio / 1.5));
+    for (const QPolygonF& polygon : strokes.lines[one]) {
+      for (qsizetype i = 1; i < polygon.size(); ++i) {
+        drawThinLine(picture, polygon[i - 1] * ratio, polygon[i] * ratio, color, width);
+      }
+    }
+  }
+}
+
+void PathCanvas::drawExecuted(QImage& picture, std::size_t from, std::size_t to) {
+  if (to < 2 || to <= from || !hasPath()) {
     return;
   }
   const ThemeColors& colors = themeColors(palette());
@@ -344,7 +539,30 @@ void PathCanvas::drawExecuted(QPainter& painter, std::size_t from, std::size_t t
   cut.setJoinStyle(Qt::RoundJoin);
   QPen rapid(colors.accent, 2.0);
   rapid.setDashPattern({4.0, 3.0});
-  drawMoves(painter, std::max<std::size_t>(from, 1), to, cut, rapid);
+  // New moves as they are; many in a level a frame can bear.
+  std::size_t level = 0;
+  if (to - from > kPathMoves / 2) {
+    level = wantedLevel();
+    while (level + 1 < levels().size() && visibleMoves(level) > kPathMoves) {
+      ++level;
+    }
+  }
+  const std::vector<std::uint32_t>& kept = levels()[level].kept;
+  const auto positionOf = [&](std::size_t point) {
+    return static_cast<std::size_t>(
+        std::lower_bound(kept.begin(), kept.end(), static_cast<std::uint32_t>(point)) -
+        kept.begin());
+  };
+  const std::size_t first = std::max<std::size_t>(positionOf(from), 1);
+  const std::size_t end = std::min(positionOf(to), kept.size());
+  Strokes strokes;
+  for (std::size_t chunk = (first - 1) / kChunkMoves; chunk * kChunkMoves + 1 < end; ++chunk) {
+    if (isVisible(level, chunk)) {
+      collect(level, std::max(first, chunk * kChunkMoves + 1),
+              std::min(end, (chunk + 1) * kChunkMoves + 1), true, strokes);
+    }
+  }
+  stroke(picture, strokes, {rapid, cut}, false);
 }
 
 void PathCanvas::drawGrid(QPainter& painter) const {
@@ -356,14 +574,14 @@ void PathCanvas::drawGrid(QPainter& painter) const {
   const double stepMm = gridStepMm();
   const double halfWidthMm = width() / 2.0 / m_pixelsPerMm;
   const double halfHeightMm = height() / 2.0 / m_pixelsPerMm;
-  const auto firstX = std::llround(std::floor((m_centreMm.x() - halfWidthMm) / stepMm));
-  const auto lastX = std::llround(std::ceil((m_centreMm.x() + halfWidthMm) / stepMm));
+  const auto firstX = std::llround(std::floor((m_centreMm.right - halfWidthMm) / stepMm));
+  const auto lastX = std::llround(std::ceil((m_centreMm.right + halfWidthMm) / stepMm));
   for (auto line = firstX; line <= lastX; ++line) {
     const double x = onScreen({static_cast<double>(line) * stepMm, 0.0}).x();
     painter.drawLine(QPointF(x, 0.0), QPointF(x, height()));
   }
-  const auto firstY = std::llround(std::floor((m_centreMm.y() - halfHeightMm) / stepMm));
-  const auto lastY = std::llround(std::ceil((m_centreMm.y() + halfHeightMm) / stepMm));
+  const auto firstY = std::llround(std::floor((m_centreMm.up - halfHeightMm) / stepMm));
+  const auto lastY = std::llround(std::ceil((m_centreMm.up + halfHeightMm) / stepMm));
   for (auto line = firstY; line <= lastY; ++line) {
     const double y = onScreen({0.0, static_cast<double>(line) * stepMm}).y();
     painter.drawLine(QPointF(0.0, y), QPointF(width(), y));
@@ -397,38 +615,17 @@ void PathCanvas::drawAxes(QPainter& painter) const {
   for (std::size_t axis = 0; axis < (top ? 2U : 3U); ++axis) {
     base::Vec3 unit;
     unit.set(axis, 1.0);
-    const QPointF along = projected(unit);
-    const QPointF direction(along.x() * 34.0, -along.y() * 34.0);
+    const PlanePoint along = project(unit, m_view);
+    const QPointF direction(along.right * 34.0, -along.up * 34.0);
     painter.drawLine(origin, origin + direction);
     painter.drawText(QRectF(origin + direction * 1.3 - QPointF(10.0, 10.0), QSizeF(20.0, 20.0)),
                      Qt::AlignCenter, QString(QLatin1Char(base::kAxisNames[axis])));
   }
 }
 
-void PathCanvas::drawLegend(QPainter& painter) const {
-  const ThemeColors& colors = themeColors(palette());
-  QPen rapid(colors.rapid, 1.2);
-  rapid.setDashPattern({5.0, 4.0});
-  const std::array<std::pair<QPen, QString>, 3> entries{
-      {{QPen(colors.accent, 3.0), m_texts.executed},
-       {QPen(colors.path, 1.4), m_texts.cut},
-       {rapid, m_texts.rapid}}};
-  double x = 12.0;
-  constexpr double kY = 16.0;
-  for (const auto& [pen, text] : entries) {
-    const double textWidth = painter.fontMetrics().horizontalAdvance(text);
-    painter.setPen(pen);
-    painter.drawLine(QPointF(x, kY), QPointF(x + 30.0, kY));
-    painter.setPen(colors.text);
-    painter.drawText(QRectF(x + 36.0, kY - 10.0, textWidth + 4.0, 20.0),
-                     Qt::AlignLeft | Qt::AlignVCenter, text);
-    x += 36.0 + textWidth + 22.0;
-  }
-}
-
 void PathCanvas::drawStart(QPainter& painter) const {
   const ThemeColors& colors = themeColors(palette());
-  const QPointF start = onScreen(m_projectedMm.front());
+  const QPointF start = placeOf(0);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(colors.text, 1.6));
   painter.setBrush(colors.surface);
@@ -436,12 +633,42 @@ void PathCanvas::drawStart(QPainter& painter) const {
   painter.drawText(start + QPointF(8.0, -7.0), m_texts.start);
 }
 
+void PathCanvas::drawChosen(QPainter& painter) const {
+  const ThemeColors& colors = themeColors(palette());
+  const QColor chosen = colors.equations[1];  // no move is drawn in it
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF visible = QRectF(rect()).adjusted(-8.0, -8.0, 8.0, 8.0);
+  painter.setPen(QPen(chosen, 4.0, Qt::SolidLine, Qt::RoundCap));
+  std::size_t drawn = 0;
+  for (const std::uint32_t point : m_selected) {
+    const QPointF to = placeOf(point);
+    const QPointF from = placeOf(point > 0 ? point - 1 : point);
+    if ((outside(from, visible) & outside(to, visible)) == 0) {
+      painter.drawLine(from, to);
+      if (++drawn == kSelectedMax) {
+        break;
+      }
+    }
+  }
+  if (m_marked) {
+    const QPointF marked = placeOf(*m_marked);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(colors.surface, 6.0), QPen(chosen, 3.0)}) {
+      painter.setPen(pen);
+      painter.drawEllipse(marked, 9.0, 9.0);
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(chosen);
+    painter.drawEllipse(marked, 2.5, 2.5);
+  }
+}
+
 void PathCanvas::drawTool(QPainter& painter) const {
   if (!m_toolMm) {
     return;
   }
   const ThemeColors& colors = themeColors(palette());
-  const QPointF tool = onScreen(projected(*m_toolMm));
+  const QPointF tool = onScreen(project(*m_toolMm, m_view));
   const auto cross = [&](const QPen& pen) {
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
@@ -468,20 +695,9 @@ void PathCanvas::drawTool(QPainter& painter) const {
   painter.drawText(box, Qt::AlignCenter, label);
 }
 
-QPointF PathCanvas::projected(base::Vec3 positionMm) const {
-  if (m_view == View::Top) {
-    return {positionMm.x, positionMm.y};
-  }
-  // Seen from front, left and above alike: X to the lower right, Y to the upper right, Z up.
-  static const double root2 = std::sqrt(2.0);
-  static const double root6 = std::sqrt(6.0);
-  return {(positionMm.x + positionMm.y) / root2,
-          (-positionMm.x + positionMm.y + 2.0 * positionMm.z) / root6};
-}
-
-QPointF PathCanvas::onScreen(QPointF projectedMm) const {
-  return {width() / 2.0 + (projectedMm.x() - m_centreMm.x()) * m_pixelsPerMm,
-          height() / 2.0 - (projectedMm.y() - m_centreMm.y()) * m_pixelsPerMm};
+QPointF PathCanvas::onScreen(PlanePoint place) const {
+  return {width() / 2.0 + (place.right - m_centreMm.right) * m_pixelsPerMm,
+          height() / 2.0 - (place.up - m_centreMm.up) * m_pixelsPerMm};
 }
 
 double PathCanvas::gridStepMm() const {

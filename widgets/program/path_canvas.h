@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Paints a program's path, what of it is executed, and the tool. The path is projected once per
-/// view and drawn into a picture once per zoom, thinned to the resolution of the screen; a move
-/// of the tool costs one copy of that picture, and newly executed points are added to it.
+/// Paints a program's path, what of it is executed, and the tool. A frame draws a bounded number
+/// of points, whatever the program: the level of detail is as fine as the screen can show if that
+/// is few enough, else coarser; the fine picture is then made in slices while nothing moves. A
+/// move of the tool costs one copy of the picture, and newly executed points are added to it.
 /// @threadsafety GUI thread.
 #pragma once
 
-#include <QPixmap>
+#include <QImage>
+#include <QPen>
 #include <QPointF>
+#include <QTimer>
 #include <QWidget>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "gcode/program.h"
+#include "widgets/program/path_classes.h"
+#include "widgets/program/program_view.h"
 
 namespace rivulet::widgets {
 
@@ -23,36 +29,64 @@ class PathCanvas final : public QWidget {
   Q_OBJECT
 
  public:
-  enum class View { Top, Isometric };
+  using View = PathProjection;
+
+  /// Moves of the path drawn in one go at most, and as many of its executed part: what one event
+  /// of the GUI thread may cost.
+  static constexpr std::size_t kPathMoves = 12'000;
+  static constexpr std::size_t kFrameMoves = 2 * kPathMoves;
 
   /// What the canvas writes on itself, in the language of the operator.
   struct Texts {
     QString empty;
-    QString cut;
-    QString rapid;
-    QString executed;
     QString start;
     QString tool;
+  };
+
+  /// How the moves of each class are drawn.
+  struct Style {
+    PathClasses classes;
+    std::vector<QPen> pens;  ///< one per class
   };
 
   explicit PathCanvas(QWidget* parent = nullptr);
 
   void setTexts(const Texts& texts);
-  /// The path as programmed, shown until the streamed points are known. @param program or null
-  void setProgram(std::shared_ptr<const gcode::Program> program);
-  /// The points as streamed: executed points count in this list.
-  void setPoints(const std::vector<gcode::StreamPoint>& points);
+  /// @param view  null: none. The picture is fitted to it.
+  void setProgram(std::shared_ptr<const ProgramView> view);
+  /// Points of the program made for another place of the tool; the picture stays as it is.
+  void replaceProgram(std::shared_ptr<const ProgramView> view);
+  void setStyle(Style style);
   /// How many of the points are behind the tool.
   void setExecuted(std::size_t count);
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
+  /// Points whose moves are shown as chosen.
+  void setSelected(std::vector<std::uint32_t> points);
+  /// The point the scrub slider stands at.
+  void setMarked(std::optional<std::size_t> point);
+  /// Moves the picture if a point is not in it.
+  void reveal(std::size_t point);
   void setView(View view);
   [[nodiscard]] View view() const { return m_view; }
   void fit();
 
+  /// The point whose move passes nearest to a place of the widget; nothing within a finger's width.
+  [[nodiscard]] std::optional<std::size_t> pointNear(QPointF place) const;
+  /// Where a point is drawn.
+  [[nodiscard]] QPointF placeOf(std::size_t point) const;
+
   [[nodiscard]] QSize sizeHint() const override { return {520, 400}; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {240, 200}; }
-  /// Points drawn for the present zoom, after thinning: for tests of speed.
-  [[nodiscard]] std::size_t drawnVertices() const { return m_drawnVertices; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
+  /// Moves of the path in the picture, and the most drawn in one go since the last question: for
+  /// tests of speed.
+  [[nodiscard]] std::size_t drawnMoves() const { return m_drawnMoves; }
+  [[nodiscard]] std::size_t takeMostAtOnce() { return std::exchange(m_mostAtOnce, 0); }
+  /// The picture shows all the screen can.
+  [[nodiscard]] bool isFine() const { return !m_picture.isNull() && m_isFine; }
+
+ Q_SIGNALS:
+  /// A click on the path.
+  void pointClicked(std::size_t point);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -65,45 +99,67 @@ class PathCanvas final : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
  private:
-  struct Vertex {
-    base::Vec3 positionMm;
-    bool isRapid = false;  ///< the move that ends here
+  /// Polylines of one class each, collected before they are stroked.
+  struct Strokes {
+    std::vector<std::vector<QPolygonF>> lines;  ///< by class
+    std::size_t moves = 0;
+    double lengthPx = 0.0;
   };
 
-  void takeVertices(std::vector<Vertex> vertices);
-  void project();
+  [[nodiscard]] const std::vector<PathLevel>& levels() const { return m_program->levels.levels(); }
+  [[nodiscard]] bool hasPath() const { return m_program && !m_program->points.points.empty(); }
   void dropPicture();
   void makePicture();
-  /// Draws the moves that end at [from, to). @return vertices left after thinning
-  std::size_t drawMoves(QPainter& painter, std::size_t from, std::size_t to, const QPen& cut,
-                        const QPen& rapid) const;
-  void drawExecuted(QPainter& painter, std::size_t from, std::size_t to);
+  void refine();
+  [[nodiscard]] QImage emptyPicture() const;
+  [[nodiscard]] bool isVisible(std::size_t level, std::size_t chunk) const;
+  [[nodiscard]] std::size_t visibleMoves(std::size_t level) const;
+  /// The coarsest level in which nothing the screen could show is missing.
+  [[nodiscard]] std::size_t wantedLevel() const;
+  /// Collects the moves [from, to) of a level; `isExecuted`: as class 0 (rapid) and 1.
+  void collect(std::size_t level, std::size_t from, std::size_t to, bool isExecuted,
+               Strokes& strokes) const;
+  /// @param isSlice  of a picture that is made in slices
+  void stroke(QImage& picture, const Strokes& strokes, const std::vector<QPen>& pens, bool isSlice);
+  void drawExecuted(QImage& picture, std::size_t from, std::size_t to);
   void drawGrid(QPainter& painter) const;
   void drawScaleBar(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
-  void drawLegend(QPainter& painter) const;
   void drawStart(QPainter& painter) const;
+  void drawChosen(QPainter& painter) const;
   void drawTool(QPainter& painter) const;
-  [[nodiscard]] QPointF projected(base::Vec3 positionMm) const;
-  [[nodiscard]] QPointF onScreen(QPointF projectedMm) const;
+  [[nodiscard]] QPointF onScreen(PlanePoint place) const;
   [[nodiscard]] double gridStepMm() const;
 
   Texts m_texts;
-  std::shared_ptr<const gcode::Program> m_program;
-  std::vector<Vertex> m_vertices;
-  std::vector<QPointF> m_projectedMm;  ///< right and up, mm
+  std::shared_ptr<const ProgramView> m_program;
+  Style m_style;
+  std::vector<std::vector<std::uint8_t>> m_levelClasses;  ///< per level, per kept point
   std::size_t m_executed = 0;
   std::optional<base::Vec3> m_toolMm;
+  std::vector<std::uint32_t> m_selected;
+  std::optional<std::size_t> m_marked;
   View m_view = View::Top;
 
   bool m_fits = true;  ///< the whole path is shown; stays so when the widget is resized
-  QPointF m_centreMm;
+  PlanePoint m_centreMm;
   double m_pixelsPerMm = 10.0;
   std::optional<QPointF> m_dragFrom;
+  QPointF m_pressedAt;
+  bool m_dragged = false;
 
-  QPixmap m_picture;  ///< null: to be made
+  QImage m_picture;  ///< null: to be made
   std::size_t m_executedInPicture = 0;
-  std::size_t m_drawnVertices = 0;
+  std::size_t m_drawnMoves = 0;
+  std::size_t m_nowDrawn = 0;  ///< moves drawn by the present event
+  std::size_t m_mostAtOnce = 0;
+
+  QTimer m_refineTimer;
+  QImage m_fine;  ///< the finer picture that is being made
+  std::size_t m_fineLevel = 0;
+  std::size_t m_fineChunk = 0;  ///< the next to be drawn into it
+  std::size_t m_fineMoves = 0;
+  bool m_isFine = false;
 };
 
 }  // namespace rivulet::widgets

@@ -4,48 +4,149 @@
 #include "widgets/program/path_view.h"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QStandardItemModel>
+#include <algorithm>
+#include <cmath>
 
 #include "widgets/common/icons.h"
+#include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/legend_strip.h"
 #include "widgets/program/path_canvas.h"
 
 namespace rivulet::widgets {
+
+namespace {
+
+constexpr double kStepsPerS = 1000.0;  // of the slider, by time
+
+/// From cool to warm; each end and the middle stand out from the surface of the theme.
+QColor ramp(double share, bool isDark) {
+  static const std::array<QColor, 3> light{QColor(0x2c, 0x4f, 0xa3), QColor(0x1f, 0x86, 0x7d),
+                                           QColor(0xb8, 0x6e, 0x0c)};
+  static const std::array<QColor, 3> dark{QColor(0x6f, 0x9b, 0xf0), QColor(0x5f, 0xcf, 0xb8),
+                                          QColor(0xf0, 0xc2, 0x4f)};
+  const std::array<QColor, 3>& stops = isDark ? dark : light;
+  const double place = std::clamp(share, 0.0, 1.0) * 2.0;
+  const std::size_t from = place < 1.0 ? 0 : 1;
+  const double part = place - static_cast<double>(from);
+  const auto mix = [&](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
+  return {mix(stops[from].red(), stops[from + 1].red()),
+          mix(stops[from].green(), stops[from + 1].green()),
+          mix(stops[from].blue(), stops[from + 1].blue())};
+}
+
+}  // namespace
 
 PathView::PathView(QWidget* parent)
     : Page(parent),
       m_canvas(new PathCanvas(this)),
       m_top(makeTouchButton(this)),
       m_isometric(makeTouchButton(this)),
-      m_fit(makeTouchButton(this)) {
+      m_fit(makeTouchButton(this)),
+      m_colourName(new QLabel(this)),
+      m_colour(new QComboBox(this)),
+      m_legend(new LegendStrip(this)),
+      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_scale(new QComboBox(this)),
+      m_place(new QLabel(this)) {
   auto* group = new QButtonGroup(this);
   for (QPushButton* button : {m_top, m_isometric}) {
     button->setCheckable(true);
     group->addButton(button);
   }
   m_top->setChecked(true);
+  for (int i = 0; i < 4; ++i) {
+    m_colour->addItem(QString());
+  }
+  m_scale->addItem(QString());
+  m_scale->addItem(QString());
+  m_scale->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the language may change
+  m_slider->setMinimumHeight(32);
+  m_place->setWordWrap(true);
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_top);
-  buttons->addWidget(m_isometric);
-  buttons->addStretch();
+  buttons->addWidget(m_top, 1);
+  buttons->addWidget(m_isometric, 1);
   buttons->addWidget(m_fit);
+  auto* colour = new QHBoxLayout;
+  colour->addWidget(m_colourName);
+  colour->addWidget(m_colour, 1);
+  auto* scrub = new QHBoxLayout;
+  scrub->addWidget(m_slider, 1);
+  scrub->addWidget(m_scale);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(buttons);
+  layout->addLayout(colour);
+  layout->addWidget(m_legend);
   layout->addWidget(m_canvas, 1);
+  layout->addLayout(scrub);
+  layout->addWidget(m_place);
   connect(m_top, &QPushButton::clicked, this, [this] { setIsometric(false); });
   connect(m_isometric, &QPushButton::clicked, this, [this] { setIsometric(true); });
   connect(m_fit, &QPushButton::clicked, this, &PathView::fit);
+  connect(m_colour, &QComboBox::activated, this,
+          [this](int index) { setColouring(static_cast<PathColouring>(index)); });
+  connect(m_scale, &QComboBox::currentIndexChanged, this, &PathView::setScale);
+  connect(m_slider, &QSlider::valueChanged, this, &PathView::scrub);
+  connect(m_canvas, &PathCanvas::pointClicked, this, [this](std::size_t point) {
+    m_canvas->setSelected({static_cast<std::uint32_t>(point)});
+    m_marked = point;
+    m_canvas->setMarked(point);
+    moveSlider();
+    showPlace();
+    Q_EMIT pointChosen(point);
+  });
   retranslate();
   restyle();
 }
 
-void PathView::setProgram(std::shared_ptr<const gcode::Program> program) {
-  m_canvas->setProgram(std::move(program));
+void PathView::setProgram(std::shared_ptr<const ProgramView> view) {
+  m_program = std::move(view);
+  m_times.reset();
+  m_marked.reset();
+  m_canvas->setProgram(m_program);
+  recolour();
+  setScale();
 }
 
-void PathView::setPoints(const std::vector<gcode::StreamPoint>& points) {
-  m_canvas->setPoints(points);
+void PathView::replaceProgram(std::shared_ptr<const ProgramView> view) {
+  m_program = std::move(view);
+  if (m_times && m_times->atS.size() != pointCount()) {
+    m_times.reset();
+  }
+  m_canvas->replaceProgram(m_program);
+  if (m_marked && *m_marked >= pointCount()) {
+    m_marked.reset();
+  }
+  recolour();
+  setScale();
+}
+
+void PathView::setTimes(std::shared_ptr<const ProgramTimes> times) {
+  m_times = std::move(times);
+  if (m_times && m_times->atS.size() != pointCount()) {
+    m_times.reset();  // of a program that is gone
+  }
+  if (m_colouring == PathColouring::Time) {
+    recolour();
+  }
+  setScale();
+}
+
+void PathView::setOperatingPoint(const feasibility::OperatingPoint& point) {
+  const bool same = point.method == m_point.method &&
+                    point.pointsPerLoop == m_point.pointsPerLoop &&
+                    point.feedMmPerS == m_point.feedMmPerS;
+  m_point = point;
+  if (!same && m_colouring == PathColouring::Margin) {
+    recolour();
+  }
 }
 
 void PathView::setExecuted(std::size_t count) {
@@ -58,7 +159,31 @@ void PathView::setToolPosition(const std::optional<base::Vec3>& positionMm) {
 
 void PathView::setIsometric(bool isometric) {
   (isometric ? m_isometric : m_top)->setChecked(true);
-  m_canvas->setView(isometric ? PathCanvas::View::Isometric : PathCanvas::View::Top);
+  m_canvas->setView(isometric ? PathProjection::Isometric : PathProjection::Top);
+}
+
+void PathView::setColouring(PathColouring colouring) {
+  m_colouring = colouring;
+  m_colour->setCurrentIndex(static_cast<int>(colouring));
+  recolour();
+}
+
+void PathView::markPoint(std::size_t point) {
+  if (point >= pointCount()) {
+    return;
+  }
+  m_marked = point;
+  m_canvas->setMarked(point);
+  m_canvas->reveal(point);
+  moveSlider();
+  showPlace();
+}
+
+void PathView::selectPoints(const std::vector<std::uint32_t>& points) {
+  m_canvas->setSelected(points);
+  if (!points.empty()) {
+    markPoint(points.front());
+  }
 }
 
 void PathView::fit() {
@@ -68,10 +193,21 @@ void PathView::fit() {
 void PathView::retranslate() {
   m_top->setText(tr("Top (XY)"));
   m_isometric->setText(tr("Isometric"));
-  m_fit->setText(tr("Fit"));
+  m_fit->setAccessibleName(tr("Fit"));
   m_fit->setToolTip(tr("Show the whole path (double click does the same)"));
-  m_canvas->setTexts({tr("No program is loaded"), tr("To cut"), tr("Rapid"), tr("Executed"),
-                      tr("Start"), tr("Tool")});
+  m_colourName->setText(tr("Colour by"));
+  const QStringList colourings{tr("Kind of move"), tr("Feed"), tr("Margin of the method"),
+                               tr("Time")};
+  for (int i = 0; i < colourings.size(); ++i) {
+    m_colour->setItemText(i, colourings[i]);
+  }
+  m_scale->setItemText(0, tr("by point"));
+  m_scale->setItemText(1, tr("by time"));
+  m_slider->setToolTip(tr("Walk along the path"));
+  m_slider->setAccessibleName(tr("Walk along the path"));
+  m_canvas->setTexts({tr("No program is loaded"), tr("Start"), tr("Tool")});
+  showLegend();
+  showPlace();
 }
 
 void PathView::restyle() {
@@ -79,6 +215,204 @@ void PathView::restyle() {
   m_top->setIcon(themedIcon(QStringLiteral("view-top"), color));
   m_isometric->setIcon(themedIcon(QStringLiteral("view-isometric"), color));
   m_fit->setIcon(themedIcon(QStringLiteral("fit"), color));
+  setMuted(m_colourName, palette());
+  recolour();
+}
+
+std::size_t PathView::pointCount() const {
+  return m_program ? m_program->points.points.size() : 0;
+}
+
+bool PathView::scrubsByTime() const {
+  return m_scale->currentIndex() == 1 && m_times;
+}
+
+void PathView::recolour() {
+  PathClasses classes;
+  if (m_program) {
+    switch (m_colouring) {
+      case PathColouring::Kind:
+        classes = classesByKind(*m_program);
+        break;
+      case PathColouring::Feed:
+        classes = classesByFeed(*m_program);
+        break;
+      case PathColouring::Margin:
+        classes = classesByMargin(*m_program, m_point);
+        break;
+      case PathColouring::Time:
+        // Until the times are known the path is shown as one class.
+        classes = classesByTime(m_times ? m_times->atS : std::vector<float>(pointCount()));
+        break;
+    }
+  }
+  m_present.assign(classes.count, false);
+  for (const std::uint8_t one : classes.ofPoint) {
+    m_present[one] = true;
+  }
+  m_classes = classes;
+  m_classes.ofPoint.clear();
+  PathCanvas::Style style{std::move(classes), {}};
+  for (std::size_t one = 0; one < m_classes.count; ++one) {
+    style.pens.push_back(penOf(one));
+  }
+  m_canvas->setStyle(std::move(style));
+  showLegend();
+}
+
+QPen PathView::penOf(std::size_t one) const {
+  const ThemeColors& colors = themeColors(palette());
+  QPen rapid(colors.rapid, 1.2);
+  rapid.setDashPattern({5.0, 4.0});
+  const auto share = [&](std::size_t of, std::size_t count) {
+    return count < 2 ? 0.0 : static_cast<double>(of) / static_cast<double>(count - 1);
+  };
+  switch (m_classes.colouring) {
+    case PathColouring::Kind: {
+      switch (static_cast<KindClass>(one)) {
+        case KindClass::Rapid:
+          return rapid;
+        case KindClass::Line:
+          break;
+        case KindClass::Arc:
+          return {colors.equations[2], 1.4};
+        case KindClass::Spline:
+          return {colors.equations[3], 1.4};
+      }
+      return {colors.path, 1.4};
+    }
+    case PathColouring::Feed:
+      return one == 0 ? rapid : QPen(ramp(share(one - 1, m_classes.count - 1), colors.isDark), 1.6);
+    case PathColouring::Margin: {
+      const std::array<QColor, kMarginClasses> shown{colors.path, colors.equations[2],
+                                                     colors.attention, colors.fault};
+      return {shown.at(one), one < 2 ? 1.4 : 2.2};
+    }
+    case PathColouring::Time:
+      break;
+  }
+  return m_times ? QPen(ramp(share(one, m_classes.count), colors.isDark), 1.6)
+                 : QPen(colors.path, 1.4);
+}
+
+QString PathView::nameOf(std::size_t one) const {
+  const std::vector<double>& borders = m_classes.borders;
+  const auto range = [](const QString& from, const QString& to) {
+    return QStringLiteral("%1 \u2026 %2").arg(from, to);
+  };
+  switch (m_classes.colouring) {
+    case PathColouring::Kind:
+      switch (static_cast<KindClass>(one)) {
+        case KindClass::Rapid:
+          return tr("Rapid");
+        case KindClass::Line:
+          return tr("Line");
+        case KindClass::Arc:
+          return tr("Arc");
+        case KindClass::Spline:
+          return tr("Spline");
+      }
+      return {};
+    case PathColouring::Feed:
+      if (one == 0) {
+        return tr("Rapid");
+      }
+      if (m_classes.eachFeedItsOwn) {
+        return borders[one - 1] > 0.0 ? feedText(borders[one - 1]) : tr("no feed given");
+      }
+      return range(feedText(borders[one - 1]).section(QChar(0x00A0), 0, 0), feedText(borders[one]));
+    case PathColouring::Margin: {
+      const std::array<QString, kMarginClasses> names{
+          tr("margin over %1").arg(factorText(kMarginAmple)),
+          range(factorText(kMarginFair), factorText(kMarginAmple)),
+          range(factorText(kMarginNone), factorText(kMarginFair)),
+          tr("not kept (below %1)").arg(factorText(kMarginNone))};
+      return names.at(one);
+    }
+    case PathColouring::Time:
+      return tr("to %1").arg(durationText(borders[one + 1]));
+  }
+  return {};
+}
+
+void PathView::showLegend() {
+  std::vector<LegendEntry> entries;
+  if (m_program) {
+    if (m_classes.colouring == PathColouring::Time && !m_times) {
+      entries.push_back({LegendEntry::Symbol::Line, penOf(0), {}, tr("being computed …")});
+    } else {
+      for (std::size_t one = 0; one < m_classes.count; ++one) {
+        if (m_present[one]) {
+          entries.push_back({LegendEntry::Symbol::Line, penOf(one), {}, nameOf(one)});
+        }
+      }
+    }
+    entries.push_back(
+        {LegendEntry::Symbol::Line, QPen(themeColors(palette()).accent, 3.0), {}, tr("Executed")});
+  }
+  m_legend->setEntries(std::move(entries));
+}
+
+void PathView::setScale() {
+  auto* items = qobject_cast<QStandardItemModel*>(m_scale->model());
+  items->item(1)->setEnabled(m_times != nullptr);
+  {
+    const QSignalBlocker quiet(m_slider);
+    const std::size_t count = pointCount();
+    m_slider->setEnabled(count > 1);
+    m_slider->setMinimum(0);
+    m_slider->setMaximum(scrubsByTime()
+                             ? static_cast<int>(std::lround(m_times->atS.back() * kStepsPerS))
+                             : static_cast<int>(count > 0 ? count - 1 : 0));
+    m_slider->setPageStep(std::max(1, m_slider->maximum() / 20));
+  }
+  moveSlider();
+  showPlace();
+}
+
+void PathView::moveSlider() {
+  const QSignalBlocker quiet(m_slider);
+  const std::size_t point = m_marked.value_or(0);
+  m_slider->setValue(scrubsByTime()
+                         ? static_cast<int>(std::lround(m_times->atS[point] * kStepsPerS))
+                         : static_cast<int>(point));
+}
+
+void PathView::scrub() {
+  if (pointCount() == 0) {
+    return;
+  }
+  auto point = static_cast<std::size_t>(m_slider->value());
+  if (scrubsByTime()) {
+    // The point the tool is on its way to.
+    const std::vector<float>& atS = m_times->atS;
+    const auto at = static_cast<float>(m_slider->value() / kStepsPerS);
+    point = static_cast<std::size_t>(std::lower_bound(atS.begin(), atS.end(), at) - atS.begin());
+  }
+  m_marked = std::min(point, pointCount() - 1);
+  m_canvas->setSelected({static_cast<std::uint32_t>(*m_marked)});
+  m_canvas->setMarked(m_marked);
+  m_canvas->reveal(*m_marked);
+  showPlace();
+  Q_EMIT pointChosen(*m_marked);
+}
+
+void PathView::showPlace() {
+  if (!m_marked || *m_marked >= pointCount()) {
+    m_place->setText(m_program ? tr("Click on the path or move the slider.") : QString());
+    return;
+  }
+  const gcode::StreamPoint& point = m_program->points.points[*m_marked];
+  QString text =
+      tr("Point %1 of %2, line %3")
+          .arg(countText(*m_marked + 1), countText(pointCount()), countText(point.line.value));
+  if (m_times) {
+    text += QStringLiteral(", ") + durationText(m_times->atS[*m_marked]);
+  }
+  m_place->setText(text + QStringLiteral("\nX %1 Y %2 Z %3")
+                              .arg(numberText(point.positionMm.x, 3),
+                                   numberText(point.positionMm.y, 3),
+                                   lengthText(point.positionMm.z, 3)));
 }
 
 }  // namespace rivulet::widgets

@@ -2,21 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The program's path with the tool on it, from above or isometric.
-/// @threadsafety GUI thread.
+/// The program's path with the tool on it, from above or isometric, coloured by kind, feed, margin
+/// or time, with a slider that walks along it. @threadsafety GUI thread.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "gcode/program.h"
 #include "widgets/common/page.h"
+#include "widgets/program/path_classes.h"
 
+class QComboBox;
+class QLabel;
 class QPushButton;
+class QSlider;
 
 namespace rivulet::widgets {
 
+class LegendStrip;
 class PathCanvas;
 
 class PathView final : public Page {
@@ -25,27 +29,69 @@ class PathView final : public Page {
  public:
   explicit PathView(QWidget* parent = nullptr);
 
-  /// @param program  null: none. Forgets points and progress of the one before.
-  void setProgram(std::shared_ptr<const gcode::Program> program);
-  /// The points as they are streamed; `setExecuted` counts in this list.
-  void setPoints(const std::vector<gcode::StreamPoint>& points);
+  /// @param view  null: none. Forgets progress, choice and times of the one before.
+  void setProgram(std::shared_ptr<const ProgramView> view);
+  /// The same program with points made for another place of the tool.
+  void replaceProgram(std::shared_ptr<const ProgramView> view);
+  /// When each point is passed; null: not known (yet).
+  void setTimes(std::shared_ptr<const ProgramTimes> times);
+  /// What margins are reckoned for.
+  void setOperatingPoint(const feasibility::OperatingPoint& point);
+  /// Counts in the streamed points.
   void setExecuted(std::size_t count);
   /// @param positionMm  workpiece frame; nothing hides the tool
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
   void setIsometric(bool isometric);
+  void setColouring(PathColouring colouring);
+  [[nodiscard]] PathColouring colouring() const { return m_colouring; }
+  /// Marks a point and moves the picture to it if need be. The slider follows; nothing is
+  /// signalled.
+  void markPoint(std::size_t point);
+  /// Shows the moves of these points as chosen, and marks the first.
+  void selectPoints(const std::vector<std::uint32_t>& points);
   void fit();
 
   [[nodiscard]] PathCanvas* canvas() const { return m_canvas; }
+  [[nodiscard]] QSlider* slider() const { return m_slider; }
+
+ Q_SIGNALS:
+  /// By slider or by a click on the path.
+  void pointChosen(std::size_t point);
 
  protected:
   void retranslate() override;
   void restyle() override;
 
  private:
+  [[nodiscard]] std::size_t pointCount() const;
+  [[nodiscard]] bool scrubsByTime() const;
+  void recolour();
+  void showLegend();
+  void setScale();
+  void moveSlider();
+  void scrub();
+  void showPlace();
+  [[nodiscard]] QPen penOf(std::size_t one) const;
+  [[nodiscard]] QString nameOf(std::size_t one) const;
+
+  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const ProgramTimes> m_times;
+  feasibility::OperatingPoint m_point;
+  PathColouring m_colouring = PathColouring::Kind;
+  PathClasses m_classes;  ///< without `ofPoint`
+  std::vector<bool> m_present;
+  std::optional<std::size_t> m_marked;
+
   PathCanvas* m_canvas;
   QPushButton* m_top;
   QPushButton* m_isometric;
   QPushButton* m_fit;
+  QLabel* m_colourName;
+  QComboBox* m_colour;
+  LegendStrip* m_legend;
+  QSlider* m_slider;
+  QComboBox* m_scale;
+  QLabel* m_place;
 };
 
 }  // namespace rivulet::widgets

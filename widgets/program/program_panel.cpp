@@ -3,22 +3,27 @@
 
 #include "widgets/program/program_panel.h"
 
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QGroupBox>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QTabWidget>
 #include <QTableView>
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/units.h"
 #include "widgets/common/icons.h"
@@ -27,10 +32,14 @@
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
 #include "widgets/program/diagnostic_model.h"
+#include "widgets/program/distance_chart.h"
 
 namespace rivulet::widgets {
 
 namespace {
+
+/// Corners of this many classes of 15 degrees and more are counted as sharp.
+constexpr std::size_t kSharpClass = 3;
 
 /// The first local file of a drag; empty if there is none.
 QString localFile(const QMimeData* data) {
@@ -47,6 +56,11 @@ QString boundsText(double minMm, double maxMm) {
   return QStringLiteral("%1 … %2").arg(numberText(minMm, 3), lengthText(maxMm));
 }
 
+/// A line number to click on. @param lines  what is shown
+QString linkTo(base::LineNumber line, const QString& lines) {
+  return QStringLiteral("<a href=\"%1\">%2</a>").arg(line.value).arg(lines);
+}
+
 }  // namespace
 
 ProgramPanel::ProgramPanel(QWidget* parent)
@@ -57,13 +71,19 @@ ProgramPanel::ProgramPanel(QWidget* parent)
       m_name(makeValueLabel(this)),
       m_hash(makeValueLabel(this)),
       m_summary(new StatusLabel(this)),
-      m_figuresGroup(new QGroupBox(this)),
-      m_findingsGroup(new QGroupBox(this)),
+      m_dialectName(new QLabel(this)),
+      m_dialect(new QComboBox(this)),
+      m_evidence(makeValueLabel(this)),
+      m_rows(new QSplitter(Qt::Vertical, this)),
+      m_tabs(new QTabWidget(m_rows)),
       m_findings(new DiagnosticModel(this)),
       m_findingsTable(new QTableView(this)),
-      m_finding(makeValueLabel(this)) {
+      m_finding(makeValueLabel(this)),
+      m_accept(makeTouchButton(this)),
+      m_acceptedArea(new QWidget(this)),
+      m_acceptedRows(new QVBoxLayout(m_acceptedArea)) {
   setAcceptDrops(true);
-  setMinimumWidth(360);
+  setMinimumWidth(300);
   m_recent->setMenu(m_recentMenu);
   m_recentMenu->setToolTipsVisible(true);
   auto* buttons = new QHBoxLayout;
@@ -76,58 +96,139 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   m_name->setFont(nameFont);
   m_name->setWordWrap(true);
   m_summary->setWordWrap(true);
-
-  auto* figures = new QGridLayout(m_figuresGroup);
-  figures->setHorizontalSpacing(16);
-  figures->setVerticalSpacing(4);
-  figures->setColumnStretch(1, 1);
-  for (int row = 0; row < FigureCount; ++row) {
-    auto* name = new QLabel(this);
-    auto* value = makeValueLabel(this);
-    value->setWordWrap(true);
-    m_figureNames.push_back(name);
-    m_figureValues.push_back(value);
-    figures->addWidget(name, row, 0, Qt::AlignTop);
-    figures->addWidget(value, row, 1);
+  m_evidence->setWordWrap(true);
+  m_dialect->addItem(QString());
+  for (std::size_t i = 0; i < gcode::kDialects.size(); ++i) {
+    m_dialect->addItem(QString());
   }
-
-  m_findingsTable->setModel(m_findings);
-  styleTable(m_findingsTable);
-  m_findingsTable->setMinimumHeight(120);
-  m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 104);
-  m_findingsTable->setColumnWidth(DiagnosticModel::Line, 56);
-  m_findingsTable->setColumnWidth(DiagnosticModel::ColumnInLine, 60);
-  m_findingsTable->horizontalHeader()->setStretchLastSection(true);
-  auto* findings = new QVBoxLayout(m_findingsGroup);
-  findings->addWidget(m_findingsTable, 1);
-  findings->addWidget(m_finding);
-  m_finding->setWordWrap(true);
+  m_tabs->addTab(makeFigures(), QString());
+  m_tabs->addTab(makeFindings(), QString());
 
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(buttons);
   layout->addWidget(m_name);
   layout->addWidget(m_hash);
   layout->addWidget(m_summary);
-  layout->addWidget(m_figuresGroup);
-  layout->addWidget(m_findingsGroup, 1);
+  layout->addWidget(m_rows, 1);
+  m_rows->setChildrenCollapsible(false);
 
   connect(m_open, &QPushButton::clicked, this, &ProgramPanel::chooseFile);
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ProgramPanel::showFinding);
+  const auto jump = [this] {
+    if (const gcode::Diagnostic* finding = currentFinding()) {
+      Q_EMIT lineChosen(finding->line.value);
+    }
+  };
+  connect(m_findingsTable, &QTableView::clicked, this, jump);
+  connect(m_findingsTable, &QTableView::activated, this, jump);
+  connect(m_accept, &QPushButton::clicked, this, &ProgramPanel::askToAccept);
+  connect(m_dialect, &QComboBox::activated, this, [this](int index) {
+    std::optional<gcode::Dialect> wanted;
+    if (index > 0) {
+      wanted = gcode::kDialects.at(static_cast<std::size_t>(index - 1));
+    }
+    if (wanted != m_ordered) {
+      Q_EMIT dialectRequested(wanted);
+    }
+  });
   retranslate();
   restyle();
 }
 
-void ProgramPanel::setProgram(std::shared_ptr<const gcode::Program> program) {
-  m_program = std::move(program);
-  m_findings->setProgram(m_program);
+QWidget* ProgramPanel::makeFigures() {
+  auto* page = new QWidget;
+  auto* figures = new QGridLayout(page);
+  figures->setHorizontalSpacing(12);
+  figures->setVerticalSpacing(4);
+  figures->setColumnStretch(1, 1);
+  figures->addWidget(m_dialectName, 0, 0);
+  figures->addWidget(m_dialect, 0, 1);
+  figures->addWidget(m_evidence, 1, 0, 1, 2);
+  constexpr int kFirstRow = 2;
+  for (int figure = 0; figure < FigureCount; ++figure) {
+    const int row = kFirstRow + figure;
+    auto* name = new QLabel(page);
+    auto* value = makeValueLabel(page);
+    value->setWordWrap(true);
+    value->setTextFormat(Qt::RichText);
+    value->setTextInteractionFlags(value->textInteractionFlags() | Qt::LinksAccessibleByMouse |
+                                   Qt::LinksAccessibleByKeyboard);
+    connect(value, &QLabel::linkActivated, this, &ProgramPanel::followLink);
+    m_figureNames.push_back(name);
+    m_figureValues.push_back(value);
+    figures->addWidget(name, row, 0, Qt::AlignTop);
+    figures->addWidget(value, row, 1);
+  }
+  m_chartName = new QLabel(page);
+  m_chart = new DistanceChart(page);
+  figures->addWidget(m_chartName, kFirstRow + FigureCount, 0, 1, 2);
+  figures->addWidget(m_chart, kFirstRow + FigureCount + 1, 0, 1, 2);
+  figures->setRowStretch(kFirstRow + FigureCount + 2, 1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(page);
+  return scroll;
+}
+
+QWidget* ProgramPanel::makeFindings() {
+  m_findingsTable->setModel(m_findings);
+  styleTable(m_findingsTable);
+  m_findingsTable->setMinimumHeight(70);
+  m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 100);
+  m_findingsTable->setColumnWidth(DiagnosticModel::Line, 64);
+  m_findingsTable->setColumnHidden(DiagnosticModel::ColumnInLine, true);  // the text shows where
+  m_findingsTable->horizontalHeader()->setStretchLastSection(true);
+  m_finding->setWordWrap(true);
+  m_acceptedRows->setContentsMargins(0, 0, 0, 0);
+  auto* page = new QWidget;
+  auto* findings = new QVBoxLayout(page);
+  findings->addWidget(m_findingsTable, 1);
+  findings->addWidget(m_finding);
+  findings->addWidget(m_accept);
+  findings->addWidget(m_acceptedArea);
+  return page;
+}
+
+void ProgramPanel::placeAboveTabs(QWidget* widget) {
+  m_rows->insertWidget(0, widget);
+  m_rows->setStretchFactor(0, 2);
+  m_rows->setStretchFactor(1, 3);
+  m_rows->setSizes({180, 260});
+}
+
+void ProgramPanel::setProgram(std::shared_ptr<const ProgramView> view) {
+  m_program = std::move(view);
+  m_times.reset();
+  m_findings->setProgram(m_program ? m_program->program : nullptr);
   m_findingsTable->selectRow(0);
+  m_chart->setHistogram(m_program && m_program->statistics ? m_program->statistics->distances
+                                                           : feasibility::DistanceHistogram{});
   showProgram();
+  // What stands in the way is seen first.
+  showTab(m_program && !m_program->program->isStreamable() ? Tab::Findings : Tab::Figures);
+}
+
+void ProgramPanel::setReading(std::optional<gcode::Dialect> dialect,
+                              const std::vector<std::string>& accepted,
+                              gcode::CentreReading centres) {
+  m_ordered = dialect;
+  m_accepted = accepted;
+  m_centres = centres;
+  showDialect();
+  showAccepted();
 }
 
 void ProgramPanel::setDistances(const std::optional<feasibility::ProgramDistances>& distances) {
   m_distances = distances;
   showDistances();
+}
+
+void ProgramPanel::setTimes(std::shared_ptr<const ProgramTimes> times) {
+  m_times = std::move(times);
+  showTimes();
 }
 
 void ProgramPanel::setRecentFiles(const QStringList& paths) {
@@ -140,54 +241,352 @@ void ProgramPanel::setOpenEnabled(bool enabled) {
   setAcceptDrops(enabled);
   m_open->setEnabled(enabled);
   m_recent->setEnabled(enabled && !m_recentFiles.isEmpty());
+  m_dialect->setEnabled(enabled && m_program);
+  m_acceptedArea->setEnabled(enabled);
+  showFinding();
 }
 
 void ProgramPanel::chooseFile() {
   const QString folder =
       m_recentFiles.isEmpty() ? QString() : QFileInfo(m_recentFiles.first()).absolutePath();
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Open an NC program"), folder,
-      tr("NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.txt)") +
-          QStringLiteral(";;") + tr("All files (*)"));
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Open an NC program"), folder,
+                                   tr("NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap "
+                                      "*.cnc *.gcode *.h *.H *.txt)") +
+                                       QStringLiteral(";;") + tr("All files (*)"));
   if (!path.isEmpty()) {
     Q_EMIT openRequested(path);
   }
 }
 
+void ProgramPanel::showTab(Tab tab) {
+  m_tabs->setCurrentIndex(static_cast<int>(tab));
+}
+
 void ProgramPanel::retranslate() {
   m_open->setText(tr("Open…"));
   m_recent->setText(tr("Recent"));
-  m_figuresGroup->setTitle(tr("Figures"));
-  m_findingsGroup->setTitle(tr("Findings"));
+  m_dialectName->setText(tr("Dialect"));
+  m_tabs->setTabText(static_cast<int>(Tab::Figures), tr("Figures"));
   const auto name = [this](Figure figure, const QString& text) {
     m_figureNames[static_cast<std::size_t>(figure)]->setText(text);
   };
   name(Lines, tr("Lines"));
   name(Motions, tr("Motions"));
   name(Points, tr("Points"));
+  name(Units, tr("Units"));
   name(BoundsX, QStringLiteral("X"));
   name(BoundsY, QStringLiteral("Y"));
   name(BoundsZ, QStringLiteral("Z"));
   name(CutLength, tr("Cutting path"));
   name(RapidLength, tr("Rapid path"));
+  name(Kinds, tr("By kind"));
   name(Feeds, tr("Feeds"));
+  name(ProgrammedTime, tr("Time, feeds as programmed"));
+  name(StreamedTime, tr("Time, as streamed"));
   name(PointDistance, QStringLiteral("d<sub>min</sub>"));
   name(WindowLength, QStringLiteral("d<sub>min</sub><sup>N</sup>"));
+  name(Distances, tr("Distances"));
+  name(Corners, tr("Corners"));
+  for (QLabel* label : m_figureNames) {
+    label->setWordWrap(true);
+  }
   m_figureNames[PointDistance]->setToolTip(tr("Smallest distance of neighbouring points"));
   m_figureNames[WindowLength]->setToolTip(
       tr("Smallest path length of half a loop (N/2 points, rounded down)"));
+  m_chartName->setText(tr("Distances of neighbouring points, mm"));
   m_findings->retranslate();
   showFinding();
   fillRecentMenu();
   showProgram();
+  showAccepted();
 }
 
 void ProgramPanel::restyle() {
   m_open->setIcon(themedIcon(QStringLiteral("open"), themeColors(palette()).text));
   m_findings->setColors(palette());
-  setMuted(m_hash, palette());
+  for (QLabel* muted : {m_hash, m_dialectName, m_evidence, m_chartName}) {
+    setMuted(muted, palette());
+  }
   for (QLabel* name : m_figureNames) {
     setMuted(name, palette());
+  }
+}
+
+void ProgramPanel::showProgram() {
+  const bool loaded = m_program != nullptr;
+  m_name->setText(loaded ? QString::fromStdString(m_program->program->name) : tr("No program"));
+  m_hash->setVisible(loaded);
+  std::array<std::size_t, 3> found{};
+  std::vector<QString> values(FigureCount, noValue());
+  if (!loaded) {
+    m_summary->setStatus(Status::Unknown, tr("Drop a file here or press Open…"));
+  } else {
+    const gcode::Program& program = *m_program->program;
+    m_hash->setText(tr("Hash %1").arg(QString::fromStdString(program.hash)));
+    for (const gcode::Diagnostic& diagnostic : program.diagnostics) {
+      ++found[static_cast<std::size_t>(diagnostic.severity)];
+    }
+    const QString counts = tr("Errors: %1, warnings: %2, notes: %3")
+                               .arg(countText(found[2]), countText(found[1]), countText(found[0]));
+    if (found[2] > 0) {
+      m_summary->setStatus(Status::Fault, tr("Cannot be streamed.") + QLatin1Char(' ') + counts);
+    } else if (!program.isStreamable()) {
+      m_summary->setStatus(Status::Fault,
+                           (program.trajectory.points.empty()
+                                ? tr("Cannot be streamed: no axis moves.")
+                                : tr("Cannot be streamed: rotary axes turn on the path.")) +
+                               QLatin1Char(' ') + counts);
+    } else {
+      m_summary->setStatus(found[1] > 0 ? Status::Attention : Status::Good, counts);
+    }
+
+    const gcode::Statistics& statistics = program.statistics;
+    values[Lines] = countText(statistics.lines);
+    values[Motions] = QStringLiteral("G0 %1 · G1 %2 · G2 %3 · G3 %4")
+                          .arg(countText(statistics.motions[0]), countText(statistics.motions[1]),
+                               countText(statistics.motions[2]), countText(statistics.motions[3]));
+    const gcode::PointList& points = m_program->points;
+    values[Points] = points.merged == 0
+                         ? countText(points.points.size())
+                         : tr("%1 (%2 repeated ones left out)")
+                               .arg(countText(points.points.size()), countText(points.merged));
+    switch (program.facts.units) {
+      case gcode::FileUnits::Unspecified:
+        values[Units] = tr("not stated");
+        break;
+      case gcode::FileUnits::Millimetres:
+        values[Units] = QStringLiteral("mm");
+        break;
+      case gcode::FileUnits::Inches:
+        values[Units] = tr("inch");
+        break;
+      case gcode::FileUnits::Mixed:
+        values[Units] = tr("mm and inch");
+        break;
+    }
+    values[BoundsX] = boundsText(statistics.minMm.x, statistics.maxMm.x);
+    values[BoundsY] = boundsText(statistics.minMm.y, statistics.maxMm.y);
+    values[BoundsZ] = boundsText(statistics.minMm.z, statistics.maxMm.z);
+    values[CutLength] = lengthText(statistics.cutLengthMm, 1);
+    values[RapidLength] = lengthText(statistics.rapidLengthMm, 1);
+    QStringList kinds{tr("lines %1").arg(lengthText(m_program->lengths.lineMm, 1))};
+    if (m_program->lengths.arcMm > 0.0) {
+      kinds.append(tr("arcs %1").arg(lengthText(m_program->lengths.arcMm, 1)));
+    }
+    if (m_program->lengths.splineMm > 0.0) {
+      kinds.append(tr("splines %1").arg(lengthText(m_program->lengths.splineMm, 1)));
+    }
+    values[Kinds] = kinds.join(QStringLiteral(" · "));
+    if (!statistics.feedsMmPerMin.empty()) {
+      const double first = statistics.feedsMmPerMin.front();
+      const double last = statistics.feedsMmPerMin.back();
+      values[Feeds] = feedText(base::mmPerSFromMmPerMin(last));
+      if (statistics.feedsMmPerMin.size() > 1) {
+        values[Feeds] = tr("%1 … %2 (%3 values)")
+                            .arg(numberText(first, first >= 10.0 ? 0 : 2), values[Feeds],
+                                 countText(statistics.feedsMmPerMin.size()));
+      }
+    }
+    if (const auto& path = m_program->statistics) {
+      values[Distances] =
+          tr("median %1, largest %2")
+              .arg(lengthText(path->distanceMmMedian), lengthText(path->distanceMmMax));
+      const auto sharp = std::accumulate(path->angles.counts.begin() + kSharpClass,
+                                         path->angles.counts.end(), std::size_t{0});
+      values[Corners] =
+          path->angles.degreesMax > 0.0
+              ? tr("%1 of 45° and more; sharpest %2° (%3)")
+                    .arg(countText(sharp), numberText(path->angles.degreesMax, 0),
+                         linkTo(path->angles.line,
+                                tr("line %1").arg(countText(path->angles.line.value))))
+              : tr("none");
+    }
+  }
+  const std::size_t findings = found[0] + found[1] + found[2];
+  m_tabs->setTabText(static_cast<int>(Tab::Findings),
+                     findings == 0 ? tr("Findings") : tr("Findings (%1)").arg(countText(findings)));
+  for (const Figure figure : {Lines, Motions, Points, Units, BoundsX, BoundsY, BoundsZ, CutLength,
+                              RapidLength, Kinds, Feeds, Distances, Corners}) {
+    m_figureValues[figure]->setText(values[figure]);
+  }
+  showFinding();
+  showDistances();
+  showTimes();
+  showDialect();
+}
+
+void ProgramPanel::showDistances() {
+  const auto text = [](double lengthMm, const feasibility::Place& place) {
+    const QString lines =
+        place.firstLine == place.lastLine
+            ? tr("line %1").arg(countText(place.lastLine.value))
+            : tr("lines %1–%2")
+                  .arg(countText(place.firstLine.value), countText(place.lastLine.value));
+    return QStringLiteral("%1 (%2)").arg(lengthText(lengthMm), linkTo(place.lastLine, lines));
+  };
+  const bool known = m_program && m_distances;
+  m_figureValues[PointDistance]->setText(
+      known ? text(m_distances->pointDistanceMmMin, m_distances->pointDistancePlace) : noValue());
+  m_figureValues[WindowLength]->setText(
+      known && m_distances->windowSteps > 0
+          ? text(m_distances->windowLengthMmMin, m_distances->windowPlace)
+          : noValue());
+}
+
+void ProgramPanel::showTimes() {
+  const QString unknown =
+      m_program && m_program->points.points.size() > 1 ? tr("being computed …") : noValue();
+  m_figureValues[ProgrammedTime]->setText(
+      m_times ? tr("%1 without pauses").arg(durationText(m_times->programmedS)) : unknown);
+  m_figureValues[StreamedTime]->setText(m_times && m_times->run
+                                            ? tr("%1 with %2 pauses, of which %3 standing")
+                                                  .arg(durationText(m_times->run->totalS),
+                                                       countText(m_times->run->pauses),
+                                                       durationText(m_times->run->standingS))
+                                            : unknown);
+  const QString machine =
+      m_times ? tr("Computed with the axes of %1").arg(QString::fromStdString(m_times->machine))
+              : QString();
+  for (const Figure figure : {ProgrammedTime, StreamedTime}) {
+    m_figureValues[figure]->setToolTip(machine);
+    m_figureNames[figure]->setToolTip(machine);
+  }
+}
+
+void ProgramPanel::showDialect() {
+  const auto nameOf = [](gcode::Dialect dialect) {
+    switch (dialect) {
+      case gcode::Dialect::Sinumerik:
+        return QStringLiteral("SINUMERIK");
+      case gcode::Dialect::Iso:
+        return QStringLiteral("ISO (Fanuc, Haas …)");
+      case gcode::Dialect::LinuxCnc:
+        return QStringLiteral("LinuxCNC");
+      case gcode::Dialect::Grbl:
+        return QStringLiteral("GRBL");
+      case gcode::Dialect::Heidenhain:
+        break;
+    }
+    return QStringLiteral("HEIDENHAIN Klartext");
+  };
+  m_dialect->setEnabled(m_openEnabled && m_program);
+  m_dialect->setItemText(0, tr("as detected"));
+  for (std::size_t i = 0; i < gcode::kDialects.size(); ++i) {
+    m_dialect->setItemText(static_cast<int>(i) + 1, nameOf(gcode::kDialects[i]));
+  }
+  int index = 0;
+  if (m_ordered) {
+    const auto* at = std::find(gcode::kDialects.begin(), gcode::kDialects.end(), *m_ordered);
+    index = static_cast<int>(at - gcode::kDialects.begin()) + 1;
+  }
+  m_dialect->setCurrentIndex(index);
+  m_evidence->setVisible(m_program != nullptr);
+  if (m_program) {
+    const QString dialect = nameOf(m_program->program->dialect);
+    const QString evidence = QString::fromStdString(m_program->program->dialectEvidence);
+    m_evidence->setText(m_ordered ? tr("Read as %1, as ordered.").arg(dialect)
+                        : evidence.isEmpty()
+                            ? tr("Read as %1: nothing in the text decides.").arg(dialect)
+                            : tr("Read as %1 because of \"%2\".").arg(dialect, evidence));
+  }
+}
+
+void ProgramPanel::showAccepted() {
+  while (QLayoutItem* item = m_acceptedRows->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  const bool ordersCentres = m_centres != gcode::CentreReading::AsProgrammed;
+  m_acceptedArea->setVisible(!m_accepted.empty() || ordersCentres);
+  // A row is gone while its button still reports: what it asks for waits.
+  if (ordersCentres) {
+    const QString text = m_centres == gcode::CentreReading::Absolute
+                             ? tr("I, J, K are read as the centre itself")
+                             : tr("I, J, K are read from the centre to the start");
+    connect(
+        addReadingRow(text, tr("Read I, J, K as usual")), &QPushButton::clicked, this,
+        [this] { Q_EMIT centresRequested(gcode::CentreReading::AsProgrammed); },
+        Qt::QueuedConnection);
+  }
+  for (const std::string& accepted : m_accepted) {
+    const QString name = QString::fromStdString(accepted);
+    connect(
+        addReadingRow(tr("Accepted: %1").arg(name), tr("Take back %1").arg(name)),
+        &QPushButton::clicked, this, [this, name] { Q_EMIT takeBackRequested(name); },
+        Qt::QueuedConnection);
+  }
+}
+
+QPushButton* ProgramPanel::addReadingRow(const QString& text, const QString& accessibleName) {
+  auto* row = new QWidget(m_acceptedArea);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* label = new StatusLabel(row);
+  label->setStatus(Status::Attention, text);
+  label->setWordWrap(true);
+  auto* back = makeTouchButton(row);
+  back->setText(tr("Take back"));
+  back->setAccessibleName(accessibleName);
+  layout->addWidget(label, 1);
+  layout->addWidget(back);
+  m_acceptedRows->addWidget(row);
+  return back;
+}
+
+const gcode::Diagnostic* ProgramPanel::currentFinding() const {
+  const QModelIndex row = m_findingsTable->currentIndex();
+  if (!m_program || !row.isValid()) {
+    return nullptr;
+  }
+  return &m_program->program->diagnostics.at(static_cast<std::size_t>(row.row()));
+}
+
+void ProgramPanel::showFinding() {
+  const QModelIndex row = m_findingsTable->currentIndex();
+  m_finding->setText(row.isValid() ? row.siblingAtColumn(DiagnosticModel::Text).data().toString()
+                                   : (m_program ? tr("No findings") : QString()));
+  const gcode::Diagnostic* finding = currentFinding();
+  const bool isReading = finding != nullptr &&
+                         finding->code == gcode::DiagnosticCode::CentreReading &&
+                         m_program->program->facts.centreReading != m_centres;
+  m_accept->setVisible(isReading ||
+                       (finding != nullptr && !gcode::acceptableName(*finding).empty()));
+  m_accept->setEnabled(m_openEnabled);
+  m_accept->setText(isReading ? tr("Read it that way") : tr("Accept…"));
+  m_accept->setToolTip(isReading ? QString()
+                                 : tr("The program is read again with this word left out"));
+}
+
+void ProgramPanel::askToAccept() {
+  const gcode::Diagnostic* finding = currentFinding();
+  if (finding == nullptr) {
+    return;
+  }
+  if (finding->code == gcode::DiagnosticCode::CentreReading) {
+    Q_EMIT centresRequested(m_program->program->facts.centreReading);
+    return;
+  }
+  const QString name = QString::fromStdString(gcode::acceptableName(*finding));
+  auto* box = new QMessageBox(
+      QMessageBox::Warning, tr("Accept %1").arg(name),
+      tr("Rivulet does not understand %1. If you accept it, it is left out wherever the program "
+         "has it, and the path is taken as if it were not there.\n\nIs it certain that %1 does not "
+         "change the path of the tool?")
+          .arg(name),
+      QMessageBox::Cancel, this);
+  QPushButton* accept = box->addButton(tr("Accept and read again"), QMessageBox::AcceptRole);
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  connect(accept, &QPushButton::clicked, this, [this, name] { Q_EMIT acceptRequested(name); });
+  box->open();
+}
+
+void ProgramPanel::followLink(const QString& link) {
+  bool isNumber = false;
+  const auto line = link.toULongLong(&isNumber);
+  if (isNumber) {
+    Q_EMIT lineChosen(static_cast<std::size_t>(line));
   }
 }
 
@@ -220,81 +619,6 @@ void ProgramPanel::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(themeColors(palette()).accent, 3, Qt::DashLine));
     painter.drawRect(rect().adjusted(2, 2, -3, -3));
   }
-}
-
-void ProgramPanel::showProgram() {
-  const bool loaded = m_program != nullptr;
-  m_name->setText(loaded ? QString::fromStdString(m_program->name) : tr("No program"));
-  m_hash->setVisible(loaded);
-  m_figuresGroup->setEnabled(loaded);
-  std::vector<QString> values(FigureCount, noValue());
-  if (!loaded) {
-    m_summary->setStatus(Status::Unknown, tr("Drop a file here or press Open…"));
-  } else {
-    m_hash->setText(tr("Hash %1").arg(QString::fromStdString(m_program->hash)));
-    std::array<std::size_t, 3> found{};
-    for (const gcode::Diagnostic& diagnostic : m_program->diagnostics) {
-      ++found[static_cast<std::size_t>(diagnostic.severity)];
-    }
-    const QString counts = tr("Errors: %1, warnings: %2, notes: %3")
-                               .arg(countText(found[2]), countText(found[1]), countText(found[0]));
-    if (found[2] > 0) {
-      m_summary->setStatus(Status::Fault, tr("Cannot be streamed.") + QLatin1Char(' ') + counts);
-    } else {
-      m_summary->setStatus(found[1] > 0 ? Status::Attention : Status::Good, counts);
-    }
-
-    const gcode::Statistics& statistics = m_program->statistics;
-    values[Lines] = countText(statistics.lines);
-    values[Motions] = QStringLiteral("G0 %1 · G1 %2 · G2 %3 · G3 %4")
-                          .arg(countText(statistics.motions[0]), countText(statistics.motions[1]),
-                               countText(statistics.motions[2]), countText(statistics.motions[3]));
-    values[Points] = countText(statistics.points);
-    values[BoundsX] = boundsText(statistics.minMm.x, statistics.maxMm.x);
-    values[BoundsY] = boundsText(statistics.minMm.y, statistics.maxMm.y);
-    values[BoundsZ] = boundsText(statistics.minMm.z, statistics.maxMm.z);
-    values[CutLength] = lengthText(statistics.cutLengthMm, 1);
-    values[RapidLength] = lengthText(statistics.rapidLengthMm, 1);
-    if (!statistics.feedsMmPerMin.empty()) {
-      const double first = statistics.feedsMmPerMin.front();
-      const double last = statistics.feedsMmPerMin.back();
-      values[Feeds] = feedText(base::mmPerSFromMmPerMin(last));
-      if (statistics.feedsMmPerMin.size() > 1) {
-        values[Feeds] = tr("%1 … %2 (%3 values)")
-                            .arg(numberText(first, first >= 10.0 ? 0 : 2), values[Feeds],
-                                 countText(statistics.feedsMmPerMin.size()));
-      }
-    }
-  }
-  for (std::size_t figure = 0; figure < PointDistance; ++figure) {
-    m_figureValues[figure]->setText(values[figure]);
-  }
-  showFinding();
-  showDistances();
-}
-
-void ProgramPanel::showDistances() {
-  const auto text = [](double lengthMm, const feasibility::Place& place) {
-    const QString lines =
-        place.firstLine == place.lastLine
-            ? tr("line %1").arg(countText(place.lastLine.value))
-            : tr("lines %1–%2")
-                  .arg(countText(place.firstLine.value), countText(place.lastLine.value));
-    return QStringLiteral("%1 (%2)").arg(lengthText(lengthMm), lines);
-  };
-  const bool known = m_program && m_distances;
-  m_figureValues[PointDistance]->setText(
-      known ? text(m_distances->pointDistanceMmMin, m_distances->pointDistancePlace) : noValue());
-  m_figureValues[WindowLength]->setText(
-      known && m_distances->windowSteps > 0
-          ? text(m_distances->windowLengthMmMin, m_distances->windowPlace)
-          : noValue());
-}
-
-void ProgramPanel::showFinding() {
-  const QModelIndex row = m_findingsTable->currentIndex();
-  m_finding->setText(row.isValid() ? row.siblingAtColumn(DiagnosticModel::Text).data().toString()
-                                   : (m_program ? tr("No findings") : QString()));
 }
 
 void ProgramPanel::fillRecentMenu() {

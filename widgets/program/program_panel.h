@@ -2,30 +2,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The loaded CAM program: where it comes from, its figures and what is wrong with it. Files
-/// come by button, by the list of recent files, or dropped anywhere on the panel.
+/// The loaded CAM program: where it comes from, its dialect, its figures and what is wrong with
+/// it. Files come by button, by the list of recent files, or dropped anywhere on the panel.
 /// @threadsafety GUI thread.
 #pragma once
 
 #include <QStringList>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "feasibility/verdict.h"
-#include "gcode/program.h"
 #include "widgets/common/page.h"
+#include "widgets/program/program_view.h"
 
-class QGridLayout;
-class QGroupBox;
+class QComboBox;
 class QLabel;
 class QMenu;
 class QPushButton;
+class QSplitter;
+class QTabWidget;
 class QTableView;
+class QVBoxLayout;
 
 namespace rivulet::widgets {
 
 class DiagnosticModel;
+class DistanceChart;
 class StatusLabel;
 
 class ProgramPanel final : public Page {
@@ -34,10 +37,18 @@ class ProgramPanel final : public Page {
  public:
   explicit ProgramPanel(QWidget* parent = nullptr);
 
-  /// @param program  null: none is loaded
-  void setProgram(std::shared_ptr<const gcode::Program> program);
+  /// @param view  null: none is loaded
+  void setProgram(std::shared_ptr<const ProgramView> view);
+  /// How the program was ordered to be read.
+  /// @param dialect   nothing: as detected
+  /// @param accepted  names of what was accepted without being understood
+  /// @param centres   what I, J and K are taken for
+  void setReading(std::optional<gcode::Dialect> dialect, const std::vector<std::string>& accepted,
+                  gcode::CentreReading centres = gcode::CentreReading::AsProgrammed);
   /// d_min and d_min^N of the points that will be streamed; nothing if there are none.
   void setDistances(const std::optional<feasibility::ProgramDistances>& distances);
+  /// @param times  null: not known (yet)
+  void setTimes(std::shared_ptr<const ProgramTimes> times);
   /// @param paths  newest first
   void setRecentFiles(const QStringList& paths);
   /// While a run lasts another program cannot be opened.
@@ -45,9 +56,23 @@ class ProgramPanel final : public Page {
   /// Asks for a file, as the button does.
   void chooseFile();
 
+  /// A widget above the tabs; its height can be changed by hand.
+  void placeAboveTabs(QWidget* widget);
+
+  enum class Tab { Figures, Findings };
+  void showTab(Tab tab);
+
  Q_SIGNALS:
   void openRequested(const QString& path);
   void fileDropped(const QString& path);
+  /// A place in the text is to be seen.
+  void lineChosen(std::size_t line);
+  void dialectRequested(const std::optional<rivulet::gcode::Dialect>& dialect);
+  /// The operator was asked and takes the responsibility.
+  void acceptRequested(const QString& name);
+  void takeBackRequested(const QString& name);
+  /// I, J and K are to be taken for something else.
+  void centresRequested(rivulet::gcode::CentreReading centres);
 
  protected:
   void retranslate() override;
@@ -62,24 +87,44 @@ class ProgramPanel final : public Page {
     Lines,
     Motions,
     Points,
+    Units,
     BoundsX,
     BoundsY,
     BoundsZ,
     CutLength,
     RapidLength,
+    Kinds,
     Feeds,
+    ProgrammedTime,
+    StreamedTime,
     PointDistance,
     WindowLength,
+    Distances,
+    Corners,
     FigureCount
   };
 
+  QWidget* makeFigures();
+  QWidget* makeFindings();
   void showProgram();
   void showDistances();
+  void showTimes();
+  void showDialect();
+  void showAccepted();
   void fillRecentMenu();
   void showFinding();
+  void askToAccept();
+  /// A row that says how the text is read, and a button that ends it.
+  QPushButton* addReadingRow(const QString& text, const QString& accessibleName);
+  [[nodiscard]] const gcode::Diagnostic* currentFinding() const;
+  void followLink(const QString& link);
 
-  std::shared_ptr<const gcode::Program> m_program;
+  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const ProgramTimes> m_times;
   std::optional<feasibility::ProgramDistances> m_distances;
+  std::optional<gcode::Dialect> m_ordered;
+  std::vector<std::string> m_accepted;
+  gcode::CentreReading m_centres = gcode::CentreReading::AsProgrammed;
   QStringList m_recentFiles;
   bool m_openEnabled = true;
   bool m_dropHovers = false;
@@ -90,13 +135,21 @@ class ProgramPanel final : public Page {
   QLabel* m_name;
   QLabel* m_hash;
   StatusLabel* m_summary;
-  QGroupBox* m_figuresGroup;
+  QLabel* m_dialectName;
+  QComboBox* m_dialect;
+  QLabel* m_evidence;
+  QSplitter* m_rows;
+  QTabWidget* m_tabs;
   std::vector<QLabel*> m_figureNames;
   std::vector<QLabel*> m_figureValues;
-  QGroupBox* m_findingsGroup;
+  QLabel* m_chartName = nullptr;
+  DistanceChart* m_chart = nullptr;
   DiagnosticModel* m_findings;
   QTableView* m_findingsTable;
   QLabel* m_finding;  ///< the whole sentence of the finding chosen in the table
+  QPushButton* m_accept;
+  QWidget* m_acceptedArea;
+  QVBoxLayout* m_acceptedRows;
 };
 
 }  // namespace rivulet::widgets

@@ -60,6 +60,38 @@ std::vector<gcode::StreamPoint> streamed(const gcode::Program& program) {
   return gcode::streamPoints(program.trajectory, {0.0, 0.0, 0.0}).points;
 }
 
+std::shared_ptr<const widgets::ProgramView> viewOf(
+    const std::shared_ptr<const gcode::Program>& program) {
+  return widgets::makeProgramView(program, {0.0, 0.0, 0.0}, 7);
+}
+
+std::shared_ptr<const gcode::Program> programOf(const std::vector<gcode::StreamPoint>& points) {
+  auto program = std::make_shared<gcode::Program>();
+  program->name = "POINTS.MPF";
+  for (const gcode::StreamPoint& point : points) {
+    gcode::TrajectoryPoint end;
+    end.positionMm = point.positionMm;
+    end.line = point.line;
+    program->trajectory.points.push_back(end);
+    program->text += "X" + number(point.positionMm.x) + " Y" + number(point.positionMm.y) + " Z" +
+                     number(point.positionMm.z) + "\n";
+  }
+  program->statistics.lines = points.size();
+  program->statistics.points = points.size();
+  return program;
+}
+
+std::shared_ptr<const widgets::ProgramTimes> timesOf(const widgets::ProgramView& view) {
+  auto times = std::make_shared<widgets::ProgramTimes>();
+  for (std::size_t i = 0; i < view.points.points.size(); ++i) {
+    times->atS.push_back(0.1F * static_cast<float>(i));
+  }
+  times->programmedS = times->atS.back();
+  times->run = widgets::RunTime{2.0 * times->programmedS, 12.5, 39};
+  times->machine = "dmu75";
+  return times;
+}
+
 std::vector<gcode::StreamPoint> manyPoints(std::size_t points) {
   std::vector<gcode::StreamPoint> list;
   list.reserve(points);

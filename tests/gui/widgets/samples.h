@@ -14,6 +14,7 @@
 #include "trace/control_trace.h"
 #include "widgets/connection/machine_view.h"
 #include "widgets/feasibility/region_chart.h"
+#include "widgets/program/program_view.h"
 
 namespace rivulet::test {
 
@@ -24,6 +25,15 @@ namespace rivulet::test {
 /// A program with errors, interpreted.
 [[nodiscard]] std::shared_ptr<const gcode::Program> brokenProgram();
 [[nodiscard]] std::vector<gcode::StreamPoint> streamed(const gcode::Program& program);
+/// As the page gets it, for a tool at the origin and N = 7.
+[[nodiscard]] std::shared_ptr<const widgets::ProgramView> viewOf(
+    const std::shared_ptr<const gcode::Program>& program);
+/// A program of points alone, one line each. @param positions >= 1
+[[nodiscard]] std::shared_ptr<const gcode::Program> programOf(
+    const std::vector<gcode::StreamPoint>& points);
+/// Times of a machine that runs a point a tenth of a second.
+[[nodiscard]] std::shared_ptr<const widgets::ProgramTimes> timesOf(
+    const widgets::ProgramView& view);
 /// A path of many points, built without a text. @param points >= 2
 [[nodiscard]] std::vector<gcode::StreamPoint> manyPoints(std::size_t points);
 [[nodiscard]] widgets::MachineView runningMachine();

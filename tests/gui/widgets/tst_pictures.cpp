@@ -17,7 +17,9 @@
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/feasibility/feasibility_page.h"
+#include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
+#include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/report_panel.h"
@@ -94,10 +96,9 @@ std::unique_ptr<QWidget> simulatingPage() {
 
 std::unique_ptr<QWidget> pathView(bool isometric) {
   auto view = std::make_unique<PathView>();
-  const auto program = test::pocket();
+  const auto program = test::viewOf(test::pocket());
   view->setProgram(program);
-  const auto points = test::streamed(*program);
-  view->setPoints(points);
+  const auto& points = program->points.points;
   view->setExecuted(700);
   view->setToolPosition(points[700].positionMm);
   view->setIsometric(isometric);
@@ -106,10 +107,42 @@ std::unique_ptr<QWidget> pathView(bool isometric) {
 
 std::unique_ptr<QWidget> programPanel(const std::shared_ptr<const gcode::Program>& program) {
   auto panel = std::make_unique<ProgramPanel>();
+  const auto view = test::viewOf(program);
   panel->setRecentFiles({QStringLiteral("/data/a.mpf")});
-  panel->setProgram(program);
-  panel->setDistances(feasibility::programDistances(test::streamed(*program), 7));
+  panel->setProgram(view);
+  panel->setReading(std::nullopt, program->isStreamable() ? std::vector<std::string>{}
+                                                          : std::vector<std::string>{"G41"});
+  panel->setDistances(view->distances);
+  panel->setTimes(test::timesOf(*view));
   return panel;
+}
+
+std::unique_ptr<QWidget> programPage(const std::shared_ptr<const gcode::Program>& program,
+                                     PathColouring colouring) {
+  auto page = std::make_unique<ProgramPage>();
+  const auto view = test::viewOf(program);
+  page->setProgram(view);
+  page->setTimes(test::timesOf(*view));
+  page->panel()->setDistances(view->distances);
+  page->path()->setOperatingPoint(
+      test::feasibilityModel(base::MethodKind::Signal, 1500.0).operatingPoint);
+  page->path()->setColouring(colouring);
+  page->showLine(program->isStreamable() ? 700 : 3);
+  return page;
+}
+
+std::unique_ptr<QWidget> fileBanner(FileBanner::State state, bool running) {
+  auto banner = std::make_unique<FileBanner>();
+  banner->setProgram(QStringLiteral("POCKET_60x40.MPF"), QStringLiteral("0123456789abcdef"));
+  banner->setRunning(running);
+  banner->setState(state);
+  return banner;
+}
+
+std::unique_ptr<QWidget> loadBar() {
+  auto bar = std::make_unique<LoadBar>();
+  bar->setProgress(0.42, QStringLiteral("SURFACE.MPF"));
+  return bar;
 }
 
 std::unique_ptr<QWidget> connectionPanel(ConnectionState state) {
@@ -190,6 +223,27 @@ std::vector<Sample> samples() {
   return {
       {"connection", {360, 560}, [] { return connectionPanel(ConnectionState::Connected); }},
       {"connection_lost", {360, 560}, [] { return connectionPanel(ConnectionState::Lost); }},
+      {"program_page_kind",
+       {760, 640},
+       [] { return programPage(test::pocket(), PathColouring::Kind); }},
+      {"program_page_feed",
+       {760, 640},
+       [] { return programPage(test::pocket(), PathColouring::Feed); }},
+      {"program_page_margin",
+       {760, 640},
+       [] { return programPage(test::pocket(), PathColouring::Margin); }},
+      {"program_page_time",
+       {760, 640},
+       [] { return programPage(test::pocket(), PathColouring::Time); }},
+      {"program_page_broken",
+       {760, 640},
+       [] { return programPage(test::brokenProgram(), PathColouring::Kind); }},
+      {"file_changed", {800, 56}, [] { return fileBanner(FileBanner::State::Changed, false); }},
+      {"file_changed_running",
+       {800, 56},
+       [] { return fileBanner(FileBanner::State::Changed, true); }},
+      {"file_gone", {800, 56}, [] { return fileBanner(FileBanner::State::Gone, false); }},
+      {"loading", {800, 56}, [] { return loadBar(); }},
       {"program", {420, 700}, [] { return programPanel(test::pocket()); }},
       {"program_broken", {420, 700}, [] { return programPanel(test::brokenProgram()); }},
       {"path_top", {640, 520}, [] { return pathView(false); }},

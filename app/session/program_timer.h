@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Reckons how long a machine takes for a program, away from the GUI thread: with the feeds of the
+/// program, and as a method streams it. @threadsafety GUI thread; the work itself runs in the
+/// global pool.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "base/method_kind.h"
+#include "widgets/program/program_view.h"
+
+namespace rivulet::session {
+
+/// What of the run's settings decides how long it takes.
+struct TimeSettings {
+  base::MethodKind method = base::MethodKind::Signal;
+  int pointsPerLoop = 2;
+  double feedMmPerS = 0.0;  ///< > 0
+  friend bool operator==(const TimeSettings&, const TimeSettings&) = default;
+};
+
+class ProgramTimer final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ProgramTimer(QObject* parent = nullptr) : QObject(parent) {}
+  ~ProgramTimer() override;
+
+  /// Begins; what is under way is forgotten. What does not depend on the settings is reckoned once
+  /// per program.
+  void start(std::shared_ptr<const widgets::ProgramView> view, const TimeSettings& settings);
+  void cancel();
+  [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
+
+ Q_SIGNALS:
+  /// Told as soon as the time of the program itself is known, and again with that of the run.
+  void reckoned(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times,
+                const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
+
+ private:
+  std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work under way; null: none
+  std::shared_ptr<const gcode::Program> m_program;
+  std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< of that program
+};
+
+}  // namespace rivulet::session

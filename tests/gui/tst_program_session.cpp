@@ -1,0 +1,379 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Programs of any size on the real window, without a control: read in the background, cancelled,
+/// reckoned, watched on the disk.
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "hmi/main_window.h"
+#include "session/file_watch.h"
+#include "session/program_loader.h"
+#include "session/program_timer.h"
+#include "widgets/common/message_area.h"
+#include "widgets/program/file_bars.h"
+#include "widgets/program/path_canvas.h"
+#include "widgets/program/path_view.h"
+#include "widgets/program/program_page.h"
+#include "widgets/program/program_panel.h"
+#include "widgets/program/program_text_view.h"
+
+using namespace rivulet;
+using session::FileWatch;
+using session::LoadedProgram;
+using session::ProgramLoader;
+using session::ProgramTimer;
+
+namespace {
+
+constexpr int kSoonMs = 20'000;
+constexpr int kLongMs = 300'000;
+
+void write(const QString& path, const QByteArray& text) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  QCOMPARE(file.write(text), text.size());
+}
+
+/// A finishing program as CAM systems make them: a spiral over a wavy surface, a block a line.
+QByteArray surface(int lines) {
+  QByteArray text = "G17 G90 G71\nG0 X0 Y0 Z20\nG1 Z0 F800\n";
+  text.reserve(lines * 32);
+  for (int i = 0; i < lines; ++i) {
+    const double angle = 0.01 * i;
+    const double radius = 60.0 * i / lines;
+    const double x = radius * std::cos(angle);
+    const double y = radius * std::sin(angle);
+    text += "X" + QByteArray::number(x, 'f', 3) + " Y" + QByteArray::number(y, 'f', 3) + " Z" +
+            QByteArray::number(2.0 * std::sin(0.2 * x), 'f', 3) + "\n";
+  }
+  return text + "G0 Z20\nM30\n";
+}
+
+hmi::Settings settings() {
+  hmi::Settings settings;
+  settings.language = QStringLiteral("en");
+  settings.theme = widgets::Theme::Light;
+  return settings;
+}
+
+/// The longest time between two beats of the GUI thread.
+class Heartbeat : public QObject {
+ public:
+  Heartbeat() {
+    m_clock.start();
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+      m_longestMs = std::max(m_longestMs, static_cast<double>(m_clock.nsecsElapsed()) * 1e-6);
+      m_clock.restart();
+    });
+    m_timer.start(1);
+  }
+  double takeLongestMs() { return std::exchange(m_longestMs, 0.0); }
+
+ private:
+  QTimer m_timer;
+  QElapsedTimer m_clock;
+  double m_longestMs = 0.0;
+};
+
+}  // namespace
+
+class TestProgramSession : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
+    QVERIFY(QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS)));
+  }
+
+  void changesOfTheFileAreTold() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("a.mpf");
+    const QString other = folder.filePath("b.mpf");
+    write(path, "G0 X1\n");
+    FileWatch watch;
+    QSignalSpy states(&watch, &FileWatch::stateChanged);
+    const auto last = [&] { return states.last().first().value<FileWatch::State>(); };
+    watch.watch(path, session::fileStamp(path));
+    QCOMPARE(watch.state(), FileWatch::State::Same);
+    // Written to.
+    write(path, "G0 X1\nG1 X2 F100\n");
+    QTRY_COMPARE_WITH_TIMEOUT(watch.state(), FileWatch::State::Changed, kSoonMs);
+    QCOMPARE(states.count(), 1);
+    QCOMPARE(last(), FileWatch::State::Changed);
+    // Replaced by another that takes its name, as editors and CAM systems do; twice, for the
+    // watch must have taken the new file.
+    for (const QByteArray& text : {QByteArray("G0 X3\n"), QByteArray("G0 X3\nG0 X4\n")}) {
+      watch.watch(path, session::fileStamp(path));
+      QCOMPARE(watch.state(), FileWatch::State::Same);
+      write(other, text + "G0 Y7\n");
+      QVERIFY(QFile::remove(path));
+      QVERIFY(QFile::rename(other, path));
+      QTRY_COMPARE_WITH_TIMEOUT(watch.state(), FileWatch::State::Changed, kSoonMs);
+      watch.watch(path, session::fileStamp(path));
+      write(path, text);
+      QTRY_COMPARE_WITH_TIMEOUT(watch.state(), FileWatch::State::Changed, kSoonMs);
+    }
+    // Away, and back as it was.
+    watch.watch(path, session::fileStamp(path));
+    QVERIFY(QFile::rename(path, other));
+    QTRY_COMPARE_WITH_TIMEOUT(watch.state(), FileWatch::State::Gone, kSoonMs);
+    QVERIFY(QFile::rename(other, path));
+    QTRY_COMPARE_WITH_TIMEOUT(watch.state(), FileWatch::State::Same, kSoonMs);
+    // What happened between the reading and the watching is told at once.
+    session::FileStamp old = session::fileStamp(path);
+    old.bytes += 1;
+    watch.watch(path, old);
+    QCOMPARE(watch.state(), FileWatch::State::Changed);
+    watch.clear();
+    QCOMPARE(watch.state(), FileWatch::State::Same);
+  }
+
+  void theLastRequestIsReported() {
+    QTemporaryDir folder;
+    write(folder.filePath("long.mpf"), surface(200'000));
+    write(folder.filePath("short.mpf"), surface(50));
+    ProgramLoader loader;
+    QSignalSpy failed(&loader, &ProgramLoader::failed);
+    QSignalSpy cancelled(&loader, &ProgramLoader::cancelled);
+    std::vector<LoadedProgram> loaded;
+    connect(&loader, &ProgramLoader::loaded, this,
+            [&](const LoadedProgram& program) { loaded.push_back(program); });
+    std::vector<double> shares;
+    connect(&loader, &ProgramLoader::progressed, this,
+            [&](double share) { shares.push_back(share); });
+    loader.load({folder.filePath("long.mpf"), {}, {}, 7});
+    loader.load({folder.filePath("short.mpf"), {}, {}, 7});
+    QVERIFY(loader.isBusy());
+    QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), std::size_t{1}, kSoonMs);
+    QVERIFY(!loader.isBusy());
+    QCOMPARE(loaded.front().view->program->name, std::string("short.mpf"));
+    QCOMPARE(loaded.front().view->distancesFor, 7);
+    QVERIFY(loaded.front().stamp == session::fileStamp(folder.filePath("short.mpf")));
+    // Cancelled: nothing comes, and it is no failure.
+    shares.clear();
+    loader.load({folder.filePath("long.mpf"), {}, {}, 7});
+    QTRY_VERIFY_WITH_TIMEOUT(!shares.empty(), kSoonMs);
+    loader.cancel();
+    QCOMPARE(cancelled.count(), 1);
+    QVERIFY(!loader.isBusy());
+    // To its end: the shares grow.
+    shares.clear();
+    loader.load({folder.filePath("long.mpf"), {}, {}, 7});
+    QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), std::size_t{2}, kLongMs);
+    QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+    QVERIFY(shares.back() <= 1.0);
+    QCOMPARE(loaded.back().view->program->trajectory.points.size(), std::size_t{200'003});
+    QCOMPARE(failed.count(), 0);
+    loader.load({folder.filePath("missing.mpf"), {}, {}, 7});
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, kSoonMs);
+    QVERIFY(!loader.isBusy());
+  }
+
+  void timesBelongToTheStreamedPoints() {
+    const auto program = std::make_shared<const gcode::Program>(
+        gcode::interpretProgram("a", "G0 X0 Y0 Z0\nG1 X10 F600\nX10\nX20\nX30 Y5\n").value());
+    const auto view = widgets::makeProgramView(program, {0.0, 0.0, 0.0}, 2);
+    QCOMPARE(view->points.points.size(), std::size_t{4});
+    ProgramTimer timer;
+    std::vector<std::shared_ptr<const widgets::ProgramTimes>> times;
+    connect(&timer, &ProgramTimer::reckoned, this, [&](const auto& reckoned, const auto& of) {
+      QVERIFY(of == view);
+      times.push_back(reckoned);
+    });
+    timer.start(view, {base::MethodKind::Position, 2, 5.0});
+    // First what the program itself takes, then what a run takes.
+    QTRY_COMPARE_WITH_TIMEOUT(times.size(), std::size_t{2}, kSoonMs);
+    QVERIFY(!times.front()->run);
+    const widgets::ProgramTimes& first = *times.back();
+    QCOMPARE(first.atS, times.front()->atS);
+    QCOMPARE(first.atS.size(), std::size_t{4});
+    QVERIFY(std::is_sorted(first.atS.begin(), first.atS.end()));
+    QVERIFY(first.programmedS > 3.0 && first.programmedS < 4.0);  // 31.18 mm at 10 mm/s
+    QVERIFY(first.run->totalS > 6.2);                             // and at 5 mm/s
+    QCOMPARE(first.run->pauses, std::size_t{1});
+    QVERIFY(first.run->standingS > 0.0);
+    // Other settings: what the program itself takes stays.
+    timer.start(view, {base::MethodKind::Signal, 2, 10.0});
+    QTRY_COMPARE_WITH_TIMEOUT(times.size(), std::size_t{3}, kSoonMs);
+    QCOMPARE(times.back()->programmedS, first.programmedS);
+    QVERIFY(times.back()->run->totalS < first.run->totalS);
+    QCOMPARE(times.back()->run->pauses, std::size_t{3});
+    timer.start(view, {base::MethodKind::Signal, 2, 10.0});
+    timer.cancel();
+    QVERIFY(!timer.isBusy());
+  }
+
+  /// Coordinates a program leaves open are where the tool stands.
+  void pointsFollowTheTool() {
+    const auto program = std::make_shared<const gcode::Program>(
+        gcode::interpretProgram("a", "G0 Z5\nG1 X10 Y0 F600\nX20\n").value());
+    const auto view = widgets::makeProgramView(program, {1.0, 2.0, 3.0}, 2);
+    QVERIFY(view->dependsOnStart);
+    QVERIFY((view->points.points.front().positionMm == base::Vec3{1.0, 2.0, 5.0}));
+    ProgramLoader loader;
+    std::shared_ptr<const widgets::ProgramView> placed;
+    connect(&loader, &ProgramLoader::placed, this, [&](const auto& made, const auto& of) {
+      QVERIFY(of == view);
+      placed = made;
+    });
+    loader.place(view, {7.0, 8.0, 9.0}, 2);
+    loader.place(view, {0.0, 0.0, 0.0}, 2);  // one at a time: not begun
+    QVERIFY(loader.isPlacing());
+    QTRY_VERIFY_WITH_TIMEOUT(placed != nullptr, kSoonMs);
+    QVERIFY(!loader.isPlacing());
+    QVERIFY(placed->program == program);
+    QVERIFY((placed->points.points.front().positionMm == base::Vec3{7.0, 8.0, 5.0}));
+    QVERIFY(placed->points.points.back().positionMm == view->points.points.back().positionMm);
+  }
+
+  /// A million lines: the window answers all the while, and Cancel leaves what was there.
+  void aMillionLinesNeverHoldTheWindow() {
+    QTemporaryDir folder;
+    write(folder.filePath("small.mpf"), surface(300));
+    write(folder.filePath("large.mpf"), surface(1'000'000));
+    write(folder.filePath("huge.mpf"), surface(3'000'000));  // read long enough to be cancelled
+    hmi::MainWindow window(settings(), false);
+    window.resize(1440, 900);
+    window.show();
+    window.openProgram(folder.filePath("small.mpf"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.program() != nullptr, kSoonMs);
+    const auto small = window.program();
+
+    auto* bar = window.findChild<widgets::LoadBar*>();
+    auto* progress = bar->findChild<QProgressBar*>();
+    auto* messages = window.findChild<widgets::MessageArea*>();
+    window.openProgram(folder.filePath("huge.mpf"));
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && progress->value() > 0, kLongMs);
+    QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
+    QVERIFY(!bar->isVisible());
+    QVERIFY(messages->text().isEmpty());
+    QVERIFY(window.program() == small);
+
+    Heartbeat heartbeat;
+    QElapsedTimer clock;
+    clock.start();
+    window.openProgram(folder.filePath("large.mpf"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.program() != small, kLongMs);
+    const auto loadedMs = clock.elapsed();
+    QTest::qWait(50);  // what the new program sets off is drawn
+    qInfo("1,000,000 lines: shown after %lld ms, longest stall of the window %.0f ms",
+          static_cast<long long>(loadedMs), heartbeat.takeLongestMs());
+    QVERIFY(!bar->isVisible());
+    QCOMPARE(window.program()->statistics.lines, std::size_t{1'000'005});
+    widgets::ProgramPage* page = window.programPage();
+    QVERIFY(page->path()->canvas()->takeMostAtOnce() <= widgets::PathCanvas::kFrameMoves);
+    for (const auto colouring : {widgets::PathColouring::Feed, widgets::PathColouring::Margin}) {
+      page->path()->setColouring(colouring);
+      QTest::qWait(20);
+    }
+    page->showLine(777'777);
+    QCOMPARE(page->text()->currentLine(), std::size_t{777'777});
+    widgets::StreamSettings stream;
+    stream.parameters.pointsPerLoop = 9;
+    window.setStreamSettings(stream);
+    QTest::qWait(50);
+    qInfo("colours, a jump and another N: longest stall %.0f ms", heartbeat.takeLongestMs());
+    clock.restart();
+    QTRY_VERIFY_WITH_TIMEOUT(page->hasTimes(), kLongMs);
+    page->path()->setColouring(widgets::PathColouring::Time);
+    QTest::qWait(50);
+    qInfo("times after another %lld ms, longest stall %.0f ms",
+          static_cast<long long>(clock.elapsed()), heartbeat.takeLongestMs());
+    QTRY_VERIFY_WITH_TIMEOUT(page->path()->canvas()->isFine(), kSoonMs);
+    QVERIFY(window.grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/million-lines.png")));
+  }
+
+  /// What is not understood is accepted and taken back, a dialect is ordered: the program is read
+  /// again each time, with all that was ordered before.
+  void theWayOfReadingIsOrdered() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("a.mpf");
+    write(path, "G0 X0 Y0 Z0\nG1 X10 F500\nG87 X20\nG1 X30\nCYCLE83(1)\nG1 X40\n");
+    hmi::MainWindow window(settings(), false);
+    window.openProgram(path);
+    QTRY_VERIFY_WITH_TIMEOUT(window.program() != nullptr, kSoonMs);
+    QVERIFY(!window.program()->isStreamable());
+    auto* panel = window.programPage()->panel();
+    const auto readAgain = [&](const std::function<void()>& order) {
+      const auto before = window.program();
+      order();
+      return QTest::qWaitFor([&] { return window.program() != before; }, kSoonMs);
+    };
+    QStringList names;
+    for (const gcode::Diagnostic& finding : window.program()->diagnostics) {
+      const QString name = QString::fromStdString(gcode::acceptableName(finding));
+      if (!name.isEmpty() && !names.contains(name)) {
+        names.append(name);
+      }
+    }
+    QVERIFY(names.size() >= 2);
+    for (const QString& name : names) {
+      QVERIFY(!window.program()->isStreamable());
+      QVERIFY(readAgain([&] { Q_EMIT panel->acceptRequested(name); }));
+    }
+    QVERIFY(window.program()->isStreamable());
+    // Another dialect keeps what was accepted.
+    QVERIFY(readAgain([&] { Q_EMIT panel->dialectRequested(gcode::Dialect::Sinumerik); }));
+    QVERIFY(window.program()->dialect == gcode::Dialect::Sinumerik);
+    QVERIFY(window.program()->isStreamable());
+    QVERIFY(readAgain([&] { Q_EMIT panel->takeBackRequested(names.front()); }));
+    QVERIFY(!window.program()->isStreamable());
+    QVERIFY(window.program()->dialect == gcode::Dialect::Sinumerik);
+    // Opened anew, it is read as any other.
+    QVERIFY(readAgain([&] { window.openProgram(path); }));
+    QVERIFY(!window.program()->isStreamable());
+  }
+
+  /// The file changes under the window; Reload takes the new text, the old one stays until then.
+  void aChangedFileIsReloadedOnDemand() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("a.mpf");
+    write(path, surface(100));
+    hmi::MainWindow window(settings(), false);
+    window.resize(1440, 900);
+    window.show();
+    window.openProgram(path);
+    QTRY_VERIFY_WITH_TIMEOUT(window.program() != nullptr, kSoonMs);
+    const std::string hash = window.program()->hash;
+    auto* banner = window.findChild<widgets::FileBanner*>();
+    QVERIFY(!banner->isVisible());
+    write(path, surface(120));
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), kSoonMs);
+    QCOMPARE(window.program()->hash, hash);
+    QVERIFY(window.grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/file-changed.png")));
+    // At this width nothing of the columns beside the pages is cut.
+    for (const QScrollArea* column : window.findChildren<QScrollArea*>()) {
+      if (column->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff && column->isVisible()) {
+        QVERIFY2(column->widget()->width() <= column->viewport()->width(),
+                 column->widget()->metaObject()->className());
+      }
+    }
+    QTest::mouseClick(banner->findChild<QPushButton*>(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(window.program()->hash != hash, kSoonMs);
+    QVERIFY(!banner->isVisible());
+    QVERIFY(QFile::remove(path));
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), kSoonMs);
+    QCOMPARE(banner->state(), widgets::FileBanner::State::Gone);
+  }
+};
+
+QTEST_MAIN(TestProgramSession)
+#include "tst_program_session.moc"

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+
+#include "gui/widgets/page_test.h"
+#include "gui/widgets/samples.h"
+#include "widgets/program/file_bars.h"
+#include "widgets/program/path_canvas.h"
+#include "widgets/program/path_view.h"
+#include "widgets/program/program_page.h"
+#include "widgets/program/program_panel.h"
+#include "widgets/program/program_text_view.h"
+
+using namespace rivulet;
+using namespace rivulet::widgets;
+
+namespace {
+
+std::shared_ptr<const ProgramView> textOnly(std::string text) {
+  auto program = std::make_shared<gcode::Program>();
+  program->text = std::move(text);
+  return test::viewOf(program);
+}
+
+}  // namespace
+
+class TestProgramPage : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { test::failOnWarnings(); }
+
+  void textIsReadAsWhatItIs() {
+    ProgramTextView view;
+    view.setProgram(
+        textOnly("(gr\xC3\xB6\xC3\x9F"
+                 "er)\r\nX1\tY2\r\n"));
+    QCOMPARE(view.lineText(1), QString::fromUtf8("(gr\xC3\xB6\xC3\x9F"
+                                                 "er)"));
+    QCOMPARE(view.lineText(2), QString("X1      Y2"));
+    view.setProgram(
+        textOnly("(gr\xF6\xDF"
+                 "er)\nX1\n"));
+    QCOMPARE(view.lineText(1), QString::fromUtf8("(gr\xC3\xB6\xC3\x9F"
+                                                 "er)"));
+    // One endless line is shown as far as it goes.
+    view.setProgram(textOnly(std::string(100'000, 'X')));
+    QVERIFY(view.lineText(1).size() < 5000);
+    QVERIFY(view.lineText(1).endsWith(QChar(0x2026)));
+    QVERIFY(test::colourCount(test::picture(view, {300, 200})) > 2);
+  }
+
+  /// A million lines: no more of them are painted than there is room for.
+  void onlyLinesInSightArePainted() {
+    std::string text;
+    for (int line = 0; line < 1'000'000; ++line) {
+      text += "N" + std::to_string(line + 1) + " X1 Y2\n";
+    }
+    const auto program = textOnly(std::move(text));
+    ProgramTextView view;
+    view.setProgram(program);
+    static_cast<void>(test::picture(view, {400, 300}));
+    const std::size_t room = view.paintedLines();
+    QVERIFY(room > 5 && room < 60);
+    QElapsedTimer clock;
+    double slowestMs = 0.0;
+    for (const std::size_t line : {1U, 500'000U, 1'000'000U, 123'456U}) {
+      view.setCurrentLine(line);
+      QCOMPARE(view.currentLine(), line);
+      QVERIFY(view.firstVisibleLine() <= line && line < view.firstVisibleLine() + room);
+      clock.start();
+      static_cast<void>(view.grab());
+      slowestMs = std::max(slowestMs, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+      QVERIFY(view.paintedLines() <= room);
+    }
+    qInfo("1,000,000 lines: the slowest frame took %.1f ms", slowestMs);
+    // A line in sight stays in sight when the view changes its height.
+    for (const int height : {120, 60, 400}) {
+      static_cast<void>(test::picture(view, {400, height}));
+      QVERIFY(view.firstVisibleLine() <= 123'456U);
+      QVERIFY(123'456U < view.firstVisibleLine() + view.paintedLines());
+    }
+    view.setCurrentLine(1'000'001);
+    QCOMPARE(view.currentLine(), std::size_t{123'456});
+  }
+
+  /// A line chosen before the view has its size is in sight when it has.
+  void aLineChosenEarlyIsInSight() {
+    ProgramPage page;
+    page.setProgram(test::viewOf(test::pocket()));
+    page.showLine(700);
+    static_cast<void>(test::picture(page, {760, 640}));
+    const std::size_t first = page.text()->firstVisibleLine();
+    QVERIFY2(first <= 700 && 700 < first + page.text()->paintedLines(),
+             qPrintable(QString::number(first)));
+  }
+
+  void keysAndClicksChooseLines() {
+    ProgramTextView view;
+    view.setProgram(textOnly("a\nb\nc\nd\n"));
+    static_cast<void>(test::picture(view, {300, 200}));
+    QSignalSpy chosen(&view, &ProgramTextView::lineChosen);
+    const auto last = [&] { return chosen.last().first().value<std::size_t>(); };
+    QTest::keyClick(&view, Qt::Key_Down);
+    QCOMPARE(last(), std::size_t{1});
+    QTest::keyClick(&view, Qt::Key_Down);
+    QCOMPARE(last(), std::size_t{2});
+    QTest::keyClick(&view, Qt::Key_End);
+    QCOMPARE(last(), std::size_t{4});
+    QTest::keyClick(&view, Qt::Key_Down);
+    QCOMPARE(last(), std::size_t{4});
+    QTest::keyClick(&view, Qt::Key_PageUp);
+    QCOMPARE(last(), std::size_t{1});
+    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, {150, 30});
+    QCOMPARE(last(), std::size_t{2});
+    // Below the text there is nothing to choose.
+    const auto count = chosen.count();
+    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, {150, 180});
+    QCOMPARE(chosen.count(), count);
+    view.setProgram(nullptr);
+    QTest::keyClick(&view, Qt::Key_Down);
+    QCOMPARE(chosen.count(), count);
+  }
+
+  void findingsAreMarked() {
+    const auto broken = test::viewOf(test::brokenProgram());
+    auto clean = std::make_shared<gcode::Program>(*test::brokenProgram());
+    clean->diagnostics.clear();
+    ProgramTextView marked;
+    marked.setProgram(broken);
+    ProgramTextView plain;
+    plain.setProgram(test::viewOf(clean));
+    QVERIFY(test::picture(marked, {300, 200}) != test::picture(plain, {300, 200}));
+  }
+
+  /// Path, text and findings show the same place, whichever was touched.
+  void placesAreLinkedBothWays() {
+    const auto view = test::viewOf(test::pocket());
+    ProgramPage page;
+    page.setProgram(view);
+    static_cast<void>(test::picture(page, {900, 700}));
+    // Text to path.
+    const std::size_t point = 400;
+    const std::size_t line = view->points.points[point].line.value;
+    page.text()->setCurrentLine(1);
+    Q_EMIT page.text()->lineChosen(line);
+    QCOMPARE(page.text()->currentLine(), line);
+    QCOMPARE(page.path()->slider()->value(), static_cast<int>(point));
+    // Slider to text.
+    page.path()->slider()->setValue(500);
+    QCOMPARE(page.text()->currentLine(), std::size_t{view->points.points[500].line.value});
+    // Path to text.
+    PathCanvas* canvas = page.path()->canvas();
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->placeOf(point).toPoint());
+    const auto clicked = static_cast<std::size_t>(page.path()->slider()->value());
+    QVERIFY(QLineF(canvas->placeOf(clicked), canvas->placeOf(point)).length() < 14.0);
+    QCOMPARE(page.text()->currentLine(), std::size_t{view->points.points[clicked].line.value});
+    // A line without a move is shown in the text; the path stays where it is.
+    Q_EMIT page.panel()->lineChosen(2);
+    QCOMPARE(page.text()->currentLine(), std::size_t{2});
+    QCOMPARE(page.path()->slider()->value(), static_cast<int>(clicked));
+    page.setProgram(nullptr);
+    Q_EMIT page.panel()->lineChosen(2);
+    QCOMPARE(page.text()->currentLine(), std::size_t{0});
+  }
+
+  void theBannerSaysWhatARunKeeps() {
+    test::Language language;
+    FileBanner banner;
+    banner.setProgram("A.MPF", "0123456789abcdef");
+    QVERIFY(!banner.isVisibleTo(nullptr));
+    banner.setState(FileBanner::State::Changed);
+    QVERIFY(test::visibleText(banner).contains("Reload it?"));
+    QSignalSpy reload(&banner, &FileBanner::reloadRequested);
+    auto* button = banner.findChild<QPushButton*>();
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(reload.count(), 1);
+    banner.setRunning(true);
+    QVERIFY(test::visibleText(banner).contains("The run keeps version 0123456789abcdef."));
+    QVERIFY(!button->isVisibleTo(&banner));
+    banner.setRunning(false);
+    banner.setState(FileBanner::State::Gone);
+    QVERIFY(test::visibleText(banner).contains("no longer there"));
+    QVERIFY(!button->isVisibleTo(&banner));
+    banner.setState(FileBanner::State::Same);
+    QVERIFY(banner.isHidden());
+  }
+
+  void readingCanBeCancelled() {
+    LoadBar bar;
+    QVERIFY(bar.isHidden());
+    bar.setProgress(0.25, "A.MPF");
+    QVERIFY(bar.isHidden());  // it may be there in a moment
+    QTRY_VERIFY(!bar.isHidden());
+    QVERIFY(test::visibleText(bar).contains("A.MPF"));
+    QSignalSpy cancel(&bar, &LoadBar::cancelRequested);
+    QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(cancel.count(), 1);
+    bar.setProgress(std::nullopt);
+    QVERIFY(bar.isHidden());
+    // What was read within a moment never showed.
+    bar.setProgress(0.5, "B.MPF");
+    bar.setProgress(std::nullopt);
+    QTest::qWait(300);
+    QVERIFY(bar.isHidden());
+  }
+};
+
+QTEST_MAIN(TestProgramPage)
+#include "tst_program_page.moc"

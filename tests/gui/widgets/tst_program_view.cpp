@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/widgets/samples.h"
+#include "widgets/program/program_view.h"
+
+using namespace rivulet;
+using namespace rivulet::widgets;
+
+namespace {
+
+double distanceToLine(base::Vec3 point, base::Vec3 from, base::Vec3 to) {
+  const base::Vec3 along = to - from;
+  const double square = base::dot(along, along);
+  const double share =
+      square > 0.0 ? std::clamp(base::dot(point - from, along) / square, 0.0, 1.0) : 0.0;
+  return base::distance(point, from + share * along);
+}
+
+/// A finishing spiral on a wavy surface with a rapid in the middle.
+std::vector<gcode::StreamPoint> surface(std::size_t count) {
+  std::vector<gcode::StreamPoint> points = test::manyPoints(count);
+  for (gcode::StreamPoint& point : points) {
+    point.positionMm.z = 2.0 * std::sin(0.3 * point.positionMm.x);
+  }
+  return points;
+}
+
+}  // namespace
+
+class TestProgramView : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void linesEndAsOnTheControl_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QList<QByteArray>>("lines");
+    QTest::newRow("empty") << QByteArray() << QList<QByteArray>{};
+    QTest::newRow("lf") << QByteArray("G0\nG1\n") << QList<QByteArray>{"G0", "G1"};
+    QTest::newRow("no end") << QByteArray("G0\nG1") << QList<QByteArray>{"G0", "G1"};
+    QTest::newRow("crlf") << QByteArray("G0\r\n\r\nG1\r\n") << QList<QByteArray>{"G0", "", "G1"};
+    QTest::newRow("cr") << QByteArray("G0\rG1\r") << QList<QByteArray>{"G0", "G1"};
+    QTest::newRow("mixed") << QByteArray("a\n\rb\r\nc") << QList<QByteArray>{"a", "", "b", "c"};
+    QTest::newRow("blank") << QByteArray("\n\n") << QList<QByteArray>{"", ""};
+  }
+  void linesEndAsOnTheControl() {
+    QFETCH(QByteArray, text);
+    QFETCH(QList<QByteArray>, lines);
+    const std::string bytes = text.toStdString();
+    const TextIndex index(bytes);
+    QCOMPARE(static_cast<qsizetype>(index.lines()), lines.size());
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < index.lines(); ++i) {
+      const std::string_view line = index.line(bytes, i);
+      QCOMPARE(QByteArray(line.data(), static_cast<qsizetype>(line.size())),
+               lines[static_cast<qsizetype>(i)]);
+      longest = std::max(longest, line.size());
+    }
+    QCOMPARE(index.longestBytes(), longest);
+  }
+
+  /// The index of a real program has the line numbers the interpreter counts.
+  void linesAreThoseOfTheInterpreter() {
+    for (const auto& program : {test::pocket(), test::brokenProgram()}) {
+      QCOMPARE(TextIndex(program->text).lines(), program->statistics.lines);
+    }
+  }
+
+  void knowsUtf8FromLatin1() {
+    QVERIFY(isUtf8("plain"));
+    QVERIFY(
+        isUtf8("gr\xC3\xB6\xC3\x9F"
+               "er \xE2\x82\xAC \xF0\x9F\x94\xA7"));
+    for (const char* bad : {"gr\xF6\xDF"
+                            "er",
+                            "\xC3", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80",
+                            "\xF5\x80\x80\x80", "\x80", "\xE2\x82"}) {
+      QVERIFY2(!isUtf8(bad), bad);
+    }
+    QVERIFY(!TextIndex("(gr\xF6)\n").isUtf8());
+    QVERIFY(TextIndex("(gr\xC3\xB6)\n").isUtf8());
+  }
+
+  /// No point left out lies farther from the line drawn in its place than the level says.
+  void levelsKeepTheirTolerance() {
+    const auto points = surface(20'000);
+    std::vector<bool> isRapid(points.size(), false);
+    for (std::size_t i = 9000; i < 9100; ++i) {
+      isRapid[i] = true;
+    }
+    const PathLevels levels(points, isRapid);
+    QVERIFY(levels.levels().size() >= 4);
+    QCOMPARE(levels.levels().front().kept.size(), points.size());
+    QVERIFY(levels.levels().back().kept.size() <= 2000);
+    for (std::size_t l = 0; l < levels.levels().size(); ++l) {
+      const PathLevel& level = levels.levels()[l];
+      QCOMPARE(level.kept.front(), 0U);
+      QCOMPARE(level.kept.back(), static_cast<std::uint32_t>(points.size() - 1));
+      QVERIFY(l == 0 || level.toleranceMm >= 2.0 * levels.levels()[l - 1].toleranceMm);
+      double farthest = 0.0;
+      for (std::size_t k = 1; k < level.kept.size(); ++k) {
+        QVERIFY(level.kept[k] > level.kept[k - 1]);
+        for (std::size_t i = level.kept[k - 1] + 1; i < level.kept[k]; ++i) {
+          farthest = std::max(
+              farthest, distanceToLine(points[i].positionMm, points[level.kept[k - 1]].positionMm,
+                                       points[level.kept[k]].positionMm));
+        }
+      }
+      QVERIFY2(farthest <= level.toleranceMm * (1.0 + 1e-12),
+               qPrintable(QString("%1 > %2").arg(farthest).arg(level.toleranceMm)));
+      // Where rapids begin and end there is a point.
+      for (const std::uint32_t change : {8999U, 9099U}) {
+        QVERIFY(std::binary_search(level.kept.begin(), level.kept.end(), change));
+      }
+    }
+  }
+
+  void boxesHoldTheirChunks() {
+    const auto points = surface(3000);
+    const PathLevels levels(points, std::vector<bool>(points.size(), false));
+    for (const PathLevel& level : levels.levels()) {
+      for (const PathProjection projection : {PathProjection::Top, PathProjection::Isometric}) {
+        const auto& boxes = level.boxes[static_cast<std::size_t>(projection)];
+        QCOMPARE(boxes.size(), (level.kept.size() - 1 + kChunkMoves - 1) / kChunkMoves);
+        for (std::size_t k = 0; k < level.kept.size(); ++k) {
+          const PlanePoint place = project(points[level.kept[k]].positionMm, projection);
+          const PlaneBox& box = boxes[std::min(k / kChunkMoves, boxes.size() - 1)];
+          const PlaneBox& all = levels.box(projection);
+          for (const PlaneBox& around : {box, all}) {
+            QVERIFY(static_cast<float>(place.right) >= around.left &&
+                    static_cast<float>(place.right) <= around.right &&
+                    static_cast<float>(place.up) >= around.low &&
+                    static_cast<float>(place.up) <= around.high);
+          }
+        }
+      }
+    }
+  }
+
+  /// Nothing but changes between rapid and cut: the levels still become small.
+  void pathsOfRapidsAndCutsBecomeSmall() {
+    const auto points = test::manyPoints(50'000);
+    std::vector<bool> isRapid(points.size());
+    for (std::size_t i = 0; i < points.size(); i += 2) {
+      isRapid[i] = true;
+    }
+    QVERIFY(PathLevels(points, isRapid).levels().back().kept.size() <= 2000);
+    QVERIFY(PathLevels({}, {}).levels().empty());
+    QCOMPARE(PathLevels({points.front()}, {false}).levels().size(), std::size_t{1});
+  }
+
+  void theViewOfAProgramAgreesWithItsTrajectory() {
+    const auto program = test::pocket();
+    const auto view = makeProgramView(program, {1.0, 2.0, 3.0}, 7);
+    QVERIFY(view->program == program);
+    QCOMPARE(view->points.points.size(), test::streamed(*program).size());
+    QCOMPARE(view->kinds.size(), view->points.points.size());
+    for (std::size_t i = 0; i < view->kinds.size(); ++i) {
+      const gcode::TrajectoryPoint& source = program->trajectory.points[view->trajectoryIndices[i]];
+      QCOMPARE(view->kinds[i], source.kind);
+      QCOMPARE(view->points.points[i].line.value, source.line.value);
+    }
+    QVERIFY(view->statistics.has_value());
+    QCOMPARE(view->distances->windowSteps, 3);
+    QCOMPARE(view->smallestDistancesMm.front(), view->distances->pointDistanceMmMin);
+    QVERIFY(!view->dependsOnStart);
+    double length = 0.0;
+    for (std::size_t i = 1; i < view->points.points.size(); ++i) {
+      length +=
+          base::distance(view->points.points[i - 1].positionMm, view->points.points[i].positionMm);
+    }
+    const KindLengths& lengths = view->lengths;
+    QVERIFY(std::abs(lengths.rapidMm + lengths.lineMm + lengths.arcMm + lengths.splineMm - length) <
+            1e-9);
+    QVERIFY(lengths.arcMm > 0.0 && lengths.rapidMm > 0.0);
+    QVERIFY(makeProgramView(test::brokenProgram(), {}, 7)->points.points.size() >= 2);
+  }
+
+  void linesKnowTheirPoints() {
+    auto program = std::make_shared<gcode::Program>();
+    const std::vector<std::uint32_t> lines{1, 2, 3, 4, 2, 3, 4, 9};
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      gcode::TrajectoryPoint point;
+      point.positionMm = {static_cast<double>(i), 0.0, 0.0};
+      point.line = {lines[i]};
+      program->trajectory.points.push_back(point);
+    }
+    // A loop runs lines 2 to 4 twice.
+    const auto looped = makeProgramView(program, {}, 2);
+    QVERIFY(!looped->byLine.empty());
+    QCOMPARE(looped->pointsOfLine({3}), (std::vector<std::uint32_t>{2, 5}));
+    QCOMPARE(looped->pointsOfLine({9}), (std::vector<std::uint32_t>{7}));
+    QVERIFY(looped->pointsOfLine({5}).empty());
+    QVERIFY(looped->pointsOfLine({0}).empty());
+    const auto pocket = makeProgramView(test::pocket(), {}, 7);
+    QVERIFY(pocket->byLine.empty());
+    for (std::size_t i = 0; i < pocket->points.points.size(); i += 97) {
+      const auto found = pocket->pointsOfLine(pocket->points.points[i].line);
+      QVERIFY(std::find(found.begin(), found.end(), i) != found.end());
+    }
+  }
+
+  void workCanBeGivenUp() {
+    int asked = 0;
+    QVERIFY(!makeProgramView(test::pocket(), {}, 7, [&](double) { return ++asked < 2; }));
+    QCOMPARE(asked, 2);
+    double last = 0.0;
+    QVERIFY(makeProgramView(test::pocket(), {}, 7, [&](double share) {
+      const bool grows = share >= last;
+      last = share;
+      return grows;
+    }));
+    QCOMPARE(last, 1.0);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestProgramView)
+#include "tst_program_view.moc"

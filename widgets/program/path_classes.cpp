@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/program/path_classes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/contract.h"
+#include "feasibility/equations.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+/// For each step the smallest sum of `width` neighbouring steps it belongs to. One pass: the
+/// windows that may still be smallest are kept in ascending order.
+std::vector<double> shortestWindowOf(const std::vector<double>& stepsMm, std::size_t width) {
+  const std::size_t count = stepsMm.size();
+  width = std::clamp<std::size_t>(width, 1, std::max<std::size_t>(count, 1));
+  std::vector<double> windowMm(count >= width ? count - width + 1 : 0);
+  for (std::size_t i = 0; i < windowMm.size(); ++i) {
+    // Summed anew each time: a running sum loses the short steps behind long ones. N is small.
+    for (std::size_t k = 0; k < width; ++k) {
+      windowMm[i] += stepsMm[i + k];
+    }
+  }
+  std::vector<double> shortest(count);
+  std::vector<std::size_t> candidates;  // windows, their sums ascending; the front one is smallest
+  std::size_t front = 0;
+  for (std::size_t step = 0; step < count; ++step) {
+    if (step < windowMm.size()) {
+      while (candidates.size() > front && windowMm[candidates.back()] >= windowMm[step]) {
+        candidates.pop_back();
+      }
+      candidates.push_back(step);
+    }
+    while (candidates[front] + width <= step) {
+      ++front;
+    }
+    shortest[step] = windowMm[candidates[front]];
+  }
+  return shortest;
+}
+
+}  // namespace
+
+PathClasses classesByKind(const ProgramView& view) {
+  PathClasses classes;
+  classes.colouring = PathColouring::Kind;
+  classes.count = 4;
+  classes.ofPoint.reserve(view.kinds.size());
+  for (const gcode::MoveKind kind : view.kinds) {
+    KindClass shown = KindClass::Line;
+    switch (kind) {
+      case gcode::MoveKind::Rapid:
+        shown = KindClass::Rapid;
+        break;
+      case gcode::MoveKind::Feed:
+        break;
+      case gcode::MoveKind::Arc:
+      case gcode::MoveKind::ArcPiece:
+        shown = KindClass::Arc;
+        break;
+      case gcode::MoveKind::SplinePiece:
+        shown = KindClass::Spline;
+        break;
+    }
+    classes.ofPoint.push_back(static_cast<std::uint8_t>(shown));
+  }
+  return classes;
+}
+
+PathClasses classesByFeed(const ProgramView& view) {
+  PathClasses classes;
+  classes.colouring = PathColouring::Feed;
+  std::vector<float> feeds;
+  for (std::size_t i = 0; i < view.kinds.size(); ++i) {
+    const float feed = view.feedsMmPerS[i];
+    if (view.kinds[i] != gcode::MoveKind::Rapid && (feeds.empty() || feeds.back() != feed)) {
+      feeds.push_back(feed);
+    }
+  }
+  std::sort(feeds.begin(), feeds.end());
+  feeds.erase(std::unique(feeds.begin(), feeds.end()), feeds.end());
+  classes.eachFeedItsOwn = feeds.size() <= kFeedClassesMax;
+  if (classes.eachFeedItsOwn) {
+    classes.borders.assign(feeds.begin(), feeds.end());
+    classes.count = feeds.size() + 1;
+  } else {
+    // A feed of 0 is none at all: it belongs to the lowest class.
+    const double lowest = *std::upper_bound(feeds.begin(), feeds.end(), 0.0F);
+    const double ratio = feeds.back() / lowest;
+    for (std::size_t i = 0; i <= kFeedClassesMax; ++i) {
+      classes.borders.push_back(
+          lowest * std::pow(ratio, static_cast<double>(i) / static_cast<double>(kFeedClassesMax)));
+    }
+    classes.count = kFeedClassesMax + 1;
+  }
+  classes.ofPoint.reserve(view.kinds.size());
+  for (std::size_t i = 0; i < view.kinds.size(); ++i) {
+    std::size_t shown = 0;
+    if (view.kinds[i] != gcode::MoveKind::Rapid) {
+      const auto above = std::upper_bound(classes.borders.begin(), classes.borders.end(),
+                                          static_cast<double>(view.feedsMmPerS[i]));
+      shown = std::clamp<std::size_t>(static_cast<std::size_t>(above - classes.borders.begin()), 1,
+                                      classes.count - 1);
+    }
+    classes.ofPoint.push_back(static_cast<std::uint8_t>(shown));
+  }
+  return classes;
+}
+
+std::vector<float> localMargins(const ProgramView& view, const feasibility::OperatingPoint& point) {
+  const std::vector<gcode::StreamPoint>& points = view.points.points;
+  const feasibility::AccessModel access;
+  const feasibility::SafetyFactors safety;
+  std::vector<float> margins(points.size(), std::numeric_limits<float>::infinity());
+  if (points.size() < 2 || !(point.feedMmPerS > 0.0) || point.pointsPerLoop < 2) {
+    return margins;
+  }
+  std::vector<double> stepsMm;
+  stepsMm.reserve(points.size() - 1);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    stepsMm.push_back(base::distance(points[i - 1].positionMm, points[i].positionMm));
+  }
+  // Both margins are proportional to the length: one evaluation does for all.
+  double perMm = 0.0;
+  if (point.method == base::MethodKind::Position) {
+    perMm = feasibility::pointDistanceMargin(
+        point.feedMmPerS, feasibility::pollTime(access.accessTime).max, 1.0, safety.pointDistance);
+  } else {
+    perMm = feasibility::realWindowMargin(point.feedMmPerS, access.accessTime, point.pointsPerLoop,
+                                          1.0, safety.window);
+    stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop / 2));
+  }
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    margins[i] = static_cast<float>(stepsMm[i - 1] * perMm);
+  }
+  return margins;
+}
+
+PathClasses classesByMargin(const ProgramView& view, const feasibility::OperatingPoint& point) {
+  PathClasses classes;
+  classes.colouring = PathColouring::Margin;
+  classes.count = kMarginClasses;
+  classes.highestWins = true;
+  classes.borders = {kMarginAmple, kMarginFair, kMarginNone};
+  classes.ofPoint.reserve(view.points.points.size());
+  for (const float margin : localMargins(view, point)) {
+    const bool keeps = static_cast<double>(margin) > kMarginNone;
+    classes.ofPoint.push_back(margin >= static_cast<float>(kMarginAmple)  ? 0
+                              : margin >= static_cast<float>(kMarginFair) ? 1
+                              : keeps                                     ? 2
+                                                                          : 3);
+  }
+  return classes;
+}
+
+PathClasses classesByTime(const std::vector<float>& atS) {
+  PathClasses classes;
+  classes.colouring = PathColouring::Time;
+  classes.count = kTimeClasses;
+  const double total = atS.empty() ? 0.0 : atS.back();
+  for (std::size_t i = 0; i <= kTimeClasses; ++i) {
+    classes.borders.push_back(total * static_cast<double>(i) / static_cast<double>(kTimeClasses));
+  }
+  classes.ofPoint.reserve(atS.size());
+  for (const float at : atS) {
+    const double share = total > 0.0 ? at / total : 0.0;
+    classes.ofPoint.push_back(static_cast<std::uint8_t>(
+        std::min(static_cast<std::size_t>(share * kTimeClasses), kTimeClasses - 1)));
+  }
+  return classes;
+}
+
+}  // namespace rivulet::widgets

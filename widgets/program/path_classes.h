@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// In which class each move of a program falls: by kind, feed, margin of the method or time. What
+/// a class looks like is not known here. @threadsafety pure; O(points).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "feasibility/verdict.h"
+#include "widgets/program/program_view.h"
+
+namespace rivulet::widgets {
+
+enum class PathColouring : unsigned char { Kind, Feed, Margin, Time };
+
+struct PathClasses {
+  PathColouring colouring = PathColouring::Kind;
+  std::vector<std::uint8_t> ofPoint;  ///< class of the move that ends at each streamed point
+  std::size_t count = 0;
+  /// Where several moves are drawn as one, the highest class is shown; else that of the last.
+  bool highestWins = false;
+  /// Kind: empty. Feed (mm/s), margin and time (s): class i (feed: i + 1) reaches from
+  /// borders[i] to borders[i + 1]; feeds of few values: class i + 1 is borders[i] itself.
+  std::vector<double> borders;
+  bool eachFeedItsOwn = false;
+};
+
+/// Classes of `PathColouring::Kind`; rapids are class 0 with `Feed` too.
+enum class KindClass : unsigned char { Rapid, Line, Arc, Spline };
+
+/// Margins between classes, from good to bad: class 0 keeps the limit more than threefold, the
+/// last one does not keep it.
+inline constexpr double kMarginAmple = 3.0;
+inline constexpr double kMarginFair = 1.5;
+inline constexpr double kMarginNone = 1.0;
+inline constexpr std::size_t kMarginClasses = 4;
+
+inline constexpr std::size_t kFeedClassesMax = 6;
+inline constexpr std::size_t kTimeClasses = 5;
+
+[[nodiscard]] PathClasses classesByKind(const ProgramView& view);
+
+/// Feeds of few values are a class each; of many, classes of equal ratio.
+[[nodiscard]] PathClasses classesByFeed(const ProgramView& view);
+
+/// By the margin each move has: with the method position its own length in (1), with signal the
+/// shortest window of ⌊N/2⌋ steps it belongs to in (3). The smallest margin of moves drawn as one
+/// is shown.
+[[nodiscard]] PathClasses classesByMargin(const ProgramView& view,
+                                          const feasibility::OperatingPoint& point);
+/// The margins themselves; infinite for the first point, which no move of the program leads to.
+[[nodiscard]] std::vector<float> localMargins(const ProgramView& view,
+                                              const feasibility::OperatingPoint& point);
+
+/// @param atS  one per streamed point, ascending
+[[nodiscard]] PathClasses classesByTime(const std::vector<float>& atS);
+
+}  // namespace rivulet::widgets

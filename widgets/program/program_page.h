@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The page of the program: path, text and figures, linked with each other. What is chosen in one
+/// is shown in the others. @threadsafety GUI thread.
+#pragma once
+
+#include <memory>
+
+#include "widgets/common/page.h"
+#include "widgets/program/program_view.h"
+
+class QSplitter;
+
+namespace rivulet::widgets {
+
+class PathView;
+class ProgramPanel;
+class ProgramTextView;
+
+class ProgramPage final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ProgramPage(QWidget* parent = nullptr);
+
+  /// @param view  null: none
+  void setProgram(const std::shared_ptr<const ProgramView>& view);
+  /// The same program with points made for another place of the tool.
+  void replaceProgram(const std::shared_ptr<const ProgramView>& view);
+  void setTimes(const std::shared_ptr<const ProgramTimes>& times);
+
+  /// The times of the present program are known.
+  [[nodiscard]] bool hasTimes() const { return m_hasTimes; }
+
+  [[nodiscard]] PathView* path() const { return m_path; }
+  [[nodiscard]] ProgramTextView* text() const { return m_text; }
+  [[nodiscard]] ProgramPanel* panel() const { return m_panel; }
+
+  /// Shows a line in the text and its moves on the path.
+  void showLine(std::size_t line);
+
+ protected:
+  void retranslate() override;
+
+ private:
+  void showPoint(std::size_t point);
+
+  std::shared_ptr<const ProgramView> m_program;
+  bool m_hasTimes = false;
+  PathView* m_path;
+  ProgramTextView* m_text;
+  ProgramPanel* m_panel;
+};
+
+}  // namespace rivulet::widgets

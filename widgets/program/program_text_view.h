@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The text of a program, to be read and pointed at. Paints the lines in sight and nothing else,
+/// so a million lines cost what a hundred cost. @threadsafety GUI thread.
+#pragma once
+
+#include <QAbstractScrollArea>
+#include <QIcon>
+#include <QString>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "widgets/program/program_view.h"
+
+namespace rivulet::widgets {
+
+class ProgramTextView final : public QAbstractScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit ProgramTextView(QWidget* parent = nullptr);
+
+  /// @param view  null: none
+  void setProgram(std::shared_ptr<const ProgramView> view);
+  /// Highlights a line and scrolls to it if it is not in sight. Nothing is signalled.
+  /// @param line  from 1; beyond the text: nothing happens
+  void setCurrentLine(std::size_t line);
+  /// From 1; 0: none.
+  [[nodiscard]] std::size_t currentLine() const { return m_current; }
+  /// A line as it is shown. @param line  from 1, in the text
+  [[nodiscard]] QString lineText(std::size_t line) const;
+  /// Lines painted by the last event: for tests of speed.
+  [[nodiscard]] std::size_t paintedLines() const { return m_painted; }
+  [[nodiscard]] std::size_t firstVisibleLine() const;
+
+  [[nodiscard]] QSize sizeHint() const override { return {320, 300}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {200, 120}; }
+
+ Q_SIGNALS:
+  /// By a click or by the keys.
+  void lineChosen(std::size_t line);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+
+ private:
+  [[nodiscard]] std::size_t lines() const { return m_program ? m_program->text.lines() : 0; }
+  [[nodiscard]] int lineHeightPx() const;
+  [[nodiscard]] int marginPx() const;
+  [[nodiscard]] std::size_t pageLines() const;
+  [[nodiscard]] std::size_t lineAt(int y) const;
+  void setRanges();
+  void makeIcons();
+  void choose(std::size_t line);
+
+  /// Findings by line, the worst of each.
+  struct Mark {
+    std::size_t line = 0;
+    gcode::Severity severity = gcode::Severity::Note;
+    std::size_t diagnostic = 0;
+  };
+
+  [[nodiscard]] const Mark* markOf(std::size_t line) const;
+
+  std::shared_ptr<const ProgramView> m_program;
+  std::vector<Mark> m_marks;
+  std::array<QPixmap, 3> m_icons;
+  std::size_t m_current = 0;
+  std::size_t m_painted = 0;
+  std::size_t m_pageLines = 1;  ///< of the present height
+};
+
+}  // namespace rivulet::widgets

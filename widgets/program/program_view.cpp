@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/program/program_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/contract.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+constexpr std::size_t kSmallestShown = 200;
+
+/// Fills what belongs to each streamed point. Streamed points are those of the trajectory without
+/// repetitions: the first of equal ones is the one that moves.
+void takeMoves(ProgramView& view) {
+  const std::vector<gcode::TrajectoryPoint>& trajectory = view.program->trajectory.points;
+  const std::size_t count = view.points.points.size();
+  view.kinds.reserve(count);
+  view.feedsMmPerS.reserve(count);
+  view.trajectoryIndices.reserve(count);
+  base::Vec3 beforeMm{};
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    base::Vec3 positionMm = trajectory[i].positionMm;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (std::isnan(positionMm[axis])) {
+        view.dependsOnStart = true;
+        positionMm.set(axis, view.startMm[axis]);
+      }
+    }
+    if (!view.kinds.empty() && positionMm == beforeMm) {
+      continue;
+    }
+    beforeMm = positionMm;
+    view.kinds.push_back(trajectory[i].kind);
+    view.feedsMmPerS.push_back(static_cast<float>(trajectory[i].feedMmPerS));
+    view.trajectoryIndices.push_back(static_cast<std::uint32_t>(i));
+  }
+  RIVULET_ASSERT(view.kinds.size() == count);
+}
+
+void takeDistances(ProgramView& view) {
+  const std::vector<gcode::StreamPoint>& points = view.points.points;
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double distance = base::distance(points[i - 1].positionMm, points[i].positionMm);
+    distances.push_back(distance);
+    switch (view.kinds[i]) {
+      case gcode::MoveKind::Rapid:
+        view.lengths.rapidMm += distance;
+        break;
+      case gcode::MoveKind::Feed:
+        view.lengths.lineMm += distance;
+        break;
+      case gcode::MoveKind::ArcPiece:
+      case gcode::MoveKind::Arc:
+        view.lengths.arcMm += distance;
+        break;
+      case gcode::MoveKind::SplinePiece:
+        view.lengths.splineMm += distance;
+        break;
+    }
+  }
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(kSmallestShown, distances.size()));
+  std::partial_sort(distances.begin(), distances.begin() + shown, distances.end());
+  view.smallestDistancesMm.assign(distances.begin(), distances.begin() + shown);
+}
+
+void orderByLine(ProgramView& view) {
+  const std::vector<gcode::StreamPoint>& points = view.points.points;
+  const auto earlier = [](const gcode::StreamPoint& a, const gcode::StreamPoint& b) {
+    return a.line < b.line;
+  };
+  if (std::is_sorted(points.begin(), points.end(), earlier)) {
+    return;
+  }
+  view.byLine.resize(points.size());
+  std::iota(view.byLine.begin(), view.byLine.end(), 0U);
+  std::stable_sort(view.byLine.begin(), view.byLine.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return earlier(points[a], points[b]); });
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> ProgramView::pointsOfLine(base::LineNumber line) const {
+  std::vector<std::uint32_t> found;
+  const std::vector<gcode::StreamPoint>& list = points.points;
+  const auto indexAt = [&](std::size_t i) {
+    return byLine.empty() ? static_cast<std::uint32_t>(i) : byLine[i];
+  };
+  std::size_t low = 0;
+  std::size_t high = list.size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (list[indexAt(middle)].line < line) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  for (; low < list.size() && list[indexAt(low)].line == line; ++low) {
+    found.push_back(indexAt(low));
+  }
+  return found;
+}
+
+std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::Program> program,
+                                                   base::Vec3 startMm, int pointsPerLoop,
+                                                   const std::function<bool(double)>& progress) {
+  RIVULET_ASSERT(program != nullptr);
+  const auto goesOn = [&](double share) { return !progress || progress(share); };
+  auto view = std::make_shared<ProgramView>();
+  view->program = std::move(program);
+  view->startMm = startMm;
+  view->points = gcode::streamPoints(view->program->trajectory, startMm);
+  takeMoves(*view);
+  if (!goesOn(0.1)) {
+    return nullptr;
+  }
+  view->text = TextIndex(view->program->text);
+  takeDistances(*view);
+  orderByLine(*view);
+  if (!goesOn(0.3)) {
+    return nullptr;
+  }
+  if (view->points.points.size() >= 2) {
+    view->statistics = feasibility::pathStatistics(view->points);
+    view->distancesFor = pointsPerLoop;
+    view->distances = feasibility::programDistances(view->points.points, pointsPerLoop);
+  }
+  if (!goesOn(0.5)) {
+    return nullptr;
+  }
+  std::vector<bool> isRapid(view->kinds.size());
+  std::transform(view->kinds.begin(), view->kinds.end(), isRapid.begin(),
+                 [](gcode::MoveKind kind) { return kind == gcode::MoveKind::Rapid; });
+  bool goOn = true;
+  view->levels = PathLevels(view->points.points, isRapid, [&] { return goOn = goesOn(0.6); });
+  return goOn && goesOn(1.0) ? view : nullptr;
+}
+
+}  // namespace rivulet::widgets
