@@ -348,7 +348,7 @@
     </message>
     <message>
         <source>Where the run was left is not known for certain. Start from the beginning.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Lauf abgebrochen wurde, ist nicht sicher bekannt. Beginnen Sie von vorn.</translation>
     </message>
 </context>
 <context>

@@ -42,9 +42,10 @@ bool reckonStreamed(const widgets::ProgramView& view, const machine::MachineConf
   experiments::PathTimeOptions options;
   options.feedMmPerS = settings.feedMmPerS;
   options.pauseS = base::toSeconds(machine.standstillMean);
-  // A loop of N points has one STOPRE with the method position and two with signal.
-  const int perPause = settings.method == base::MethodKind::Position ? settings.pointsPerLoop
-                                                                     : settings.pointsPerLoop / 2;
+  // A loop of N points has one STOPRE with the method position and two with signal; a window has
+  // one.
+  const int perPause = settings.method == base::MethodKind::Signal ? settings.pointsPerLoop / 2
+                                                                   : settings.pointsPerLoop;
   options.pointsPerPause = static_cast<std::size_t>(std::max(1, perPause));
   options.progress = progress;
   const auto time = experiments::pathTime(view.program->trajectory, view.startMm, machine, options);

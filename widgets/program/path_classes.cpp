@@ -127,13 +127,22 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
   }
   // Both margins are proportional to the length: one evaluation does for all.
   double perMm = 0.0;
-  if (point.method == base::MethodKind::Position) {
-    perMm = feasibility::pointDistanceMargin(
-        point.feedMmPerS, feasibility::pollTime(access.accessTime).max, 1.0, safety.pointDistance);
-  } else {
-    perMm = feasibility::realWindowMargin(point.feedMmPerS, access.accessTime, point.pointsPerLoop,
-                                          1.0, safety.window);
-    stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop / 2));
+  switch (point.method) {
+    case base::MethodKind::Position:
+      perMm = feasibility::pointDistanceMargin(point.feedMmPerS,
+                                               feasibility::pollTime(access.accessTime).max, 1.0,
+                                               safety.pointDistance);
+      break;
+    case base::MethodKind::Signal:
+      perMm = feasibility::realWindowMargin(point.feedMmPerS, access.accessTime,
+                                            point.pointsPerLoop, 1.0, safety.window);
+      stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop / 2));
+      break;
+    case base::MethodKind::Window:
+      perMm = feasibility::reachMargin(point.feedMmPerS, access.accessTime, point.pointsPerLoop,
+                                       1.0, safety.window);
+      stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop));
+      break;
   }
   for (std::size_t i = 1; i < points.size(); ++i) {
     margins[i] = static_cast<float>(stepsMm[i - 1] * perMm);

@@ -48,8 +48,8 @@ inline constexpr std::size_t kTimeClasses = 5;
 [[nodiscard]] PathClasses classesByFeed(const ProgramView& view);
 
 /// By the margin each move has: with the method position its own length in (1), with signal the
-/// shortest window of ⌊N/2⌋ steps it belongs to in (3). The smallest margin of moves drawn as one
-/// is shown.
+/// shortest window of ⌊N/2⌋ steps it belongs to in (3), with window that of M steps in the reach.
+/// The smallest margin of moves drawn as one is shown.
 [[nodiscard]] PathClasses classesByMargin(const ProgramView& view,
                                           const feasibility::OperatingPoint& point);
 /// The margins themselves; infinite for the first point, which no move of the program leads to.

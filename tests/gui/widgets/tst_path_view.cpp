@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "feasibility/equations.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "widgets/common/theme.h"
@@ -281,6 +282,17 @@ class TestPathView : public QObject {
       const auto worst = *std::max_element(classes.ofPoint.begin(), classes.ofPoint.end());
       QCOMPARE(worst == 3, expected <= 1.0);
     }
+    // With window it is the reach of the shortest window of M steps.
+    feasibility::OperatingPoint window;
+    window.method = base::MethodKind::Window;
+    window.pointsPerLoop = 3;
+    window.feedMmPerS = 60.0;
+    const auto reaches = localMargins(*view, window);
+    const double shortestMm =
+        feasibility::programDistances(view->points.points, 6).windowLengthMmMin;
+    const double reach =
+        feasibility::reachMargin(60.0, feasibility::AccessModel{}.accessTime, 3, shortestMm, 1.0);
+    QVERIFY(std::abs(*std::min_element(reaches.begin(), reaches.end()) - reach) < 1e-5 * reach);
     const PathClasses times = classesByTime({0.0F, 1.0F, 2.0F, 3.0F, 5.0F});
     QCOMPARE(times.ofPoint, (std::vector<std::uint8_t>{0, 1, 2, 3, 4}));
     PathView page;
