@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "cli/commands.h"
+#include "feasibility/path_statistics.h"
 #include "gcode/program.h"
 #include "report/report_json.h"
 
@@ -158,6 +159,10 @@ Exit check(const CheckOptions& options) {
     } else if (options.json) {
       list.push_back(report::programJson(*checked.program));
       list.back()["file"] = single ? checked.program->name : file;
+      const gcode::PointList points = gcode::streamPoints(checked.program->trajectory, {});
+      list.back()["statistics"] = points.points.size() < 2
+                                      ? nlohmann::ordered_json(nullptr)
+                                      : report::statisticsJson(feasibility::pathStatistics(points));
     } else {
       print(*checked.program);
     }

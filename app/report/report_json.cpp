@@ -198,6 +198,22 @@ ordered_json factsJson(const gcode::ProgramFacts& facts) {
   return json;
 }
 
+ordered_json statisticsJson(const feasibility::PathStatistics& statistics) {
+  return {
+      {"points", statistics.points},
+      {"duplicates", statistics.duplicates},
+      {"distance_mm",
+       {{"min", statistics.distanceMmMin},
+        {"median", statistics.distanceMmMedian},
+        {"max", statistics.distanceMmMax}}},
+      {"histogram",
+       {{"borders_mm", statistics.distances.bordersMm}, {"counts", statistics.distances.counts}}},
+      {"corners",
+       {{"counts_per_15_deg", statistics.angles.counts},
+        {"max_deg", statistics.angles.degreesMax},
+        {"line", statistics.angles.line.value}}}};
+}
+
 ordered_json programJson(const gcode::Program& program) {
   const gcode::Statistics& statistics = program.statistics;
   ordered_json bounds = ordered_json::object();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "feasibility/path_statistics.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "streaming/run.h"
@@ -30,6 +31,8 @@ namespace rivulet::report {
 /// What the text of a program says by itself, in its own units; null where that is not known.
 [[nodiscard]] nlohmann::ordered_json factsJson(const gcode::ProgramFacts& facts);
 
+/// Distances and corners of the points as they are streamed. @param list at least 2 points
+[[nodiscard]] nlohmann::ordered_json statisticsJson(const feasibility::PathStatistics& statistics);
 [[nodiscard]] nlohmann::ordered_json programJson(const gcode::Program& program);
 
 }  // namespace rivulet::report

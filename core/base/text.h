@@ -11,6 +11,17 @@
 
 namespace rivulet::base {
 
+[[nodiscard]] constexpr bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+/// What names in NC programs are made of, with digits behind the first.
+[[nodiscard]] constexpr bool isNameLetter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+}
+[[nodiscard]] constexpr bool isBlank(char c) {
+  return c == ' ' || c == '\t';
+}
+
 /// The number `text` holds, all of it; nothing otherwise. A leading '+' is allowed, a comma never.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);
 

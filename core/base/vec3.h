@@ -5,6 +5,7 @@
 /// A point or direction of the geometry axes X, Y, Z. Units as the variable's name says.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -42,6 +43,14 @@ inline constexpr std::array<char, kAxisCount> kAxisNames{'X', 'Y', 'Z'};
 }
 [[nodiscard]] inline double distance(Vec3 a, Vec3 b) {
   return norm(b - a);
+}
+/// Distance of a point from the straight line between two others.
+[[nodiscard]] inline double distanceToSegment(Vec3 point, Vec3 from, Vec3 to) {
+  const Vec3 along = to - from;
+  const double squares = dot(along, along);
+  const double share =
+      squares == 0.0 ? 0.0 : std::clamp(dot(point - from, along) / squares, 0.0, 1.0);
+  return distance(point, from + share * along);
 }
 [[nodiscard]] inline bool isFinite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

@@ -32,17 +32,9 @@ constexpr int kLocalNumberMax = 33;
 /// What a variable holds whose value could not be computed: all that is made of it fails as well.
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-bool isLetter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
-}
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool isBlank(char c) {
-  return c == ' ' || c == '\t';
-}
+using base::isBlank;
+using base::isDigit;
+using base::isNameLetter;
 
 std::int64_t asBits(double value) {
   return std::isnan(value) ? 0 : static_cast<std::int64_t>(std::clamp(value, -9.0e18, 9.0e18));
@@ -143,7 +135,8 @@ class Calculator::Parser {
   std::string name() {
     skipBlanks();
     std::size_t end = m_at;
-    while (end < m_text.size() && (isLetter(m_text[end]) || (end > m_at && isDigit(m_text[end])))) {
+    while (end < m_text.size() &&
+           (isNameLetter(m_text[end]) || (end > m_at && isDigit(m_text[end])))) {
       ++end;
     }
     std::string found = base::toUpper(m_text.substr(m_at, end - m_at));
@@ -192,7 +185,7 @@ class Calculator::Parser {
         index = fail("a bracket is not closed");
       }
     } else {
-      if (isLetter(peek())) {
+      if (isNameLetter(peek())) {
         fail(fmt::format("#{} is no variable", name()));
         return nullptr;
       }
@@ -284,8 +277,8 @@ class Calculator::Parser {
     }
     const std::size_t end = begin + word.size();
     // "MODE" is not MOD; "*" of "**" is not a product. In ISO programs "EQ2" is EQ and 2.
-    if (m_names && isLetter(word.back()) && end < m_text.size() &&
-        (isLetter(m_text[end]) || isDigit(m_text[end]))) {
+    if (m_names && isNameLetter(word.back()) && end < m_text.size() &&
+        (isNameLetter(m_text[end]) || isDigit(m_text[end]))) {
       return false;
     }
     if (word == "*" && end < m_text.size() && m_text[end] == '*') {
@@ -401,7 +394,7 @@ class Calculator::Parser {
     if (c == '\'') {
       return bits();
     }
-    if (!isLetter(c)) {
+    if (!isNameLetter(c)) {
       return fail(c == '\0' ? "a value is missing" : fmt::format("\"{}\" is no value", c));
     }
     return named();
@@ -685,7 +678,7 @@ std::optional<double> Calculator::evaluate(std::string_view text) {
 std::string_view Calculator::valuePart(std::string_view word) {
   // X=..., or one letter and a value in brackets.
   std::size_t end = 0;
-  while (end < word.size() && (isLetter(word[end]) || (end > 0 && isDigit(word[end])))) {
+  while (end < word.size() && (isNameLetter(word[end]) || (end > 0 && isDigit(word[end])))) {
     ++end;
   }
   while (end < word.size() && isBlank(word[end])) {

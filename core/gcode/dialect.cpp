@@ -87,9 +87,7 @@ constexpr std::array kEvidence{
     Evidence{Dialect::Iso, ":####", 3, true},
 };
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
+using base::isDigit;
 
 bool startsWith(std::string_view text, std::string_view pattern) {
   if (text.size() < pattern.size()) {

@@ -18,17 +18,9 @@ namespace {
 constexpr std::size_t kLevelsMax = 32;
 constexpr int kTimesMax = 1'000'000;
 
-bool isLetter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
-}
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool isBlank(char c) {
-  return c == ' ' || c == '\t';
-}
+using base::isBlank;
+using base::isDigit;
+using base::isNameLetter;
 
 void skipBlanks(std::string_view& text) {
   while (!text.empty() && isBlank(text.front())) {
@@ -40,7 +32,7 @@ void skipBlanks(std::string_view& text) {
 std::string takeName(std::string_view& text) {
   skipBlanks(text);
   std::size_t end = 0;
-  while (end < text.size() && (isLetter(text[end]) || (end > 0 && isDigit(text[end])))) {
+  while (end < text.size() && (isNameLetter(text[end]) || (end > 0 && isDigit(text[end])))) {
     ++end;
   }
   std::string name = base::toUpper(text.substr(0, end));

@@ -52,9 +52,7 @@ constexpr double kTurnsMax = 999.0;
 /// Blocks between two calls of `LoadOptions::progress`.
 constexpr std::size_t kProgressBlocks = 16384;
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
+using base::isDigit;
 
 /// #1 to #26 of G65 by letter; 0: none.
 int argumentOf(char letter) {

@@ -14,15 +14,6 @@ namespace {
 
 using base::Vec3;
 
-/// Distance of a point from the segment a to b.
-double distanceToSegment(Vec3 point, Vec3 a, Vec3 b) {
-  const Vec3 along = b - a;
-  const double squares = base::dot(along, along);
-  const double share =
-      squares == 0.0 ? 0.0 : std::clamp(base::dot(point - a, along) / squares, 0.0, 1.0);
-  return base::distance(point, a + share * along);
-}
-
 class Flattener {
  public:
   Flattener(const Spline& spline, double toleranceMm, std::vector<Vec3>& points)
@@ -34,9 +25,9 @@ class Flattener {
     const Vec3 before = splinePoint(m_spline, 0.5 * (from + middle));
     const Vec3 behind = splinePoint(m_spline, 0.5 * (middle + to));
     // The chords are tested at fewer places than they have: half the tolerance makes up for it.
-    const double offMm =
-        std::max({distanceToSegment(centre, start, end), distanceToSegment(before, start, end),
-                  distanceToSegment(behind, start, end)});
+    const double offMm = std::max({base::distanceToSegment(centre, start, end),
+                                   base::distanceToSegment(before, start, end),
+                                   base::distanceToSegment(behind, start, end)});
     constexpr int kDepthMin = 2;
     constexpr int kDepthMax = 20;
     if (depth >= kDepthMax || (depth >= kDepthMin && offMm <= 0.5 * m_toleranceMm)) {

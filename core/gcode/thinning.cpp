@@ -15,14 +15,6 @@ namespace {
 
 using base::Vec3;
 
-double distanceToSegment(Vec3 point, Vec3 a, Vec3 b) {
-  const Vec3 along = b - a;
-  const double squares = base::dot(along, along);
-  const double share =
-      squares == 0.0 ? 0.0 : std::clamp(base::dot(point - a, along) / squares, 0.0, 1.0);
-  return base::distance(point, a + share * along);
-}
-
 bool equal(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
@@ -90,7 +82,7 @@ class Thinner {
       double furthestMm = 0.0;
       std::size_t furthest = from;
       for (std::size_t i = from + 1; i < to; ++i) {
-        const double offMm = distanceToSegment(position(i), position(from), position(to));
+        const double offMm = base::distanceToSegment(position(i), position(from), position(to));
         if (offMm > furthestMm) {
           furthestMm = offMm;
           furthest = i;

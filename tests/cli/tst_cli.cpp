@@ -63,6 +63,8 @@ class TestCli : public QObject {
     QCOMPARE(result["dialect"].get<std::string>(), std::string("iso"));
     QCOMPARE(result["facts"]["n_G1"].get<int>(), 266);
     QCOMPARE(result["facts"]["bbox_programmed"]["X"][1].get<double>(), 206.12);
+    QCOMPARE(result["statistics"]["points"].get<int>(), 270);
+    QVERIFY(result["statistics"]["distance_mm"]["min"].get<double>() > 0.0);
     QCOMPARE(result["facts"]["units"].get<std::string>(), std::string("mm"));
     QVERIFY(std::abs(result["facts"]["g1_length"].get<double>() - 2450.806) < 1e-3);
     QCOMPARE(run({QStringLiteral("check"), file("bad.nc", "G1 X1 F100\nG87 X2\n")}).exit, 1);

@@ -30,7 +30,7 @@ Vec3 point() {
   return {coordinate(), coordinate(), coordinate()};
 }
 
-double distanceToSegment(Vec3 at, Vec3 a, Vec3 b) {
+double segmentDistance(Vec3 at, Vec3 a, Vec3 b) {
   const Vec3 along = b - a;
   const double squares = base::dot(along, along);
   const double share =
@@ -41,7 +41,7 @@ double distanceToSegment(Vec3 at, Vec3 a, Vec3 b) {
 double distanceToPath(Vec3 at, const std::vector<Vec3>& path) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < path.size(); ++i) {
-    nearest = std::min(nearest, distanceToSegment(at, path[i - 1], path[i]));
+    nearest = std::min(nearest, segmentDistance(at, path[i - 1], path[i]));
   }
   return nearest;
 }
@@ -202,8 +202,7 @@ class TestCurves : public QObject {
         }
         // A point left out belongs to the move that ends at the next one kept.
         RC_ASSERT(each.kind == kept.kind && each.feedMmPerS == kept.feedMmPerS);
-        furthestMm =
-            std::max(furthestMm, distanceToSegment(each.positionMm, from, kept.positionMm));
+        furthestMm = std::max(furthestMm, segmentDistance(each.positionMm, from, kept.positionMm));
       }
       RC_ASSERT(next == thinned.trajectory.points.size());
       RC_ASSERT(std::abs(furthestMm - thinned.errorMmMax) < 1e-12);

@@ -79,7 +79,7 @@ Witness witness(const std::vector<gcode::StreamPoint>& points,
   return seen;
 }
 
-double distanceToSegment(Vec3 point, Vec3 from, Vec3 to) {
+double segmentDistance(Vec3 point, Vec3 from, Vec3 to) {
   const Vec3 way = to - from;
   const double square = base::dot(way, way);
   const double share =
@@ -101,7 +101,7 @@ double deviationFromProgram(const std::vector<trace::ControlSample>& samples, Ve
   std::size_t segment = 0;
   for (const trace::ControlSample& sample : samples) {
     const auto distanceTo = [&](std::size_t i) {
-      return distanceToSegment(sample.commandMm, corners[i], corners[i + 1]);
+      return segmentDistance(sample.commandMm, corners[i], corners[i + 1]);
     };
     std::size_t on = segment;
     while (on + 1 < corners.size() && distanceTo(on) > toleranceMm) {

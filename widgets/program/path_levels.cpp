@@ -20,14 +20,6 @@ constexpr std::size_t kCoarseEnough = 2000;    // points of the last level
 constexpr std::size_t kRunMax = 16;            // moves that one move may replace in one step
 constexpr double kShrinksEnough = 0.8;         // a level that keeps more is not worth its memory
 
-double distanceToSegment(base::Vec3 point, base::Vec3 from, base::Vec3 to) {
-  const base::Vec3 along = to - from;
-  const double square = base::dot(along, along);
-  const double share =
-      square > 0.0 ? std::clamp(base::dot(point - from, along) / square, 0.0, 1.0) : 0.0;
-  return base::distance(point, from + share * along);
-}
-
 /// Leaves points out that stay within `toleranceMm` of the line that replaces them.
 Kept simplified(const Points& points, const Kept& kept, double toleranceMm,
                 const std::vector<bool>* isRapid) {
@@ -36,7 +28,7 @@ Kept simplified(const Points& points, const Kept& kept, double toleranceMm,
   const auto at = [&](std::size_t i) { return points[kept[i]].positionMm; };
   const auto fits = [&](std::size_t to) {
     for (std::size_t i = from + 1; i < to; ++i) {
-      if (distanceToSegment(at(i), at(from), at(to)) > toleranceMm) {
+      if (base::distanceToSegment(at(i), at(from), at(to)) > toleranceMm) {
         return false;
       }
     }
