@@ -87,6 +87,7 @@ struct StreamOptions {
   std::string resume;       ///< report of an earlier run; empty: from the beginning
   bool single = false;
   bool noMonitor = false;
+  bool evenPauses = false;
   bool acceptInfeasible = false;
   bool json = false;
 };

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "gcode/program.h"
 #include "report/report_json.h"
+#include "streaming/pause_placement.h"
 
 namespace rivulet::cli {
 
@@ -62,6 +63,7 @@ Exit feasibility(const FeasibilityOptions& options) {
 
   feasibility::ProgramDistances distances;
   std::optional<std::size_t> pauses;
+  std::optional<streaming::PausePlacement> placement;
   nlohmann::ordered_json json;
   if (!options.program.empty()) {
     auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
@@ -82,8 +84,13 @@ Exit feasibility(const FeasibilityOptions& options) {
     json["distances"] = report::distancesJson(distances);
     if (point.method == base::MethodKind::Window) {
       const auto perWindow = static_cast<std::size_t>(std::max(point.pointsPerLoop, 1));
-      pauses = (list.points.size() - 1) / perWindow;
+      placement = streaming::placePauses(list.points, perWindow);
+      const streaming::PausePlacement even = streaming::evenPauses(list.points, perWindow);
+      pauses = placement->pauses();
       json["planned_pauses"] = *pauses;
+      json["planned_pauses_in_cut"] = placement->inCut;
+      json["even_pauses"] = even.pauses();
+      json["even_pauses_in_cut"] = even.inCut;
     }
   } else {
     distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
@@ -112,7 +119,10 @@ Exit feasibility(const FeasibilityOptions& options) {
     }
     print(*verdict);
     if (pauses) {
-      fmt::print("  {} planned pauses, one between windows\n", *pauses);
+      fmt::print(
+          "  {} planned pauses, one between windows, {} of them in the cut (no way to cut the "
+          "windows has fewer)\n",
+          *pauses, placement ? placement->inCut : 0);
     }
   }
   return verdict->feasible ? Exit::Done : Exit::Wrong;

@@ -183,6 +183,8 @@ int main(int argc, char** argv) {
                             "Take up again the run of this JSON report (method window)");
   streamCommand->add_flag("--single", stream.single, "One service call per variable");
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
+  streamCommand->add_flag("--even-pauses", stream.evenPauses,
+                          "Method window: windows of M points each, wherever they end");
   streamCommand->add_flag("--accept-infeasible", stream.acceptInfeasible,
                           "Start on a real control though the verdict says no");
   addJson(streamCommand, stream.json);

@@ -158,6 +158,8 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   checkpoint.runNumber = static_cast<int>(*run);
   checkpoint.firstPoint = static_cast<std::size_t>(*first);
   checkpoint.granted = json.value(nlohmann::json::json_pointer("/checkpoint/granted"), true);
+  checkpoint.pausesPlaced =
+      json.value(nlohmann::json::json_pointer("/checkpoint/pauses_placed"), true);
   checkpoint.startMm = {*start[0], *start[1], *start[2]};
   return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
 }
@@ -214,6 +216,7 @@ Exit stream(const StreamOptions& options) {
   settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   settings.grouping = options.single ? opcua::Grouping::Single : opcua::Grouping::List;
   settings.monitor = !options.noMonitor;
+  settings.placePauses = !options.evenPauses;
 
   if (const auto cells = templates::planCells(settings.parameters); !cells) {
     return reportError(cells.error(), options.json);

@@ -115,6 +115,7 @@ ordered_json runJson(const streaming::RunReport& report) {
         {"run_number", checkpoint.runNumber},
         {"first_point", checkpoint.firstPoint},
         {"granted", checkpoint.granted},
+        {"pauses_placed", checkpoint.pausesPlaced},
         {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}}};
   }
   if (report.stopConfirmedAfter) {

@@ -22,7 +22,7 @@ PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm) {
       ++list.merged;
       continue;
     }
-    list.points.push_back({positionMm, point.line});
+    list.points.push_back({positionMm, point.line, point.kind});
   }
   return list;
 }

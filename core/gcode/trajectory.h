@@ -77,8 +77,9 @@ struct Trajectory {
 
 /// One point as a streaming method sends it.
 struct StreamPoint {
-  base::Vec3 positionMm;  ///< finite, workpiece frame
-  base::LineNumber line;  ///< where it comes from in the CAM program
+  base::Vec3 positionMm;           ///< finite, workpiece frame
+  base::LineNumber line;           ///< where it comes from in the CAM program
+  MoveKind kind = MoveKind::Feed;  ///< of the move that ends here
 };
 
 struct PointList {

@@ -12,6 +12,7 @@
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "streaming/pause_placement.h"
 #include "templates/generator.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
@@ -148,7 +149,8 @@ class Job {
     m_report.counters.total = m_flight.points.points.size();
     if (isWindow()) {
       const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm});
-      m_report.checkpoint = Checkpoint{m_settings.runNumber, from.point, from.startMm, false};
+      m_report.checkpoint =
+          Checkpoint{m_settings.runNumber, from.point, from.startMm, false, m_settings.placePauses};
     }
     startRecording();
     return {};
@@ -301,6 +303,17 @@ class Job {
     }
   }
 
+  /// Points in the first windows of this run.
+  [[nodiscard]] std::size_t pointsOfWindows(double windows) const {
+    const std::vector<gcode::StreamPoint>& points = m_flight.points.points;
+    const auto perWindow = static_cast<std::size_t>(m_settings.parameters.pointsPerLoop);
+    const PausePlacement placement =
+        m_settings.placePauses ? placePauses(points, perWindow) : evenPauses(points, perWindow);
+    return windows < static_cast<double>(placement.windows())
+               ? placement.begins[static_cast<std::size_t>(windows)]
+               : points.size();
+  }
+
   /// How the program ended and how far it came, in its own words.
   void takeEndOfWindows() {
     const std::array<Variable, 3> watched{opcua::rParameter(m_cells.state),
@@ -320,9 +333,7 @@ class Job {
     const double executed = (*readings)[1].number;
     const bool isOurs = (*readings)[2].number == static_cast<double>(m_settings.runNumber);
     if (isOurs && executed >= 0.0) {
-      const double points = executed * m_settings.parameters.pointsPerLoop;
-      m_report.counters.executed =
-          static_cast<std::size_t>(std::min(points, static_cast<double>(m_report.counters.total)));
+      m_report.counters.executed = pointsOfWindows(executed);
     }
     if (m_report.error.code) {
       return;  // what came first is the cause

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/contract.h"
 #include "streaming/job.h"
+#include "streaming/pause_placement.h"
 
 namespace rivulet::streaming {
 
@@ -177,9 +179,16 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
                       "The control has run something else since: where this run was left is not "
                       "known. Start from the beginning.");
   }
+  // The windows of the run that was left are cut again as they were then.
   const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
+  const std::span<const gcode::StreamPoint> streamed =
+      std::span(points).subspan(std::min(last.firstPoint, total));
+  const PausePlacement placement = streamed.empty()    ? PausePlacement{}
+                                   : last.pausesPlaced ? placePauses(streamed, perWindow)
+                                                       : evenPauses(streamed, perWindow);
   const auto pointOf = [&](double windows) {
-    return std::min(last.firstPoint + static_cast<std::size_t>(windows) * perWindow, total);
+    const auto window = static_cast<std::size_t>(windows);
+    return window < placement.windows() ? last.firstPoint + placement.begins[window] : total;
   };
   std::size_t next = pointOf(executed);
   const Vec3 toolMm = tool();

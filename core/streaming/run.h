@@ -65,6 +65,7 @@ struct Checkpoint {
   std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
   base::Vec3 startMm;          ///< where the tool stood before the first run
   bool granted = false;        ///< the control is known to have obeyed this run
+  bool pausesPlaced = true;    ///< its windows were cut by `placePauses`, else evenly
 };
 
 struct RunSettings {
@@ -82,6 +83,7 @@ struct RunSettings {
   /// the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
+  bool placePauses = true;       ///< method window: end windows where the path stands or turns
   bool monitor = true;  ///< read position and feed for the display where the stream has slack
 };
 

@@ -14,6 +14,7 @@
 #include "base/contract.h"
 #include "base/units.h"
 #include "streaming/method.h"
+#include "streaming/pause_placement.h"
 
 namespace rivulet::streaming {
 
@@ -45,6 +46,16 @@ class SlotPlan {
   }
   /// Index of the loop that holds the last point; the stop must be written while it runs.
   [[nodiscard]] std::size_t lastLoop() const { return (pointCount() - 1) / slotCount(); }
+
+  /// First point of each window of at most M points, and the number of points at the end.
+  [[nodiscard]] std::vector<std::size_t> windowBegins(std::size_t pointsPerWindow) const {
+    std::vector<std::size_t> begins =
+        (m_setup.settings.placePauses ? placePauses(m_setup.points, pointsPerWindow)
+                                      : evenPauses(m_setup.points, pointsPerWindow))
+            .begins;
+    begins.push_back(pointCount());
+    return begins;
+  }
 
   /// Shortest time from point `from` to point `to` (clamped to the last one) at the feed.
   [[nodiscard]] base::Duration travelTime(std::size_t from, std::size_t to) const {

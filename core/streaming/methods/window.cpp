@@ -30,7 +30,8 @@ WindowMethod::WindowMethod(MethodSetup setup)
     : m_plan(std::move(setup)),
       m_perWindow(static_cast<std::size_t>(m_plan.cells().pointsPerLoop)),
       m_slots(static_cast<std::size_t>(m_plan.cells().windows)),
-      m_windowCount((m_plan.pointCount() + m_perWindow - 1) / m_perWindow),
+      m_begins(m_plan.windowBegins(m_perWindow)),
+      m_windowCount(m_begins.size() - 1),
       m_ownerCell{opcua::rParameter(m_plan.cells().owner)},
       m_latchedCell{opcua::rParameter(m_plan.cells().latched)},
       m_header{opcua::rParameter(m_plan.cells().latched),
@@ -41,7 +42,7 @@ WindowMethod::WindowMethod(MethodSetup setup)
 }
 
 std::size_t WindowMethod::windowBegin(std::size_t window) const {
-  return std::min(window * m_perWindow, m_plan.pointCount());
+  return m_begins[std::min(window, m_windowCount)];
 }
 
 Duration WindowMethod::windowTime(std::size_t window) const {

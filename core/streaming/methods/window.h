@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "streaming/methods/slots.h"
 
@@ -48,8 +49,9 @@ class WindowMethod final : public Method {
 
   SlotPlan m_plan;
   std::size_t m_perWindow;
-  std::size_t m_slots;        ///< k
-  std::size_t m_windowCount;  ///< windows the points make
+  std::size_t m_slots;                ///< k
+  std::vector<std::size_t> m_begins;  ///< first point of each window, and behind the last one
+  std::size_t m_windowCount;          ///< windows the points make
   std::array<opcua::Variable, 1> m_ownerCell;
   std::array<opcua::Variable, 1> m_latchedCell;
   std::array<opcua::Variable, 5> m_header;
