@@ -12,6 +12,7 @@
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "streaming/access_probe.h"
 #include "templates/generator.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
@@ -105,6 +106,9 @@ class Job {
     m_report.settings = m_settings;
     Result<void> result = prepare();
     if (result) {
+      result = chooseAccess();
+    }
+    if (result) {
       result = arm();
     }
     if (result && !m_cancelled) {
@@ -152,6 +156,39 @@ class Job {
     }
     startRecording();
     return {};
+  }
+
+  /// Tries the forms of access on cells the run is going to overwrite anyway.
+  Result<void> chooseAccess() {
+    if (m_settings.access == AccessChoice::Fixed) {
+      return {};
+    }
+    Result<AccessForms> forms = probeAccess(m_link, scratchCells(), m_settings.requestDeadline);
+    if (!forms) {
+      return base::fail(forms.error());
+    }
+    m_settings.grouping = forms->best();
+    const bool isArray = forms->array().has_value();
+    m_report.settings.grouping = m_settings.grouping;
+    m_report.accessForms = std::move(*forms);
+    m_ledger.note(
+        {m_link.now(), fmt::format("access form: {}", groupingName(m_settings.grouping))});
+    if (m_settings.access == AccessChoice::Array && !isArray) {
+      return base::fail(opcua::LinkError::Rejected,
+                        "No form of array access works on this control. Use lists.");
+    }
+    return {};
+  }
+
+  /// Method window: the first window, the free cell in front of it, and the cell behind it if that
+  /// is the run's own. Else everything from the first slot to the last.
+  [[nodiscard]] ScratchCells scratchCells() const {
+    if (!isWindow()) {
+      return {m_cells.firstSlot, m_cells.last()};
+    }
+    const int first = m_cells.windowCount(0) - 1;
+    const int behind = m_cells.windowCount(0) + m_cells.windowStride;
+    return {first, m_cells.windows > 1 ? behind : behind - 1};
   }
 
   void startRecording() {
