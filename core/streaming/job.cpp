@@ -163,6 +163,11 @@ class Job {
     if (m_settings.access == AccessChoice::Fixed) {
       return {};
     }
+    if (!isWindow() && m_settings.parameters.layout != templates::Layout::Contiguous) {
+      return base::fail(opcua::LinkError::Rejected,
+                        "Arrays need cells that follow one another, and those between the points "
+                        "are not ours to try. Choose the contiguous layout, or lists.");
+    }
     Result<AccessForms> forms = probeAccess(m_link, scratchCells(), m_settings.requestDeadline);
     if (!forms) {
       return base::fail(forms.error());
@@ -180,13 +185,18 @@ class Job {
     return {};
   }
 
-  /// Method window: the first window, the free cell in front of it, and the cell behind it if that
-  /// is the run's own. Else everything from the first slot to the last.
+  /// Nothing but cells of the run's own. Method window: the first window between the free cell in
+  /// front of it and the cell behind it, if that is the run's own; where slots have gaps, no
+  /// further than to the first slot.
   [[nodiscard]] ScratchCells scratchCells() const {
     if (!isWindow()) {
       return {m_cells.firstSlot, m_cells.last()};
     }
     const int first = m_cells.windowCount(0) - 1;
+    const int slotEnd = m_cells.slotCells(0).back();
+    if (m_cells.slotStride > slotEnd - m_cells.firstSlot + 1) {
+      return {first, slotEnd};
+    }
     const int behind = m_cells.windowCount(0) + m_cells.windowStride;
     return {first, m_cells.windows > 1 ? behind : behind - 1};
   }

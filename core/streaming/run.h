@@ -80,8 +80,8 @@ struct RunSettings {
   double deltaMm = 0.3;                      ///< δ, > 0
   double feedMmPerS = 10.0;                  ///< > 0
   opcua::Grouping grouping = opcua::Grouping::List;
-  /// Where it is not Fixed, the cells of the first window (or the slots) are tried before the
-  /// program on the control is started, and `grouping` becomes what was found.
+  /// Where it is not Fixed, the cells of the first window (or the slots, which must be contiguous)
+  /// are tried before the program on the control is started, and `grouping` becomes what was found.
   AccessChoice access = AccessChoice::Fixed;
   base::Duration requestDeadline = std::chrono::seconds{2};
   base::Duration startDeadline = std::chrono::minutes{5};       ///< for cycle start at the control

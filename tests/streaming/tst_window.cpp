@@ -399,6 +399,21 @@ class TestWindow : public QObject {
     QCOMPARE(none.counters.sent, std::size_t{0});
   }
 
+  /// The methods of the paper may use them where their cells follow one another.
+  void otherMethodsNeedTheContiguousLayout() {
+    World world("dmu75");
+    RunSettings run = settings(7, 300.0);
+    run.parameters.method = MethodKind::Signal;
+    run.access = streaming::AccessChoice::Array;
+    const RunReport refused = world.run(*contour(40, 1, 2.0), run);
+    QVERIFY(refused.error.code == opcua::LinkError::Rejected);
+    QCOMPARE(refused.counters.sent, std::size_t{0});
+    run.parameters.layout = templates::Layout::Contiguous;
+    const RunReport report = world.run(*contour(40, 1, 2.0), run);
+    QVERIFY2(report.isFaultless(), report.error.text().c_str());
+    QVERIFY(report.settings.grouping == opcua::Grouping::ArrayCount);
+  }
+
   /// Whatever N, number of windows, and cells per point: the probe finds its cells.
   void everyShapeRunsWithArrays() {
     for (const int windows : {1, 2, 3}) {
@@ -408,7 +423,28 @@ class TestWindow : public QObject {
           RunSettings run = settings(perWindow, 2000.0, windows);
           run.parameters.slotStride = stride;
           run.access = streaming::AccessChoice::Array;
+          const templates::CellMap cells = *templates::planCells(run.parameters);
+          std::set<int> owned{cells.windowCount(0) - 1};
+          for (int cell :
+               {cells.run, cells.delivered, cells.layout, cells.client, cells.heartbeat}) {
+            owned.insert(cell);
+          }
+          for (int window = 0; window < windows; ++window) {
+            owned.insert(cells.windowCount(window));
+            owned.insert(cells.windowFeed(window));
+            owned.insert(cells.windowCheck(window));
+          }
+          for (int slot = 0; slot < cells.slotCount(); ++slot) {
+            for (const int cell : cells.slotCells(slot)) {
+              owned.insert(cell);
+            }
+          }
+          int stranger = -1;
+          world.link.onWrite = [&](base::RequestId, int cell, double) {
+            stranger = owned.contains(cell) ? stranger : cell;
+          };
           const RunReport report = world.run(*contour(15), run);
+          QCOMPARE(stranger, -1);
           const std::string where = std::to_string(windows) + " windows of " +
                                     std::to_string(perWindow) + ", stride " +
                                     std::to_string(stride) + ": " + report.error.text();
