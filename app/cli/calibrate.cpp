@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <fstream>
 
+#include "cli/access_text.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "report/report_json.h"
 #include "streaming/calibration.h"
 
 namespace rivulet::cli {
@@ -33,10 +35,19 @@ nlohmann::ordered_json calibrationJson(const streaming::Calibration& calibration
                               {"read", fitJson(calibration.read)},
                               {"write", fitJson(calibration.write)},
                               {"series", nlohmann::ordered_json::array()}};
+  if (calibration.arrayRead && calibration.arrayWrite) {
+    json["array_read"] = fitJson(*calibration.arrayRead);
+    json["array_write"] = fitJson(*calibration.arrayWrite);
+  }
+  if (calibration.forms) {
+    json["best_form"] = opcua::groupingName(calibration.forms->best());
+    json["access_forms"] = report::accessFormsJson(*calibration.forms);
+  }
   for (const streaming::AccessSeries& series : calibration.series) {
     json["series"].push_back({{"write", series.write},
                               {"nodes", series.nodes},
                               {"list", series.grouping == opcua::Grouping::List},
+                              {"form", opcua::groupingName(series.grouping)},
                               {"mean_ms", base::toMilliseconds(series.durations.mean)},
                               {"deviation_ms", series.deviationMs},
                               {"p50_ms", base::toMilliseconds(series.durations.p50)},
@@ -48,11 +59,10 @@ nlohmann::ordered_json calibrationJson(const streaming::Calibration& calibration
 }
 
 void print(const streaming::Calibration& calibration) {
-  fmt::print("  access      nodes  form         mean   deviation     p95     p99     max (ms)\n");
+  fmt::print("  access      cells  form           mean   deviation     p95     p99     max (ms)\n");
   for (const streaming::AccessSeries& series : calibration.series) {
-    fmt::print("  {:<10} {:>6}  {:<9} {:>7.2f}     {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f}\n",
-               series.write ? "write" : "read", series.nodes,
-               series.grouping == opcua::Grouping::List ? "list" : "single",
+    fmt::print("  {:<10} {:>6}  {:<11} {:>7.2f}     {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f}\n",
+               series.write ? "write" : "read", series.nodes, opcua::groupingName(series.grouping),
                base::toMilliseconds(series.durations.mean), series.deviationMs,
                base::toMilliseconds(series.durations.p95),
                base::toMilliseconds(series.durations.p99),
@@ -63,6 +73,16 @@ void print(const streaming::Calibration& calibration) {
     fmt::print("{}: {:.2f} ms per request and {:.2f} ± {:.2f} ms per node (residual {:.2f} ms)\n",
                write ? "write" : "read", fit.overheadMs, fit.nodeMs, fit.nodeDeviationMs,
                fit.residualMs);
+  }
+  if (calibration.arrayRead && calibration.arrayWrite) {
+    fmt::print(
+        "arrays: {:.2f} ms per read and {:.3f} ms per element, {:.2f} ms per write and {:.3f} "
+        "ms per element\n",
+        calibration.arrayRead->overheadMs, calibration.arrayRead->nodeMs,
+        calibration.arrayWrite->overheadMs, calibration.arrayWrite->nodeMs);
+  }
+  if (calibration.forms) {
+    fmt::print("best form: {}\n", accessText(calibration.forms->best(), calibration.forms));
   }
 }
 
@@ -89,6 +109,7 @@ Exit calibrate(const CalibrateOptions& options) {
   plan.firstCell = options.firstCell;
   plan.lastCell = options.lastCell;
   plan.shots = options.shots;
+  plan.arrays = !options.noArrays;
   const auto calibration = streaming::calibrate(*connection->link, plan, progress);
   if (percent >= 0) {
     std::fputs("\r\x1b[K", stderr);

@@ -83,9 +83,9 @@ struct StreamOptions {
   std::string preset = "dmu75";
   std::uint64_t seed = 1;
   std::string record;
-  double stopAfterS = 0.0;  ///< 0: not
-  std::string resume;       ///< report of an earlier run; empty: from the beginning
-  bool single = false;
+  double stopAfterS = 0.0;      ///< 0: not
+  std::string resume;           ///< report of an earlier run; empty: from the beginning
+  std::string access = "auto";  ///< auto, single, list, array
   bool noMonitor = false;
   bool evenPauses = false;
   bool acceptInfeasible = false;
@@ -107,6 +107,7 @@ struct CalibrateOptions {
   int firstCell = 0;
   int lastCell = 0;
   int shots = 50;
+  bool noArrays = false;
   std::string output;
   bool json = false;
 };

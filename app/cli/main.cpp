@@ -181,7 +181,11 @@ int main(int argc, char** argv) {
       ->check(kPositive);
   streamCommand->add_option("--resume", stream.resume,
                             "Take up again the run of this JSON report (method window)");
-  streamCommand->add_flag("--single", stream.single, "One service call per variable");
+  streamCommand
+      ->add_option("--access", stream.access,
+                   "How several R-parameters travel; auto: the best form the control understands")
+      ->check(CLI::IsMember({"auto", "single", "list", "array"}))
+      ->capture_default_str();
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
   streamCommand->add_flag("--even-pauses", stream.evenPauses,
                           "Method window: windows of M points each, wherever they end");
@@ -207,6 +211,8 @@ int main(int argc, char** argv) {
   auto* measured = calibrateCommand->add_option("--endpoint", calibrate.endpoint, "OPC UA server");
   auto* virtually = calibrateCommand->add_flag("--simulate", calibrate.simulate, "Virtual machine");
   measured->excludes(virtually);
+  calibrateCommand->add_flag("--no-arrays", calibrate.noArrays,
+                             "Try no arrays: nothing but the present values is written");
   calibrateCommand->add_option("--preset", calibrate.preset, "Machine of --simulate")
       ->capture_default_str();
   calibrateCommand->add_option("--seed", calibrate.seed, "Seed of --simulate")

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "base/units.h"
+#include "cli/access_text.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "feasibility/verdict.h"
@@ -182,7 +183,8 @@ void print(const streaming::RunReport& report, bool feasible) {
              report.pauses.empty()
                  ? 0.0
                  : base::toMilliseconds(paused) / static_cast<double>(report.pauses.size()));
-  fmt::print("access per node: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
+  fmt::print("access form: {}\n", accessText(report.settings.grouping, report.accessForms));
+  fmt::print("access per variable: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
              base::toMilliseconds(report.access.perNode.mean),
              base::toMilliseconds(report.access.perNode.p99),
              base::toMilliseconds(report.access.perNode.max));
@@ -214,7 +216,13 @@ Exit stream(const StreamOptions& options) {
   settings.parameters = options.point.parameters();
   settings.deltaMm = options.point.deltaMm;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
-  settings.grouping = options.single ? opcua::Grouping::Single : opcua::Grouping::List;
+  settings.grouping = options.access == "single" ? opcua::Grouping::Single : opcua::Grouping::List;
+  if (options.access == "array") {
+    settings.access = streaming::AccessChoice::Array;
+  } else if (options.access == "auto" && settings.parameters.method == base::MethodKind::Window) {
+    // The other two are kept as they were published.
+    settings.access = streaming::AccessChoice::Best;
+  }
   settings.monitor = !options.noMonitor;
   settings.placePauses = !options.evenPauses;
 

@@ -68,6 +68,20 @@ ordered_json faultsJson(const std::vector<trace::IntegrityFault>& faults, base::
   return list;
 }
 
+ordered_json accessFormsJson(const streaming::AccessForms& forms) {
+  ordered_json list = ordered_json::array();
+  for (const streaming::FormProof& proof : forms.proofs) {
+    ordered_json form{{"form", opcua::groupingName(proof.form)},
+                      {"writes", proof.writes},
+                      {"reads", proof.reads}};
+    if (!proof.why.empty()) {
+      form["why_not"] = proof.why;
+    }
+    list.push_back(std::move(form));
+  }
+  return list;
+}
+
 ordered_json settingsJson(const streaming::RunSettings& settings) {
   return {{"method", base::methodName(settings.parameters.method)},
           {"points_per_loop", settings.parameters.pointsPerLoop},
@@ -76,7 +90,7 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"layout", templates::layoutName(settings.parameters.layout)},
           {"delta_mm", settings.deltaMm},
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
-          {"grouping", settings.grouping == opcua::Grouping::List ? "list" : "single"},
+          {"grouping", opcua::groupingName(settings.grouping)},
           {"monitor", settings.monitor}};
 }
 
@@ -106,6 +120,9 @@ ordered_json runJson(const streaming::RunReport& report) {
       {"requests", report.access.requests},
       {"settings", settingsJson(report.settings)},
   };
+  if (report.accessForms) {
+    json["access_forms"] = accessFormsJson(*report.accessForms);
+  }
   if (!report.integrity.faults.empty()) {
     json["faults"] = faultsJson(report.integrity.faults, origin);
   }

@@ -24,6 +24,8 @@ namespace rivulet::report {
 /// The first faults the oracle found, with times from the start of the trace.
 [[nodiscard]] nlohmann::ordered_json faultsJson(const std::vector<trace::IntegrityFault>& faults,
                                                 base::Instant origin);
+/// Every form that was tried, the best first.
+[[nodiscard]] nlohmann::ordered_json accessFormsJson(const streaming::AccessForms& forms);
 [[nodiscard]] nlohmann::ordered_json settingsJson(const streaming::RunSettings& settings);
 [[nodiscard]] nlohmann::ordered_json runJson(const streaming::RunReport& report);
 [[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);

@@ -86,6 +86,30 @@ class Reader {
     return values;
   }
 
+  /// A list of texts; one that is not allowed is a problem.
+  std::set<std::string> words(const std::string& path, const std::set<std::string>& allowed) {
+    const toml::node* node = find(path);
+    if (node == nullptr) {
+      return {};
+    }
+    const std::string expected =
+        fmt::format("must be a list of \"{}\"", fmt::join(allowed, "\", \""));
+    const toml::array* array = node->as_array();
+    if (array == nullptr) {
+      problem(path, expected, node);
+      return {};
+    }
+    std::set<std::string> words;
+    for (const toml::node& element : *array) {
+      const std::string word = element.value<std::string>().value_or("");
+      if (!allowed.contains(word)) {
+        problem(path, expected, node);
+      }
+      words.insert(word);
+    }
+    return words;
+  }
+
   void problem(const std::string& path, const std::string& what, const toml::node* node) {
     if (!m_problem.empty()) {
       return;
@@ -211,6 +235,23 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
       milliseconds(reader, "access.nodeTimeMs.deviation", 0.0, 10000.0);
   config.access.samplingMin = milliseconds(reader, "access.minimumSamplingMs", 1.0, 10000.0);
   config.access.nodeTimeMin = milliseconds(reader, "access.nodeTimeMs.min", 0.0, 10000.0);
+  const std::set<std::string> forms = reader.words("access.arrayForms", {"count", "range"});
+  config.access.arrays.count = forms.contains("count");
+  config.access.arrays.range = forms.contains("range");
+  const std::string arrayWrite = reader.word("access.arrayWrite");
+  if (arrayWrite == "refused") {
+    config.access.arrays.write = ArrayWrite::Refused;
+  } else if (arrayWrite == "firstOnly") {
+    config.access.arrays.write = ArrayWrite::FirstOnly;
+  } else if (arrayWrite != "all") {
+    reader.problem("access.arrayWrite", "must be \"all\", \"refused\" or \"firstOnly\"", nullptr);
+  }
+  const std::string arrayCharge = reader.word("access.arrayCharge");
+  if (arrayCharge == "node") {
+    config.access.arrays.charge = ArrayCharge::Node;
+  } else if (arrayCharge != "element") {
+    reader.problem("access.arrayCharge", "must be \"node\" or \"element\"", nullptr);
+  }
   if (const std::string problem = reader.finish(); !problem.empty()) {
     return base::fail(MachineError::PresetMalformed,
                       fmt::format("The preset cannot be used: {}. Correct the file.", problem),

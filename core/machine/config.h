@@ -49,6 +49,27 @@ struct AxisLimits {
   double startMm = 0.0;             ///< where the axis stands when the machine is switched on
 };
 
+/// What happens to an array of R-parameters that a client writes as one node.
+enum class ArrayWrite {
+  All,        ///< every element is written
+  Refused,    ///< arrays can only be read
+  FirstOnly,  ///< reported as done, though only the first element was written
+};
+
+/// What the variable service charges an array node.
+enum class ArrayCharge {
+  Node,     ///< as much as one variable
+  Element,  ///< as much as its elements one by one
+};
+
+/// Access to several R-parameters through one node.
+struct ArrayAccess {
+  bool count = false;  ///< there are nodes R[u1,first,#count]
+  bool range = false;  ///< there are nodes R[u1,first,last]
+  ArrayWrite write = ArrayWrite::All;
+  ArrayCharge charge = ArrayCharge::Element;
+};
+
 /// Cost of variable access; one service for all clients, one node after another.
 struct AccessCost {
   base::Duration readOverhead{};   ///< once per read request
@@ -57,6 +78,7 @@ struct AccessCost {
   base::Duration nodeTimeDeviation{};  ///< standard deviation of one node
   base::Duration nodeTimeMin{};        ///< never below
   base::Duration samplingMin{};        ///< shortest sampling and publishing interval
+  ArrayAccess arrays;
 };
 
 struct MachineConfig {

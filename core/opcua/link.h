@@ -17,16 +17,11 @@
 #include "base/instant.h"
 #include "base/result.h"
 #include "opcua/error.h"
+#include "opcua/grouping.h"
 #include "opcua/variable.h"
 #include "trace/control_trace.h"
 
 namespace rivulet::opcua {
-
-/// How several variables travel.
-enum class Grouping {
-  List,    ///< all in one service call ([P1] V2)
-  Single,  ///< one service call each, one after another ([P1] V1)
-};
 
 enum class EventKind {
   ReadDone,

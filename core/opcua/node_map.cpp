@@ -27,8 +27,12 @@ struct Row {
   Indexing indexing;
 };
 
+constexpr std::string_view kParameterPath = "/Channel/Parameter/R";
+constexpr std::string_view kUnit = "u1,";
+constexpr int kIndexMax = 1'000'000;
+
 constexpr std::array kRows{
-    Row{VariableKind::RParameter, "/Channel/Parameter/R", Indexing::FromZero},
+    Row{VariableKind::RParameter, kParameterPath, Indexing::FromZero},
     Row{VariableKind::ActualPosition, "/Channel/GeometricAxis/aaAcsRel", Indexing::FromOne},
     Row{VariableKind::DistanceToGo, "/Channel/GeometricAxis/aaDtew", Indexing::FromOne},
     Row{VariableKind::PathFeed, "/Channel/State/actFeedRateIpo", Indexing::None},
@@ -58,7 +62,6 @@ std::optional<int> parseSubscript(std::string_view text) {
     return std::nullopt;
   }
   text = text.substr(1, text.size() - 2);
-  constexpr std::string_view kUnit = "u1,";
   if (text.substr(0, kUnit.size()) == kUnit) {
     text.remove_prefix(kUnit.size());
   }
@@ -108,6 +111,48 @@ std::optional<Variable> variableOf(std::string_view identifier) {
     return index < 0 ? std::nullopt : std::optional(Variable{row.kind, index});
   }
   return std::nullopt;
+}
+
+std::string arrayIdentifier(const ParameterArray& array) {
+  RIVULET_ASSERT(array.first >= 0 && array.count >= 1 && isArray(array.form));
+  return array.form == Grouping::ArrayCount
+             ? fmt::format("{}[u1,{},#{}]", kParameterPath, array.first, array.count)
+             : fmt::format("{}[u1,{},{}]", kParameterPath, array.first,
+                           array.first + array.count - 1);
+}
+
+std::optional<ParameterArray> arrayOf(std::string_view identifier) {
+  if (!identifier.starts_with(kParameterPath)) {
+    return std::nullopt;
+  }
+  std::string_view text = identifier.substr(kParameterPath.size());
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') {
+    return std::nullopt;
+  }
+  text = text.substr(1, text.size() - 2);
+  if (text.starts_with(kUnit)) {
+    text.remove_prefix(kUnit.size());
+  }
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::optional<int> first = parseIndex(text.substr(0, comma));
+  std::string_view rest = text.substr(comma + 1);
+  const bool isCount = rest.starts_with('#');
+  if (isCount) {
+    rest.remove_prefix(1);
+  }
+  const std::optional<int> second = parseIndex(rest);
+  // Far beyond any control, and nothing that is added to it overflows.
+  if (!first || !second || *first > kIndexMax || *second > kIndexMax) {
+    return std::nullopt;
+  }
+  const int count = isCount ? *second : *second - *first + 1;
+  if (count < 1) {
+    return std::nullopt;
+  }
+  return ParameterArray{*first, count, isCount ? Grouping::ArrayCount : Grouping::ArrayRange};
 }
 
 std::string programPath(std::string_view name) {

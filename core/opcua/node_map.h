@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "opcua/grouping.h"
 #include "opcua/variable.h"
 
 namespace rivulet::opcua {
@@ -48,6 +49,21 @@ inline constexpr std::string_view kPresetName = "PresetName";
 /// of the first element ("/Channel/Parameter/R" is R1). Upper and lower case matter.
 /// @return nothing for another node, another channel or a malformed index
 [[nodiscard]] std::optional<Variable> variableOf(std::string_view identifier);
+
+/// R-parameters that follow one another, addressed as one node.
+struct ParameterArray {
+  int first = 0;
+  int count = 0;                         ///< at least 1
+  Grouping form = Grouping::ArrayCount;  ///< one of the array forms
+  friend bool operator==(const ParameterArray&, const ParameterArray&) = default;
+};
+
+/// Identifier of the array's node: "/Channel/Parameter/R[u1,10,#5]" or "…/R[u1,10,14]".
+[[nodiscard]] std::string arrayIdentifier(const ParameterArray& array);
+
+/// The array behind an identifier; the unit may be left out where that is not ambiguous
+/// ("R[10,#5]"). @return nothing for anything else, an empty array included
+[[nodiscard]] std::optional<ParameterArray> arrayOf(std::string_view identifier);
 
 /// Path of a part program in the control's file system.
 [[nodiscard]] std::string programPath(std::string_view name);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "streaming/access_probe.h"
 #include "streaming/job.h"
 
 namespace rivulet::streaming {
@@ -34,7 +35,7 @@ Result<Duration> shoot(opcua::Link& link, bool write, std::span<const opcua::Var
   return event->at - event->sent;
 }
 
-AccessFit fitOf(const std::vector<AccessSeries>& series, bool write) {
+AccessFit fitOf(const std::vector<AccessSeries>& series, bool write, opcua::Grouping grouping) {
   double n = 0.0;
   double sx = 0.0;
   double sy = 0.0;
@@ -44,7 +45,7 @@ AccessFit fitOf(const std::vector<AccessSeries>& series, bool write) {
   double sxv = 0.0;
   const auto each = [&](auto use) {
     for (const AccessSeries& one : series) {
-      if (one.write == write && one.grouping == opcua::Grouping::List) {
+      if (one.write == write && one.grouping == grouping) {
         use(static_cast<double>(one.nodes), base::toMilliseconds(one.durations.mean),
             one.deviationMs * one.deviationMs);
       }
@@ -117,21 +118,34 @@ Result<Calibration> calibrate(opcua::Link& link, const CalibrationPlan& plan,
     restore.push_back({variables[i], (*before)[i].number});
   }
 
+  Calibration result;
+  std::vector<opcua::Grouping> groupings{opcua::Grouping::List, opcua::Grouping::Single};
+  if (plan.arrays && cells >= ScratchCells::kCountMin) {
+    Result<AccessForms> forms = probeAccess(link, {plan.firstCell, plan.lastCell}, plan.deadline);
+    if (!forms) {
+      return base::fail(forms.error());
+    }
+    if (const auto array = forms->array()) {
+      groupings.push_back(*array);
+    }
+    result.forms = std::move(*forms);
+  }
+
   // The same values are written that stand there: whatever happens, nothing is lost.
   double total = 0.0;
   for (const int count : kCounts) {
-    total += count <= cells ? 4.0 * count * plan.shots : 0.0;
+    total +=
+        count <= cells ? 2.0 * static_cast<double>(groupings.size()) * count * plan.shots : 0.0;
   }
   double done = 0.0;
   const base::Instant from = link.now();
-  Calibration result;
   for (const int count : kCounts) {
     if (count > cells) {
       break;
     }
     const auto nodes = static_cast<std::size_t>(count);
     for (const bool write : {false, true}) {
-      for (const opcua::Grouping grouping : {opcua::Grouping::List, opcua::Grouping::Single}) {
+      for (const opcua::Grouping grouping : groupings) {
         std::vector<Duration> durations;
         for (int shot = 0; shot < plan.shots; ++shot) {
           const auto took = shoot(link, write, std::span(variables).first(nodes),
@@ -159,8 +173,12 @@ Result<Calibration> calibrate(opcua::Link& link, const CalibrationPlan& plan,
       }
     }
   }
-  result.read = fitOf(result.series, false);
-  result.write = fitOf(result.series, true);
+  result.read = fitOf(result.series, false, opcua::Grouping::List);
+  result.write = fitOf(result.series, true, opcua::Grouping::List);
+  if (groupings.size() > 2) {
+    result.arrayRead = fitOf(result.series, false, groupings.back());
+    result.arrayWrite = fitOf(result.series, true, groupings.back());
+  }
   return result;
 }
 

@@ -3,8 +3,9 @@
 
 /// @file
 /// Measures what access to a control costs: reads and writes of 1 to 100 R-parameters, in a list
-/// and one by one. Works only on cells the user has named; it writes the values that stand there,
-/// so that nothing is lost by an error or a cancel. @threadsafety runs on the calling thread.
+/// and one by one, and as arrays where they work. Works only on cells the user has named; while
+/// measuring it writes the values that stand there, so that nothing is lost by an error or a
+/// cancel. @threadsafety runs on the calling thread.
 #pragma once
 
 #include <functional>
@@ -13,6 +14,7 @@
 
 #include "base/result.h"
 #include "opcua/link.h"
+#include "streaming/access_forms.h"
 #include "trace/analysis/statistics.h"
 
 namespace rivulet::streaming {
@@ -29,6 +31,9 @@ struct CalibrationPlan {
   int firstCell = 0;  ///< scratch R-parameters, both ends included
   int lastCell = 0;
   int shots = 50;  ///< requests of each kind, >= 2
+  /// Arrays too, where there are cells enough to prove that they work; the proof writes other
+  /// values for a moment.
+  bool arrays = true;
   base::Duration deadline = std::chrono::seconds{5};
 };
 
@@ -41,7 +46,8 @@ struct AccessSeries {
   double deviationMs = 0.0;  ///< standard deviation
 };
 
-/// duration = overhead + nodes · node time, fitted to the averages of the lists.
+/// duration = overhead + nodes · node time, fitted to the averages of the lists; with arrays an
+/// element takes the place of a node.
 struct AccessFit {
   double overheadMs = 0.0;
   double nodeMs = 0.0;
@@ -53,6 +59,11 @@ struct Calibration {
   std::vector<AccessSeries> series;
   AccessFit read;
   AccessFit write;
+  std::optional<AccessForms> forms;  ///< which forms were proved; nothing: not tried
+  /// Of the best array form, where one works. As much per element as a list per node: the control
+  /// charges elements. Next to nothing: it charges the array as one node.
+  std::optional<AccessFit> arrayRead;
+  std::optional<AccessFit> arrayWrite;
 };
 
 /// @param progress  told the share done, 0 to 1, and the time still needed; false cancels

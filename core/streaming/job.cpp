@@ -12,6 +12,7 @@
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "streaming/access_probe.h"
 #include "streaming/pause_placement.h"
 #include "templates/generator.h"
 #include "trace/analysis/pauses.h"
@@ -106,6 +107,9 @@ class Job {
     m_report.settings = m_settings;
     Result<void> result = prepare();
     if (result) {
+      result = chooseAccess();
+    }
+    if (result) {
       result = arm();
     }
     if (result && !m_cancelled) {
@@ -154,6 +158,49 @@ class Job {
     }
     startRecording();
     return {};
+  }
+
+  /// Tries the forms of access on cells the run is going to overwrite anyway.
+  Result<void> chooseAccess() {
+    if (m_settings.access == AccessChoice::Fixed) {
+      return {};
+    }
+    if (!isWindow() && m_settings.parameters.layout != templates::Layout::Contiguous) {
+      return base::fail(opcua::LinkError::Rejected,
+                        "Arrays need cells that follow one another, and those between the points "
+                        "are not ours to try. Choose the contiguous layout, or lists.");
+    }
+    Result<AccessForms> forms = probeAccess(m_link, scratchCells(), m_settings.requestDeadline);
+    if (!forms) {
+      return base::fail(forms.error());
+    }
+    m_settings.grouping = forms->best();
+    const bool isArray = forms->array().has_value();
+    m_report.settings.grouping = m_settings.grouping;
+    m_report.accessForms = std::move(*forms);
+    m_ledger.note(
+        {m_link.now(), fmt::format("access form: {}", groupingName(m_settings.grouping))});
+    if (m_settings.access == AccessChoice::Array && !isArray) {
+      return base::fail(opcua::LinkError::Rejected,
+                        "No form of array access works on this control. Use lists.");
+    }
+    return {};
+  }
+
+  /// Nothing but cells of the run's own. Method window: the first window between the free cell in
+  /// front of it and the cell behind it, if that is the run's own; where slots have gaps, no
+  /// further than to the first slot.
+  [[nodiscard]] ScratchCells scratchCells() const {
+    if (!isWindow()) {
+      return {m_cells.firstSlot, m_cells.last()};
+    }
+    const int first = m_cells.windowCount(0) - 1;
+    const int slotEnd = m_cells.slotCells(0).back();
+    if (m_cells.slotStride > slotEnd - m_cells.firstSlot + 1) {
+      return {first, slotEnd};
+    }
+    const int behind = m_cells.windowCount(0) + m_cells.windowStride;
+    return {first, m_cells.windows > 1 ? behind : behind - 1};
   }
 
   void startRecording() {

@@ -19,6 +19,7 @@
 #include "base/vec3.h"
 #include "gcode/program.h"
 #include "opcua/link.h"
+#include "streaming/access_forms.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
 #include "trace/analysis/statistics.h"
@@ -68,11 +69,21 @@ struct Checkpoint {
   bool pausesPlaced = true;    ///< its windows were cut by `placePauses`, else evenly
 };
 
+/// How a run comes by its form of access.
+enum class AccessChoice {
+  Fixed,  ///< `RunSettings::grouping` as it stands, untried
+  Best,   ///< the best that is proved on the control before anything moves
+  Array,  ///< the best array form, or the run does not start
+};
+
 struct RunSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
   double deltaMm = 0.3;                      ///< δ, > 0
   double feedMmPerS = 10.0;                  ///< > 0
   opcua::Grouping grouping = opcua::Grouping::List;
+  /// Where it is not Fixed, the cells of the first window (or the slots, which must be contiguous)
+  /// are tried before the program on the control is started, and `grouping` becomes what was found.
+  AccessChoice access = AccessChoice::Fixed;
   base::Duration requestDeadline = std::chrono::seconds{2};
   base::Duration startDeadline = std::chrono::minutes{5};       ///< for cycle start at the control
   base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
@@ -133,7 +144,8 @@ struct RunReport {
   /// run that was resumed speak of the points from `firstPoint` on.
   std::optional<Checkpoint> checkpoint;
   std::string programName;
-  RunSettings settings;
+  RunSettings settings;                    ///< with the grouping that was used
+  std::optional<AccessForms> accessForms;  ///< what was tried; nothing if nothing was
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
 
   /// True if the run did what was ordered: completed (or stopped), nothing repeated or skipped.

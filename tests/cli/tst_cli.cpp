@@ -101,8 +101,9 @@ class TestCli : public QObject {
     const QString program = file("p.nc", "G0 X0 Y0 Z0\nG1 X1 F60\nX2\nX3 Y1\n");
     const Outcome all = run({QStringLiteral("points"), program, QStringLiteral("--csv")});
     QCOMPARE(all.exit, 0);
-    QCOMPARE(all.output, QString::fromLatin1("line,kind,x_mm,y_mm,z_mm,feed_mm_per_min\n1,rapid,0,0,0,\n"
-                                    "2,line,1,0,0,60\n3,line,2,0,0,60\n4,line,3,1,0,60\n"));
+    QCOMPARE(all.output,
+             QString::fromLatin1("line,kind,x_mm,y_mm,z_mm,feed_mm_per_min\n1,rapid,0,0,0,\n"
+                                 "2,line,1,0,0,60\n3,line,2,0,0,60\n4,line,3,1,0,60\n"));
     const Outcome thinned =
         run({QStringLiteral("points"), program, QStringLiteral("--thin"), QStringLiteral("0.001")});
     QCOMPARE(thinned.output.count(QLatin1Char('\n')), 4);
@@ -180,6 +181,35 @@ class TestCli : public QObject {
     QVERIFY(report["faultless"].get<bool>());
     QVERIFY(report["pauses"].size() >= std::size_t{38});
     QVERIFY(report["checkpoint"]["run_number"].get<int>() > 0);
+  }
+
+  void takesTheBestFormOfAccess() {
+    const auto stream = [](const char* options) {
+      return run(QStringList{QStringLiteral("stream"), kScorpion}
+                 << words("--feed 3000 --simulate --json") << words(options));
+    };
+    const json best = stream("--preset dmu75-arrays").parsed();
+    QCOMPARE(best["settings"]["grouping"].get<std::string>(), std::string("array-count"));
+    QCOMPARE(best["access_forms"].size(), std::size_t{4});
+    QVERIFY(best["access_forms"][0]["writes"].get<bool>());
+    QVERIFY(best["faultless"].get<bool>());
+    const json none = stream("--preset plc").parsed();
+    QCOMPARE(none["settings"]["grouping"].get<std::string>(), std::string("list"));
+    QVERIFY(!none["access_forms"][0]["why_not"].get<std::string>().empty());
+    for (const char* form : {"single", "list"}) {
+      const json ordered = stream((std::string("--access ") + form).c_str()).parsed();
+      QCOMPARE(ordered["settings"]["grouping"].get<std::string>(), std::string(form));
+      QVERIFY(!ordered.contains("access_forms"));
+    }
+    QCOMPARE(stream("--preset plc --access array").exit, 3);
+    QCOMPARE(stream("--access many").exit, 2);
+    const Outcome measured =
+        run(words("calibrate --simulate --preset dmu75-arrays --first-cell 10 --last-cell 60 "
+                  "--shots 20 --json"));
+    QCOMPARE(measured.exit, 0);
+    QCOMPARE(measured.parsed()["best_form"].get<std::string>(), std::string("array-count"));
+    QVERIFY(measured.parsed()["array_write"]["node_ms"].get<double>() < 0.2);
+    QVERIFY(measured.parsed()["write"]["node_ms"].get<double>() > 4.0);
   }
 
   void resumesOnlyFromAReport() {

@@ -8,12 +8,14 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "streaming/access_probe.h"
 #include "streaming/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/loopback_machine.h"
 
 using namespace rivulet;
+using namespace std::chrono_literals;
 using base::MethodKind;
 using streaming::RunReport;
 
@@ -79,14 +81,53 @@ class TestEquivalence : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Whatever a control offers, the same forms are found over OPC UA and in virtual time.
+  void bothLinksFindTheSameForms() {
+    using machine::ArrayAccess;
+    using machine::ArrayCharge;
+    using machine::ArrayWrite;
+    for (const ArrayAccess& arrays :
+         {ArrayAccess{true, true, ArrayWrite::All, ArrayCharge::Node},
+          ArrayAccess{false, true, ArrayWrite::All, ArrayCharge::Element},
+          ArrayAccess{true, true, ArrayWrite::Refused, ArrayCharge::Node},
+          ArrayAccess{true, true, ArrayWrite::FirstOnly, ArrayCharge::Node},
+          ArrayAccess{false, false, ArrayWrite::All, ArrayCharge::Node}}) {
+      machine::MachineConfig config = *machine::loadPreset("ideal");
+      config.access.arrays = arrays;
+      machine::Machine simulated(config, 1);
+      streaming::SimulatedLink simulatedLink(simulated);
+      tests::LoopbackMachine::Options options;
+      options.arrays = arrays;
+      tests::LoopbackMachine cell(options);
+      const auto link = cell.connect();
+      const auto expected = streaming::probeAccess(simulatedLink, {10, 40}, 20s);
+      const auto found = streaming::probeAccess(*link, {10, 40}, 20s);
+      QVERIFY2(expected.has_value(), expected ? "" : expected.error().text().c_str());
+      QVERIFY2(found.has_value(), found ? "" : found.error().text().c_str());
+      QCOMPARE(found->proofs.size(), expected->proofs.size());
+      for (std::size_t i = 0; i < found->proofs.size(); ++i) {
+        QVERIFY(found->proofs[i].form == expected->proofs[i].form);
+        QCOMPARE(found->proofs[i].writes, expected->proofs[i].writes);
+        QCOMPARE(found->proofs[i].reads, expected->proofs[i].reads);
+        QCOMPARE(found->proofs[i].why, expected->proofs[i].why);
+      }
+    }
+  }
+
   void bothLinksDoTheSame_data() {
     QTest::addColumn<int>("method");
-    QTest::newRow("window") << static_cast<int>(MethodKind::Window);
-    QTest::newRow("signal") << static_cast<int>(MethodKind::Signal);
-    QTest::newRow("position") << static_cast<int>(MethodKind::Position);
+    QTest::addColumn<QString>("preset");
+    const QString preset = QStringLiteral("dmu75");
+    QTest::newRow("window") << static_cast<int>(MethodKind::Window) << preset;
+    QTest::newRow("window, arrays")
+        << static_cast<int>(MethodKind::Window) << QStringLiteral("dmu75-arrays");
+    QTest::newRow("signal") << static_cast<int>(MethodKind::Signal) << preset;
+    QTest::newRow("position") << static_cast<int>(MethodKind::Position) << preset;
   }
   void bothLinksDoTheSame() {
     QFETCH(int, method);
+    QFETCH(QString, preset);
+    const std::string name = preset.toStdString();
     // Far inside the region: what is written does not depend on chance.
     std::vector<base::Vec3> points;
     for (int i = 0; i < 60; ++i) {
@@ -99,12 +140,15 @@ class TestEquivalence : public QObject {
     settings.feedMmPerS = base::mmPerSFromMmPerMin(1500.0);
     settings.monitor = true;
     settings.runNumber = 4711;
+    if (name == "dmu75-arrays") {
+      settings.access = streaming::AccessChoice::Array;
+    }
 
-    machine::Machine simulated(*machine::loadPreset("dmu75"), 1);
+    machine::Machine simulated(*machine::loadPreset(name), 1);
     streaming::SimulatedLink simulatedLink(simulated);
     const Seen virtualRun = run(simulatedLink, simulatedLink, *program, settings);
 
-    tests::LoopbackMachine cell({"dmu75", 1, 0});
+    tests::LoopbackMachine cell({name, 1, 0});
     const auto link = cell.connect();
     const Seen realRun = run(*link, *link, *program, settings);
 

@@ -10,8 +10,11 @@
 #include <open62541/client_subscriptions.h>
 
 #include <QtTest>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -172,6 +175,90 @@ class TestFront : public QObject {
     for (const auto& [identifier, type] : types) {
       QVERIFY2(client.typeOf(identifier) == &UA_TYPES[type], identifier.c_str());
     }
+  }
+
+  /// An array is written as a whole, with as many finite doubles as it has, or not at all.
+  void arraysKeepTheirShape() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    const auto write = [&client](std::span<const double> values) {
+      UA_Variant variant;
+      UA_Variant_init(&variant);
+      UA_Variant_setArray(&variant, const_cast<double*>(values.data()), values.size(),
+                          &UA_TYPES[UA_TYPES_DOUBLE]);
+      return UA_Client_writeValueAttribute(
+          client.get(), opcua::borrowNodeId(2, "/Channel/Parameter/R[u1,10,#3]"), &variant);
+    };
+    const std::array<double, 4> values{1.0, 2.0, 3.0, 4.0};
+    const std::array<double, 3> notFinite{1.0, std::nan(""), 3.0};
+    QCOMPARE(write(std::span(values).first(2)), UA_STATUSCODE_BADTYPEMISMATCH);
+    QCOMPARE(write(values), UA_STATUSCODE_BADTYPEMISMATCH);
+    QCOMPARE(write(notFinite), UA_STATUSCODE_BADOUTOFRANGE);
+    double scalar = 5.0;
+    UA_Variant variant = opcua::borrowScalar(scalar, UA_TYPES_DOUBLE);
+    QCOMPARE(UA_Client_writeValueAttribute(
+                 client.get(), opcua::borrowNodeId(2, "/Channel/Parameter/R[u1,10,12]"), &variant),
+             UA_STATUSCODE_BADTYPEMISMATCH);
+    QCOMPARE(cell.server().nodesServed(), 0U);
+    QCOMPARE(write(std::span(values).first(3)), UA_STATUSCODE_GOOD);
+    QCOMPARE(cell.server().nodesServed(), 1U);
+    opcua::Handle<UA_Variant, UA_TYPES_VARIANT> back;
+    QCOMPARE(UA_Client_readValueAttribute(
+                 client.get(), opcua::borrowNodeId(2, "/Channel/Parameter/R[u1,9,13]"), back.get()),
+             UA_STATUSCODE_GOOD);
+    QVERIFY(UA_Variant_hasArrayType(back.get(), &UA_TYPES[UA_TYPES_DOUBLE]));
+    const auto* numbers = static_cast<const double*>(back->data);
+    QVERIFY((std::vector<double>(numbers, numbers + back->arrayLength) ==
+             std::vector<double>{0.0, 1.0, 2.0, 3.0, 0.0}));
+  }
+
+  /// Array nodes are made when they are asked for: a client that asks for all of them meets a
+  /// limit, and what is there already goes on working.
+  void nobodyFillsTheMemoryWithArrays() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    std::vector<std::string> identifiers;
+    for (int first = 0; first < 100; ++first) {
+      for (int last = first; last < 100; ++last) {
+        identifiers.push_back("/Channel/Parameter/R[u1," + std::to_string(first) + "," +
+                              std::to_string(last) + "]");
+        identifiers.push_back("/Channel/Parameter/R[u1," + std::to_string(first) + ",#" +
+                              std::to_string(last - first + 1) + "]");
+      }
+    }
+    std::size_t good = 0;
+    constexpr std::size_t kBatch = 1000;
+    for (std::size_t begin = 0; begin < identifiers.size(); begin += kBatch) {
+      std::vector<UA_ReadValueId> items(std::min(kBatch, identifiers.size() - begin));
+      for (std::size_t i = 0; i < items.size(); ++i) {
+        UA_ReadValueId_init(&items[i]);
+        items[i].nodeId = opcua::borrowNodeId(2, identifiers[begin + i]);
+        items[i].attributeId = UA_ATTRIBUTEID_VALUERANK;
+      }
+      UA_ReadRequest request;
+      UA_ReadRequest_init(&request);
+      request.nodesToRead = items.data();
+      request.nodesToReadSize = items.size();
+      opcua::Handle<UA_ReadResponse, UA_TYPES_READRESPONSE> response;
+      *response.get() = UA_Client_Service_read(client.get(), request);
+      QCOMPARE(response->resultsSize, items.size());
+      for (std::size_t i = 0; i < items.size(); ++i) {
+        const UA_DataValue& value = response->results[i];
+        good += value.hasValue && !value.hasStatus ? 1 : 0;
+      }
+    }
+    QCOMPARE(identifiers.size(), std::size_t{10'100});
+    QCOMPARE(good, std::size_t{10'000});
+    opcua::Handle<UA_Variant, UA_TYPES_VARIANT> value;
+    for (const std::string& identifier : {identifiers.front(), identifiers[5000]}) {
+      QCOMPARE(UA_Client_readValueAttribute(client.get(), opcua::borrowNodeId(2, identifier),
+                                            value.get()),
+               UA_STATUSCODE_GOOD);
+      UA_Variant_clear(value.get());
+    }
+    QCOMPARE(UA_Client_readValueAttribute(client.get(), opcua::borrowNodeId(2, identifiers.back()),
+                                          value.get()),
+             UA_STATUSCODE_BADNODEIDUNKNOWN);
   }
 
   void refusedWritesSayWhyAndCostNothing() {

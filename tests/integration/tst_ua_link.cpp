@@ -124,6 +124,8 @@ class TestUaLink : public QObject {
     QTest::addColumn<int>("grouping");
     QTest::newRow("list") << static_cast<int>(Grouping::List);
     QTest::newRow("single") << static_cast<int>(Grouping::Single);
+    QTest::newRow("array, count") << static_cast<int>(Grouping::ArrayCount);
+    QTest::newRow("array, range") << static_cast<int>(Grouping::ArrayRange);
   }
 
   void writesAndReadsBack() {
@@ -152,6 +154,73 @@ class TestUaLink : public QObject {
     }
     QVERIFY(seen == values);
     QVERIFY(!link->wait(link->now()));
+  }
+
+  /// What does not ascend by one has a node of its own, and every value keeps its place.
+  void arraysAndScalarsShareARequest() {
+    for (const Grouping form : {Grouping::ArrayCount, Grouping::ArrayRange}) {
+      LoopbackMachine cell;
+      const auto link = cell.connect();
+      const std::vector<Assignment> items{{rParameter(20), 1.0}, {rParameter(21), 2.0},
+                                          {rParameter(22), 3.0}, {rParameter(40), 4.0},
+                                          {rParameter(30), 5.0}, {rParameter(31), 6.0},
+                                          {rParameter(0), 7.0}};
+      std::vector<Variable> variables{{VariableKind::PathFeed, 0}};
+      std::vector<double> expected{0.0};
+      for (const Assignment& item : items) {
+        variables.push_back(item.variable);
+        expected.push_back(item.value);
+      }
+      link->write(items, kPatience, form);
+      const Event written = next(*link);
+      QVERIFY(written.statuses == std::vector<std::error_code>(items.size()));
+      QCOMPARE(cell.server().nodesServed(), 4U);
+      QCOMPARE(cell.server().requestsServed(), 1U);
+      link->read(variables, kPatience, Grouping::List);
+      QVERIFY(numbers(next(*link)) == expected);
+      QCOMPARE(cell.server().nodesServed(), 4U + 8U);
+      link->read(variables, kPatience, form);
+      QVERIFY(numbers(next(*link)) == expected);
+      QCOMPARE(cell.server().nodesServed(), 4U + 8U + 5U);
+    }
+  }
+
+  void arraysCostWhatTheControlCharges() {
+    LoopbackMachine::Options options;
+    options.arrays =
+        machine::ArrayAccess{true, true, machine::ArrayWrite::All, machine::ArrayCharge::Element};
+    LoopbackMachine cell(options);
+    const auto link = cell.connect();
+    link->write(assignments(10, std::vector<double>(20, 1.0)), kPatience, Grouping::ArrayCount);
+    QVERIFY(next(*link).statuses == std::vector<std::error_code>(20));
+    link->read(parameters(10, 20), kPatience, Grouping::ArrayRange);
+    QVERIFY(numbers(next(*link)) == std::vector<double>(20, 1.0));
+    QCOMPARE(cell.server().nodesServed(), 40U);
+    QCOMPARE(cell.server().requestsServed(), 2U);
+  }
+
+  /// What the control does not offer fails by its name, and nothing is written.
+  void arraysThatAreNotOffered() {
+    using machine::ArrayWrite;
+    LoopbackMachine::Options options;
+    options.arrays =
+        machine::ArrayAccess{true, false, ArrayWrite::Refused, machine::ArrayCharge::Node};
+    LoopbackMachine cell(options);
+    const auto link = cell.connect();
+    const auto statuses = [&](int first, Grouping form) {
+      link->write(assignments(first, {1.0, 2.0, 3.0}), kPatience, form);
+      return next(*link).statuses;
+    };
+    const auto all = [](LinkError error) { return std::vector<std::error_code>(3, error); };
+    QVERIFY(statuses(10, Grouping::ArrayCount) == all(LinkError::NotWritable));
+    QVERIFY(statuses(10, Grouping::ArrayRange) == all(LinkError::VariableMissing));
+    QVERIFY(statuses(98, Grouping::ArrayCount) == all(LinkError::VariableMissing));  // up to R100
+    link->read(parameters(10, 3), kPatience, Grouping::ArrayRange);
+    for (const opcua::Reading& reading : next(*link).readings) {
+      QVERIFY(reading.status == LinkError::VariableMissing);
+    }
+    link->read(parameters(10, 3), kPatience, Grouping::ArrayCount);
+    QVERIFY(numbers(next(*link)) == std::vector<double>(3, 0.0));
   }
 
   void aListIsOneServiceCallAndSinglesAreMany() {

@@ -27,6 +27,21 @@ class TestConfig : public QObject {
     QCOMPARE(loadPreset("dmu75")->interpolationCycle, rivulet::base::fromMilliseconds(4.0));
   }
 
+  void arraysAreConfigured() {
+    const ArrayAccess arrays = loadPreset("dmu75-arrays")->access.arrays;
+    QVERIFY(arrays.count && arrays.range);
+    QVERIFY(arrays.write == ArrayWrite::All && arrays.charge == ArrayCharge::Node);
+    QVERIFY(loadPreset("dmu75")->access.arrays.charge == ArrayCharge::Element);
+    QVERIFY(!loadPreset("plc")->access.arrays.count);
+    std::string text = preset();
+    text.replace(text.find("\"count\", "), 9, "");
+    text.replace(text.find("\"all\""), 5, "\"firstOnly\"");
+    const auto config = parsePreset(text, "test");
+    QVERIFY2(config.has_value(), config ? "" : config.error().text().c_str());
+    QVERIFY(!config->access.arrays.count && config->access.arrays.range);
+    QVERIFY(config->access.arrays.write == ArrayWrite::FirstOnly);
+  }
+
   /// Leaving out any line that holds a value is an error that names the setting.
   void everySettingIsRequired() {
     const QStringList lines = QString::fromStdString(preset()).split(QLatin1Char('\n'));
@@ -63,6 +78,18 @@ class TestConfig : public QObject {
     QTest::newRow("word") << "\"atInterpretation\""
                           << "\"sometimes\""
                           << "rRead";
+    QTest::newRow("list") << "[\"count\", \"range\"]"
+                          << "[\"count\", \"index\"]"
+                          << "arrayForms";
+    QTest::newRow("no list") << "[\"count\", \"range\"]"
+                             << "\"count\""
+                             << "arrayForms";
+    QTest::newRow("array write") << "\"all\""
+                                 << "\"some\""
+                                 << "arrayWrite";
+    QTest::newRow("array charge") << "\"element\""
+                                  << "\"request\""
+                                  << "arrayCharge";
     QTest::newRow("syntax") << "[access]"
                             << "[access"
                             << "line";

@@ -69,6 +69,52 @@ class TestNodeMap : public QObject {
     QVERIFY(!variableOf(identifier.toStdString()));
   }
 
+  void arraysGoBothWays() {
+    const ParameterArray five{10, 5, Grouping::ArrayCount};
+    QCOMPARE(arrayIdentifier(five), std::string("/Channel/Parameter/R[u1,10,#5]"));
+    QVERIFY(arrayOf(arrayIdentifier(five)) == five);
+    const ParameterArray range{10, 5, Grouping::ArrayRange};
+    QCOMPARE(arrayIdentifier(range), std::string("/Channel/Parameter/R[u1,10,14]"));
+    QVERIFY(arrayOf(arrayIdentifier(range)) == range);
+    QVERIFY(arrayOf("/Channel/Parameter/R[10,#5]") == five);
+    QVERIFY(arrayOf("/Channel/Parameter/R[u1,0,0]") ==
+            (ParameterArray{0, 1, Grouping::ArrayRange}));
+    for (const char* identifier :
+         {"", "/Channel/Parameter/R", "/Channel/Parameter/R[u1,10]", "/Channel/Parameter/R[u1,5,4]",
+          "/Channel/Parameter/R[u1,5,#0]", "/Channel/Parameter/R[u1,5,#]",
+          "/Channel/Parameter/R[u1,5,-7]", "/Channel/Parameter/R[u2,5,7]",
+          "/Channel/Parameter/R[u1,5,7,9]", "/Channel/Parameter/R[u1,0,#999999999]",
+          "/Channel/Parameter/R[u1,#5]", "/Channel/Parameter/RG[u1,5,7]",
+          "/channel/parameter/r[u1,5,7]", "/Channel/Parameter/R[u1,5,7"}) {
+      QVERIFY2(!arrayOf(identifier), identifier);
+    }
+  }
+
+  void ascendingParametersShareANode() {
+    const std::array variables{rParameter(10),
+                               rParameter(11),
+                               rParameter(12),
+                               rParameter(14),
+                               Variable{VariableKind::ActualPosition, 15},
+                               rParameter(13),
+                               rParameter(12)};
+    constexpr std::array<std::size_t, 7> kLengths{3, 2, 1, 1, 1, 1, 1};
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      QCOMPARE(sharedNodeLength(variables, i, Grouping::ArrayCount), kLengths[i]);
+      QCOMPARE(sharedNodeLength(variables, i, Grouping::ArrayRange), kLengths[i]);
+      QCOMPARE(sharedNodeLength(variables, i, Grouping::List), std::size_t{1});
+      QCOMPARE(sharedNodeLength(variables, i, Grouping::Single), std::size_t{1});
+    }
+  }
+
+  void groupingsHaveNames() {
+    for (const Grouping grouping :
+         {Grouping::List, Grouping::Single, Grouping::ArrayCount, Grouping::ArrayRange}) {
+      QVERIFY(groupingFromName(groupingName(grouping)) == grouping);
+    }
+    QVERIFY(!groupingFromName("array"));
+  }
+
   void programPathsGoBothWays() {
     QCOMPARE(programPath("A.MPF"), std::string("Sinumerik/FileSystem/Part Program/A.MPF"));
     QCOMPARE(programNameOf(programPath("A.MPF")).value_or(""), std::string("A.MPF"));

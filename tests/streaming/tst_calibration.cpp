@@ -25,6 +25,7 @@ class TestCalibration : public QObject {
     plan.firstCell = 0;
     plan.lastCell = 99;
     plan.shots = 400;
+    plan.arrays = false;
     double last = 0.0;
     const auto result = streaming::calibrate(link, plan, [&](double share, base::Duration) {
       const bool rises = share > last && share <= 1.0 + 1e-9;
@@ -44,6 +45,46 @@ class TestCalibration : public QObject {
       QVERIFY2(std::abs(fit.nodeDeviationMs / deviation - 1.0) < 0.15,
                std::to_string(fit.nodeDeviationMs).c_str());
     }
+  }
+
+  /// Whether a control charges arrays per node or per element comes out, whichever it is.
+  void tellsWhatAnArrayCosts() {
+    for (const char* preset : {"dmu75", "dmu75-arrays"}) {
+      const machine::MachineConfig config = *machine::loadPreset(preset);
+      machine::Machine machine(config, 5);
+      streaming::SimulatedLink link(machine);
+      CalibrationPlan plan;
+      plan.firstCell = 0;
+      plan.lastCell = 99;
+      plan.shots = 200;
+      const auto result = streaming::calibrate(link, plan);
+      QVERIFY2(result, result ? "" : result.error().text().c_str());
+      QVERIFY(result->forms.has_value());
+      QVERIFY(result->forms->best() == opcua::Grouping::ArrayCount);
+      const bool perNode = config.access.arrays.charge == machine::ArrayCharge::Node;
+      const double expected = perNode ? 0.0 : base::toMilliseconds(config.access.nodeTimeMean);
+      for (const auto& fit : {result->arrayRead, result->arrayWrite}) {
+        QVERIFY(fit.has_value());
+        QVERIFY2(std::abs(fit->nodeMs - expected) < 0.05, std::to_string(fit->nodeMs).c_str());
+      }
+    }
+  }
+
+  void measuresNoArraysWhereThereAreNone() {
+    machine::MachineConfig config = *machine::loadPreset("ideal");
+    config.access.arrays.write = machine::ArrayWrite::FirstOnly;
+    machine::Machine machine(config, 5);
+    streaming::SimulatedLink link(machine);
+    CalibrationPlan plan;
+    plan.firstCell = 10;
+    plan.lastCell = 19;
+    const auto result = streaming::calibrate(link, plan);
+    QVERIFY(result.has_value());
+    QVERIFY(result->forms && result->forms->best() == opcua::Grouping::List);
+    QVERIFY(!result->arrayRead && !result->arrayWrite);
+    QCOMPARE(result->series.size(), std::size_t{16});
+    plan.arrays = false;
+    QVERIFY(!streaming::calibrate(link, plan)->forms);
   }
 
   void leavesTheCellsAsTheyWere() {

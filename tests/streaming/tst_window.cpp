@@ -5,7 +5,10 @@
 /// resumptions. What a run may do at worst is in tst_window_faults.
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "base/units.h"
 #include "gcode/program.h"
@@ -327,6 +330,127 @@ class TestWindow : public QObject {
                                 .arg(feed)
                                 .arg(QString::fromStdString(report.error.text()))));
         QCOMPARE(report.integrity.executed, std::size_t{270});
+      }
+    }
+  }
+
+  /// The best form is found by itself. A window is one node then, and its number still comes in a
+  /// request of its own, after the content.
+  void windowsTravelAsArrays() {
+    World world("dmu75-arrays");
+    RunSettings run = settings(7, 2000.0);
+    run.access = streaming::AccessChoice::Best;
+    const templates::CellMap cells = *templates::planCells(run.parameters);
+    struct Delivery {
+      base::RequestId request;
+      double number;
+      base::Instant at;
+    };
+    std::vector<Delivery> deliveries;
+    std::map<base::RequestId, std::vector<int>> requests;
+    std::map<base::RequestId, std::set<base::Instant>> moments;
+    bool isStarted = false;
+    world.link.onWrite = [&](base::RequestId request, int cell, double value) {
+      isStarted = isStarted || world.machine.state().channel == machine::ChannelStatus::Active;
+      if (!isStarted) {
+        return;
+      }
+      requests[request].push_back(cell);
+      moments[request].insert(world.machine.now());
+      if (cell == cells.delivered) {
+        deliveries.push_back({request, value, world.machine.now()});
+      }
+    };
+    const RunReport report = world.run(*contour(70), run);
+    QVERIFY2(report.isFaultless(), report.error.text().c_str());
+    QVERIFY(report.accessForms.has_value());
+    QVERIFY(report.settings.grouping == opcua::Grouping::ArrayCount);
+    QCOMPARE(deliveries.size(), std::size_t{10});
+    std::vector<base::RequestId> contents;
+    for (const auto& [request, written] : requests) {
+      if (written.size() > 1) {
+        QCOMPARE(written.size(), static_cast<std::size_t>(cells.windowStride));
+        QVERIFY(std::is_sorted(written.begin(), written.end()));
+        QCOMPARE(moments[request].size(), std::size_t{1});  // one node
+        contents.push_back(request);
+      }
+    }
+    QCOMPARE(contents.size(), deliveries.size());
+    for (std::size_t i = 0; i < deliveries.size(); ++i) {
+      QCOMPARE(deliveries[i].number, static_cast<double>(i + 1));
+      QCOMPARE(requests[deliveries[i].request].size(), std::size_t{1});
+      QVERIFY(contents[i] < deliveries[i].request);
+      QVERIFY(*moments[contents[i]].begin() < deliveries[i].at);
+    }
+  }
+
+  /// Ordered arrays are used or nothing moves; a control without them gets lists.
+  void controlsWithoutArrays() {
+    World world("plc");
+    RunSettings run = settings(7, 2000.0);
+    run.access = streaming::AccessChoice::Best;
+    const RunReport list = world.run(*contour(40), run);
+    QVERIFY2(list.isFaultless(), list.error.text().c_str());
+    QVERIFY(list.settings.grouping == opcua::Grouping::List);
+    run.access = streaming::AccessChoice::Array;
+    const RunReport none = world.run(*contour(40), run);
+    QVERIFY(none.outcome == Outcome::Failed);
+    QVERIFY(none.error.code == opcua::LinkError::Rejected);
+    QCOMPARE(none.counters.sent, std::size_t{0});
+  }
+
+  /// The methods of the paper may use them where their cells follow one another.
+  void otherMethodsNeedTheContiguousLayout() {
+    World world("dmu75");
+    RunSettings run = settings(7, 300.0);
+    run.parameters.method = MethodKind::Signal;
+    run.access = streaming::AccessChoice::Array;
+    const RunReport refused = world.run(*contour(40, 1, 2.0), run);
+    QVERIFY(refused.error.code == opcua::LinkError::Rejected);
+    QCOMPARE(refused.counters.sent, std::size_t{0});
+    run.parameters.layout = templates::Layout::Contiguous;
+    const RunReport report = world.run(*contour(40, 1, 2.0), run);
+    QVERIFY2(report.isFaultless(), report.error.text().c_str());
+    QVERIFY(report.settings.grouping == opcua::Grouping::ArrayCount);
+  }
+
+  /// Whatever N, number of windows, and cells per point: the probe finds its cells.
+  void everyShapeRunsWithArrays() {
+    for (const int windows : {1, 2, 3}) {
+      for (const int perWindow : {1, 2, 6}) {
+        for (const int stride : {0, 4}) {
+          World world("ideal");
+          RunSettings run = settings(perWindow, 2000.0, windows);
+          run.parameters.slotStride = stride;
+          run.access = streaming::AccessChoice::Array;
+          const templates::CellMap cells = *templates::planCells(run.parameters);
+          std::set<int> owned{cells.windowCount(0) - 1};
+          for (int cell :
+               {cells.run, cells.delivered, cells.layout, cells.client, cells.heartbeat}) {
+            owned.insert(cell);
+          }
+          for (int window = 0; window < windows; ++window) {
+            owned.insert(cells.windowCount(window));
+            owned.insert(cells.windowFeed(window));
+            owned.insert(cells.windowCheck(window));
+          }
+          for (int slot = 0; slot < cells.slotCount(); ++slot) {
+            for (const int cell : cells.slotCells(slot)) {
+              owned.insert(cell);
+            }
+          }
+          int stranger = -1;
+          world.link.onWrite = [&](base::RequestId, int cell, double) {
+            stranger = owned.contains(cell) ? stranger : cell;
+          };
+          const RunReport report = world.run(*contour(15), run);
+          QCOMPARE(stranger, -1);
+          const std::string where = std::to_string(windows) + " windows of " +
+                                    std::to_string(perWindow) + ", stride " +
+                                    std::to_string(stride) + ": " + report.error.text();
+          QVERIFY2(report.isFaultless(), where.c_str());
+          QCOMPARE(report.integrity.executed, std::size_t{15});
+        }
       }
     }
   }

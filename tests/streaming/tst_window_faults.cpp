@@ -170,9 +170,13 @@ QString feedsOf(const FaultScenario& drawn, const FaultEvidence& evidence) {
 }
 
 /// @return what method window must never do; empty: nothing
-QString examineWindow(std::uint64_t seed, Tally& tally) {
-  const FaultScenario drawn =
-      streaming::drawFaults(seed, *machine::loadPreset("dmu75"), MethodKind::Window);
+QString examineWindow(std::uint64_t seed, Tally& tally,
+                      std::optional<opcua::Grouping> arrays = std::nullopt) {
+  FaultScenario drawn = streaming::drawFaults(
+      seed, *machine::loadPreset(arrays ? "dmu75-arrays" : "dmu75"), MethodKind::Window);
+  if (arrays) {
+    drawn.run.scenario.settings.grouping = *arrays;
+  }
   const FaultEvidence evidence = streaming::expose(drawn);
   const std::vector<gcode::StreamPoint> points = pointsOf(drawn);
   count(evidence, tally);
@@ -305,7 +309,9 @@ class TestWindowFaults : public QObject {
   void windowKeepsItsInvariants() {
     const std::vector<std::uint64_t> seeds = seedsToRun(400);
     QStringList findings;
-    const Tally sum = examineAll(seeds, examineWindow, findings);
+    const Tally sum = examineAll(
+        seeds, [](std::uint64_t seed, Tally& tally) { return examineWindow(seed, tally); },
+        findings);
     print("window", sum);
     QVERIFY2(findings.isEmpty(),
              qPrintable(QStringLiteral("%1 of %2\n").arg(findings.size()).arg(seeds.size()) +
@@ -315,6 +321,25 @@ class TestWindowFaults : public QObject {
       QVERIFY(sum.attempts > seeds.size() + seeds.size() / 5);
       QVERIFY(sum.stopped > 0 && sum.lost > 0 && sum.damaged > 0 && sum.resets > 0);
       QVERIFY(sum.strayWrites > 0 && sum.intruded > 0 && sum.refused > 0);
+    }
+  }
+
+  /// A window that travels as one array must keep them too.
+  void arraysKeepThemToo() {
+    const std::vector<std::uint64_t> seeds = seedsToRun(200);
+    for (const opcua::Grouping form : {opcua::Grouping::ArrayCount, opcua::Grouping::ArrayRange}) {
+      QStringList findings;
+      const Tally sum = examineAll(
+          seeds,
+          [form](std::uint64_t seed, Tally& tally) { return examineWindow(seed, tally, form); },
+          findings);
+      print(std::string(opcua::groupingName(form)).c_str(), sum);
+      QVERIFY2(findings.isEmpty(),
+               qPrintable(QStringLiteral("%1 of %2\n").arg(findings.size()).arg(seeds.size()) +
+                          findings.mid(0, 20).join(u'\n')));
+      if (seeds.size() > 100) {
+        QVERIFY(sum.whole > 0 && sum.stopped > 0 && sum.lost > 0 && sum.damaged > 0);
+      }
     }
   }
 

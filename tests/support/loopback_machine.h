@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -27,10 +28,11 @@ class LoopbackMachine {
     std::string preset = "ideal";  ///< access is free; "dmu75" makes it cost what it costs
     std::uint64_t seed = 1;
     std::uint16_t port = 0;
+    std::optional<machine::ArrayAccess> arrays = std::nullopt;  ///< in place of the preset's
   };
 
   /// Answers from here on.
-  explicit LoopbackMachine(const Options& options) : m_machine(load(options.preset), options.seed) {
+  explicit LoopbackMachine(const Options& options) : m_machine(load(options), options.seed) {
     machine::ServerOptions where;
     where.port = options.port;
     auto server = machine::Server::start(m_machine, where);
@@ -75,9 +77,12 @@ class LoopbackMachine {
   }
 
  private:
-  [[nodiscard]] static machine::MachineConfig load(const std::string& preset) {
-    auto config = machine::loadPreset(preset);
+  [[nodiscard]] static machine::MachineConfig load(const Options& options) {
+    auto config = machine::loadPreset(options.preset);
     RIVULET_ASSERT(config.has_value());
+    if (options.arrays) {
+      config->access.arrays = *options.arrays;
+    }
     return std::move(*config);
   }
 

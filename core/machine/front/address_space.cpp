@@ -5,8 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "base/units.h"
 #include "machine/front/server.h"
@@ -118,20 +121,36 @@ UA_StatusCode setNumber(UA_Variant& variant, double value, std::size_t type) {
   }
 }
 
+/// Waits until the variable service has done its work on the node.
+void serve(const VariableNode& node, AccessKind kind) {
+  const ArrayCharge charge = node.service->machine().config().access.arrays.charge;
+  const int times = charge == ArrayCharge::Element ? std::max(node.count, 1) : 1;
+  for (int i = 0; i < times; ++i) {
+    node.service->serve(kind);
+  }
+}
+
 UA_StatusCode onRead(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
                      void* /*sessionContext*/, const UA_NodeId* /*nodeId*/, void* nodeContext,
                      UA_Boolean withSourceTime, const UA_NumericRange* range,
                      UA_DataValue* value) noexcept {
   const auto& node = *static_cast<const VariableNode*>(nodeContext);
-  if (range != nullptr) {  // all variables are scalars
+  if (range != nullptr) {  // arrays are addressed by their identifiers
     value->hasStatus = true;
     value->status = UA_STATUSCODE_BADINDEXRANGEINVALID;
     return UA_STATUSCODE_GOOD;
   }
-  node.service->serve(AccessKind::Read);
+  serve(node, AccessKind::Read);
   const Machine& machine = node.service->machine();
   UA_StatusCode status = UA_STATUSCODE_GOOD;
-  if (node.row == nullptr) {
+  if (node.count > 0) {
+    std::vector<UA_Double> values;
+    for (int element = 0; element < node.count; ++element) {
+      values.push_back(machine.rParameter(node.index + element));
+    }
+    status = UA_Variant_setArrayCopy(&value->value, values.data(), values.size(),
+                                     &UA_TYPES[UA_TYPES_DOUBLE]);
+  } else if (node.row == nullptr) {
     status = setNumber(value->value, machine.rParameter(node.index), UA_TYPES_DOUBLE);
   } else {
     const MachineState state = machine.state();
@@ -171,6 +190,36 @@ UA_StatusCode onWrite(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
   node.service->machine().writeRParameter(node.index, *number);
   return UA_STATUSCODE_GOOD;
 }
+
+/// An array of R-parameters. The library has checked type and length already.
+UA_StatusCode onWriteArray(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
+                           void* /*sessionContext*/, const UA_NodeId* /*nodeId*/, void* nodeContext,
+                           const UA_NumericRange* range, const UA_DataValue* value) noexcept {
+  const auto& node = *static_cast<const VariableNode*>(nodeContext);
+  if (range != nullptr) {
+    return UA_STATUSCODE_BADINDEXRANGEINVALID;
+  }
+  const auto count = static_cast<std::size_t>(node.count);
+  if (!value->hasValue || !UA_Variant_hasArrayType(&value->value, &UA_TYPES[UA_TYPES_DOUBLE]) ||
+      value->value.arrayLength != count) {
+    return UA_STATUSCODE_BADTYPEMISMATCH;
+  }
+  const std::span numbers(static_cast<const UA_Double*>(value->value.data), count);
+  if (!std::all_of(numbers.begin(), numbers.end(),
+                   [](double each) { return std::isfinite(each); })) {
+    return UA_STATUSCODE_BADOUTOFRANGE;
+  }
+  serve(node, AccessKind::Write);
+  Machine& machine = node.service->machine();
+  const bool firstOnly = machine.config().access.arrays.write == ArrayWrite::FirstOnly;
+  for (int element = 0; element < (firstOnly ? 1 : node.count); ++element) {
+    machine.writeRParameter(node.index + element, numbers[static_cast<std::size_t>(element)]);
+  }
+  return UA_STATUSCODE_GOOD;
+}
+
+/// More arrays than any client uses; a client that tries all of them must not fill the memory.
+constexpr std::size_t kArrayNodesMax = 10'000;
 
 constexpr std::string_view kRoot = "Sinumerik";
 constexpr std::string_view kChannel = "/Channel";
@@ -251,7 +300,7 @@ UA_StatusCode AddressSpace::addVariable(const VariableRow& row) {
 
 UA_StatusCode AddressSpace::addNode(std::string_view folder, std::string_view identifier,
                                     std::string_view name, const VariableRow* row, int index) {
-  m_nodes.push_back({&m_service, row, index});
+  m_nodes.push_back({&m_service, row, index, 0});
   UA_VariableAttributes attributes = UA_VariableAttributes_default;
   attributes.displayName.text = opcua::borrow(name);
   attributes.dataType = UA_TYPES[row == nullptr ? UA_TYPES_DOUBLE : row->type].typeId;
@@ -272,6 +321,56 @@ UA_StatusCode AddressSpace::addNode(std::string_view folder, std::string_view id
       listed ? opcua::standardNodeId(UA_NS0ID_HASCOMPONENT) : UA_NodeId{}, browseName,
       opcua::standardNodeId(UA_NS0ID_BASEDATAVARIABLETYPE), attributes, source, &m_nodes.back(),
       nullptr);
+}
+
+const UA_Node* AddressSpace::arrayNode(UA_Nodestore& store, const UA_NodeId& id) {
+  if (id.namespaceIndex != m_namespace || id.identifierType != UA_NODEIDTYPE_STRING ||
+      m_arrayCount == kArrayNodesMax) {
+    return nullptr;
+  }
+  const std::optional<opcua::ParameterArray> array =
+      opcua::arrayOf(opcua::view(id.identifier.string));
+  const Machine& machine = m_service.machine();
+  const ArrayAccess& arrays = machine.config().access.arrays;
+  if (!array || !machine.hasRParameter(array->first + array->count - 1) ||
+      !(array->form == opcua::Grouping::ArrayCount ? arrays.count : arrays.range)) {
+    return nullptr;
+  }
+  UA_Node* node = store.newNode(store.context, UA_NODECLASS_VARIABLE);
+  if (node == nullptr) {
+    return nullptr;
+  }
+  // Straight into the store: the server is in the middle of looking for it.
+  UA_VariableNode& variable = node->variableNode;
+  const UA_QualifiedName browseName{m_namespace, opcua::borrow("R")};
+  const auto dimension = static_cast<UA_UInt32>(array->count);
+  UA_StatusCode status = UA_NodeId_copy(&id, &variable.head.nodeId);
+  status |= UA_QualifiedName_copy(&browseName, &variable.head.browseName);
+  status |= UA_Array_copy(&dimension, 1, reinterpret_cast<void**>(&variable.arrayDimensions),
+                          &UA_TYPES[UA_TYPES_UINT32]);
+  if (status != UA_STATUSCODE_GOOD) {
+    store.deleteNode(store.context, node);
+    return nullptr;
+  }
+  m_nodes.push_back({&m_service, nullptr, array->first, array->count});
+  variable.head.context = &m_nodes.back();
+  variable.head.constructed = true;
+  variable.arrayDimensionsSize = 1;
+  variable.dataType = UA_TYPES[UA_TYPES_DOUBLE].typeId;
+  variable.valueRank = UA_VALUERANK_ONE_DIMENSION;
+  variable.accessLevel = UA_ACCESSLEVELMASK_READ;
+  variable.valueSource = UA_VALUESOURCE_DATASOURCE;
+  variable.value.dataSource.read = &onRead;
+  if (arrays.write != ArrayWrite::Refused) {
+    variable.accessLevel |= UA_ACCESSLEVELMASK_WRITE;
+    variable.value.dataSource.write = &onWriteArray;
+  }
+  if (store.insertNode(store.context, node, nullptr) != UA_STATUSCODE_GOOD) {
+    return nullptr;  // the store has cleaned up
+  }
+  ++m_arrayCount;
+  return store.getNode(store.context, &id, UA_NODEATTRIBUTESMASK_ALL, UA_REFERENCETYPESET_ALL,
+                       UA_BROWSEDIRECTION_BOTH);
 }
 
 }  // namespace rivulet::machine

@@ -25,6 +25,7 @@ struct VariableNode {
   VariableService* service = nullptr;
   const VariableRow* row = nullptr;  ///< null: an R-parameter
   int index = 0;                     ///< R number, or axis from 0
+  int count = 0;                     ///< elements of an array of R-parameters; 0: a scalar
 };
 
 class AddressSpace {
@@ -35,6 +36,11 @@ class AddressSpace {
 
   /// Creates everything but the methods. @return SetUpFailed
   [[nodiscard]] base::Result<void> build();
+
+  /// The node of an R-parameter array, made when a client first asks for it: there are too many to
+  /// make all of them. It is in no folder. @param store  the server's own store
+  /// @return null if there is no such array, or too many of them have been asked for
+  [[nodiscard]] const UA_Node* arrayNode(UA_Nodestore& store, const UA_NodeId& id);
 
   /// Index of the namespace of the variables, after `build`.
   [[nodiscard]] UA_UInt16 namespaceIndex() const { return m_namespace; }
@@ -52,6 +58,7 @@ class AddressSpace {
   VariableService& m_service;
   UA_UInt16 m_namespace = 0;
   std::deque<VariableNode> m_nodes;
+  std::size_t m_arrayCount = 0;
 };
 
 }  // namespace rivulet::machine

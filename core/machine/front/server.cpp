@@ -13,6 +13,7 @@
 
 #include "base/contract.h"
 #include "machine/front/address_space.h"
+#include "machine/front/array_store.h"
 #include "machine/front/methods.h"
 #include "machine/front/port_probe.h"
 #include "machine/front/variable_service.h"
@@ -101,6 +102,7 @@ class Server::Impl {
 
   opcua::QuietLogger m_logger;  ///< outlives the server that logs into it
   VariableService m_service;
+  ArrayStore m_arrayStore;
   UA_Server* m_server = nullptr;
   UA_EventLoop* m_loop = nullptr;
   std::unique_ptr<AddressSpace> m_addressSpace;
@@ -141,6 +143,7 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   if (auto built = m_methods->build(m_addressSpace->namespaceIndex()); !built) {
     return built;
   }
+  m_arrayStore.setAddressSpace(m_addressSpace.get());
   m_service.goLive();
   return listen(options);
 }
@@ -187,7 +190,8 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.maxMonitoredItemsPerCall = kMonitoredItemsMax;
   config.maxSubscriptions = kSubscriptionsMax;
   config.maxMonitoredItems = kMonitoredItemsMax;
-  const double samplingMsMin = base::toMilliseconds(m_service.machine().config().access.samplingMin);
+  const double samplingMsMin =
+      base::toMilliseconds(m_service.machine().config().access.samplingMin);
   config.samplingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.publishingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.queueSizeLimits = {1, kQueueSizeMax};
@@ -195,6 +199,7 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.accessControl.allowAddReference = &refuseAddReference;
   config.accessControl.allowDeleteNode = &refuseDeleteNode;
   config.accessControl.allowDeleteReference = &refuseDeleteReference;
+  m_arrayStore.install(config);
   m_server = UA_Server_newWithConfig(&config);
   if (m_server == nullptr) {
     return setUpFailed("be created");

@@ -133,14 +133,54 @@ template <class T>
   return reading;
 }
 
+/// What a request addresses as one: a variable, or R-parameters that follow one another.
+struct Node {
+  Variable first;
+  std::size_t length = 1;
+  Grouping form = Grouping::List;  ///< an array form where the length is above 1, else List
+
+  friend bool operator==(const Node&, const Node&) = default;
+};
+
 /// A control has far fewer variables of one kind than fit below the kind's bits.
-struct VariableHash {
-  [[nodiscard]] std::size_t operator()(const Variable& variable) const {
-    constexpr unsigned kIndexBits = 24;
-    return (static_cast<std::size_t>(variable.kind) << kIndexBits) ^
-           static_cast<std::size_t>(variable.index);
+struct NodeHash {
+  [[nodiscard]] std::size_t operator()(const Node& node) const {
+    constexpr unsigned kIndexBits = 20;
+    constexpr unsigned kLengthBits = 20;
+    constexpr unsigned kKindBits = 8;
+    std::size_t hash = static_cast<std::size_t>(node.form);
+    hash = (hash << kKindBits) ^ static_cast<std::size_t>(node.first.kind);
+    hash = (hash << kLengthBits) ^ node.length;
+    return (hash << kIndexBits) ^ static_cast<std::size_t>(node.first.index);
   }
 };
+
+/// The numbers of an array of doubles; empty for anything else, or another length.
+[[nodiscard]] std::span<const double> numbersOf(const UA_DataValue& value, std::size_t length) {
+  if (!value.hasValue || !UA_Variant_hasArrayType(&value.value, &UA_TYPES[UA_TYPES_DOUBLE]) ||
+      value.value.arrayLength != length) {
+    return {};
+  }
+  return {static_cast<const double*>(value.value.data), length};
+}
+
+/// One reading per element of an array.
+void appendReadings(const UA_DataValue& value, std::size_t length, std::vector<Reading>& readings) {
+  const bool bad = value.hasStatus && isBad(value.status);
+  const std::span<const double> numbers =
+      bad ? std::span<const double>{} : numbersOf(value, length);
+  for (std::size_t i = 0; i < length; ++i) {
+    Reading reading;
+    if (bad) {
+      reading.status = linkErrorOf(value.status, Operation::Read);
+    } else if (numbers.empty() || !std::isfinite(numbers[i])) {
+      reading.status = LinkError::BadValue;
+    } else {
+      reading.number = numbers[i];
+    }
+    readings.push_back(std::move(reading));
+  }
+}
 
 /// What a method answered to `Select` or `CycleStart`.
 [[nodiscard]] base::Result<void> resultOf(int status, const std::string& subject,
@@ -206,7 +246,8 @@ class UaLink::Impl {
     Instant deadline{};
     std::uint64_t serial = 0;  ///< of the service call under way; 0 none
     std::size_t itemsSent = 0;
-    Event event;  ///< grows with every answer
+    std::size_t nodesSent = 0;  ///< of the service call under way
+    Event event;                ///< grows with every answer
     UA_StatusCode failure = UA_STATUSCODE_GOOD;
     bool done = false;
 
@@ -241,7 +282,7 @@ class UaLink::Impl {
   void send(Pending& pending);
   void fail(Pending& pending, base::Error error);
   void noticeLoss();
-  [[nodiscard]] const std::string& identifier(const Variable& variable);
+  [[nodiscard]] const std::string& identifier(const Node& node);
 
   [[nodiscard]] UA_StatusCode exchange(const void* request, const UA_DataType* requestType,
                                        void* response, const UA_DataType* responseType,
@@ -259,7 +300,8 @@ class UaLink::Impl {
   std::optional<UA_UInt16> m_virtualNamespace;
 
   /// Requests borrow from it: its elements stay where they are.
-  std::unordered_map<Variable, std::string, VariableHash> m_identifiers;
+  std::unordered_map<Node, std::string, NodeHash> m_identifiers;
+  std::vector<Node> m_nodes;                ///< scratch of `send`
   std::vector<UA_ReadValueId> m_readItems;  ///< scratch of `send`
   std::vector<UA_WriteValue> m_writeItems;  ///< scratch of `send`
 
@@ -486,29 +528,36 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
 
 void UaLink::Impl::takeRead(Pending& pending, const UA_ReadResponse& response) {
   std::vector<Reading>& readings = pending.event.readings;
-  if (response.resultsSize != pending.itemsSent - readings.size()) {
+  if (response.resultsSize != pending.nodesSent) {
     pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
     pending.done = true;
     return;
   }
   for (std::size_t i = 0; i < response.resultsSize; ++i) {
-    const VariableKind kind = pending.variables[readings.size()].kind;
-    readings.push_back(readingOf(response.results[i], kind));
+    const std::size_t length =
+        sharedNodeLength(pending.variables, readings.size(), pending.grouping);
+    if (length > 1) {
+      appendReadings(response.results[i], length, readings);
+    } else {
+      const VariableKind kind = pending.variables[readings.size()].kind;
+      readings.push_back(readingOf(response.results[i], kind));
+    }
   }
   pending.done = readings.size() == pending.variables.size();
 }
 
 void UaLink::Impl::takeWrite(Pending& pending, const UA_WriteResponse& response) {
   std::vector<std::error_code>& statuses = pending.event.statuses;
-  if (response.resultsSize != pending.itemsSent - statuses.size()) {
+  if (response.resultsSize != pending.nodesSent) {
     pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
     pending.done = true;
     return;
   }
   for (std::size_t i = 0; i < response.resultsSize; ++i) {
     const UA_StatusCode status = response.results[i];
-    statuses.push_back(isBad(status) ? make_error_code(linkErrorOf(status, Operation::Write))
-                                     : std::error_code());
+    statuses.insert(
+        statuses.end(), sharedNodeLength(pending.variables, statuses.size(), pending.grouping),
+        isBad(status) ? make_error_code(linkErrorOf(status, Operation::Write)) : std::error_code());
   }
   pending.done = statuses.size() == pending.variables.size();
 }
@@ -552,11 +601,16 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   return m_lastId;
 }
 
-const std::string& UaLink::Impl::identifier(const Variable& variable) {
-  const auto found = m_identifiers.find(variable);
-  return found != m_identifiers.end()
-             ? found->second
-             : m_identifiers.emplace(variable, nodeIdentifier(variable)).first->second;
+const std::string& UaLink::Impl::identifier(const Node& node) {
+  const auto found = m_identifiers.find(node);
+  if (found != m_identifiers.end()) {
+    return found->second;
+  }
+  return m_identifiers
+      .emplace(node, node.length > 1 ? arrayIdentifier({node.first.index,
+                                                        static_cast<int>(node.length), node.form})
+                                     : nodeIdentifier(node.first))
+      .first->second;
 }
 
 void UaLink::Impl::sendDue() {
@@ -575,20 +629,27 @@ void UaLink::Impl::sendDue() {
 
 void UaLink::Impl::send(Pending& pending) {
   const std::size_t first = pending.itemsSent;
-  const std::size_t count =
-      pending.grouping == Grouping::List ? pending.variables.size() : std::size_t{1};
+  const std::size_t items =
+      pending.grouping == Grouping::Single ? std::size_t{1} : pending.variables.size();
   const UA_UInt32 timeoutHint = timeoutHintMs(pending.deadline - now());
   pending.serial = ++m_lastSerial;
-  pending.itemsSent = first + count;
+  pending.itemsSent = first + items;
   void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(pending.serial));
+  m_nodes.clear();
+  for (std::size_t item = first; item < pending.itemsSent; item += m_nodes.back().length) {
+    const std::size_t length = sharedNodeLength(pending.variables, item, pending.grouping);
+    m_nodes.push_back(
+        {pending.variables[item], length, length > 1 ? pending.grouping : Grouping::List});
+  }
+  pending.nodesSent = m_nodes.size();
 
   UA_StatusCode status = UA_STATUSCODE_GOOD;
   if (pending.operation == Operation::Read) {
-    m_readItems.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    m_readItems.resize(m_nodes.size());
+    for (std::size_t i = 0; i < m_nodes.size(); ++i) {
       UA_ReadValueId& item = m_readItems[i];
       UA_ReadValueId_init(&item);
-      item.nodeId = borrowNodeId(m_namespace, identifier(pending.variables[first + i]));
+      item.nodeId = borrowNodeId(m_namespace, identifier(m_nodes[i]));
       item.attributeId = UA_ATTRIBUTEID_VALUE;
     }
     UA_ReadRequest request;
@@ -596,26 +657,33 @@ void UaLink::Impl::send(Pending& pending) {
     request.requestHeader.timeoutHint = timeoutHint;
     request.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
     request.nodesToRead = m_readItems.data();
-    request.nodesToReadSize = count;
+    request.nodesToReadSize = m_readItems.size();
     status = __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_READREQUEST],
                                       &Impl::onAnswer, &UA_TYPES[UA_TYPES_READRESPONSE], serial,
                                       nullptr);
   } else {
-    m_writeItems.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    m_writeItems.resize(m_nodes.size());
+    std::size_t value = first;
+    for (std::size_t i = 0; i < m_nodes.size(); ++i) {
       // The value only: some servers refuse a write that carries a status or timestamps.
       UA_WriteValue& item = m_writeItems[i];
       UA_WriteValue_init(&item);
-      item.nodeId = borrowNodeId(m_namespace, identifier(pending.variables[first + i]));
+      item.nodeId = borrowNodeId(m_namespace, identifier(m_nodes[i]));
       item.attributeId = UA_ATTRIBUTEID_VALUE;
       item.value.hasValue = true;
-      item.value.value = borrowScalar(pending.values[first + i], UA_TYPES_DOUBLE);
+      if (m_nodes[i].length > 1) {
+        UA_Variant_setArray(&item.value.value, &pending.values[value], m_nodes[i].length,
+                            &UA_TYPES[UA_TYPES_DOUBLE]);
+      } else {
+        item.value.value = borrowScalar(pending.values[value], UA_TYPES_DOUBLE);
+      }
+      value += m_nodes[i].length;
     }
     UA_WriteRequest request;
     UA_WriteRequest_init(&request);
     request.requestHeader.timeoutHint = timeoutHint;
     request.nodesToWrite = m_writeItems.data();
-    request.nodesToWriteSize = count;
+    request.nodesToWriteSize = m_writeItems.size();
     status = __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_WRITEREQUEST],
                                       &Impl::onAnswer, &UA_TYPES[UA_TYPES_WRITERESPONSE], serial,
                                       nullptr);

@@ -70,6 +70,12 @@ class SlotPlan {
                              m_setup.settings.feedMmPerS);
   }
 
+  /// The last `count` writes go in front of all others.
+  void lastToFront(std::size_t count) {
+    RIVULET_ASSERT(count <= m_writes.size());
+    std::rotate(m_writes.begin(), m_writes.end() - static_cast<std::ptrdiff_t>(count),
+                m_writes.end());
+  }
   void clearWrites() { m_writes.clear(); }
   void addCell(int cell, double value) { m_writes.push_back({opcua::rParameter(cell), value}); }
   /// Point `index` (or the last one) into its slot.

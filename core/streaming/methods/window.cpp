@@ -91,6 +91,9 @@ void WindowMethod::addContent(std::size_t window) {
   m_plan.addCell(cells.windowCount(windowCell), count);
   m_plan.addCell(cells.windowFeed(windowCell), feedMmPerMin);
   m_plan.addCell(cells.windowCheck(windowCell), check);
+  if (opcua::isArray(m_plan.settings().grouping)) {
+    m_plan.lastToFront(3);  // where they stand on the control: the window is one array
+  }
 }
 
 double WindowMethod::runWanted() const {

@@ -65,6 +65,22 @@ void SimulatedLink::beginNode(Request& request) {
   }
   request.begun = true;
   request.nextDoneAt = m_machine.serveNode();
+  const std::size_t length = nodeLength(request);
+  const machine::ArrayAccess& arrays = m_machine.config().access.arrays;
+  if (length > 1 && offers(request.grouping) && arrays.charge == machine::ArrayCharge::Element) {
+    for (std::size_t element = 1; element < length; ++element) {
+      request.nextDoneAt = m_machine.serveNode();
+    }
+  }
+}
+
+std::size_t SimulatedLink::nodeLength(const Request& request) {
+  return opcua::sharedNodeLength(request.variables, request.next, request.grouping);
+}
+
+bool SimulatedLink::offers(opcua::Grouping grouping) const {
+  const machine::ArrayAccess& arrays = m_machine.config().access.arrays;
+  return grouping == opcua::Grouping::ArrayCount ? arrays.count : arrays.range;
 }
 
 std::optional<Event> SimulatedLink::wait(Instant until) {
@@ -115,8 +131,10 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
       break;
     }
     m_machine.advance(request.nextDoneAt);
-    access(request);
-    if (++request.next < request.variables.size()) {
+    const std::size_t length = nodeLength(request);
+    access(request, length);
+    request.next += length;
+    if (request.next < request.variables.size()) {
       beginNode(request);
     }
   }
@@ -124,24 +142,52 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
   return std::nullopt;
 }
 
-void SimulatedLink::access(Request& request) {
-  const opcua::Variable& variable = request.variables[request.next];
-  if (request.kind == machine::AccessKind::Read) {
-    request.event.readings.push_back(readVariable(variable));
-    return;
-  }
-  std::error_code status;
-  if (variable.kind != opcua::VariableKind::RParameter) {
-    status = LinkError::NotWritable;
-  } else if (!m_machine.hasRParameter(variable.index)) {
-    status = LinkError::VariableMissing;
-  } else {
-    if (onWrite) {
-      onWrite(request.id, variable.index, request.values[request.next]);
+void SimulatedLink::access(Request& request, std::size_t length) {
+  const std::size_t first = request.next;
+  const bool isRead = request.kind == machine::AccessKind::Read;
+  // An array exists only where all its elements do.
+  const bool isArray = length > 1;
+  const bool exists =
+      !isArray ||
+      (offers(request.grouping) && m_machine.hasRParameter(request.variables[first].index) &&
+       m_machine.hasRParameter(request.variables[first + length - 1].index));
+  const machine::ArrayWrite write = m_machine.config().access.arrays.write;
+  for (std::size_t item = first; item < first + length; ++item) {
+    if (isRead) {
+      opcua::Reading reading;
+      if (exists) {
+        reading = readVariable(request.variables[item]);
+      } else {
+        reading.status = LinkError::VariableMissing;
+      }
+      request.event.readings.push_back(std::move(reading));
+      continue;
     }
-    m_machine.writeRParameter(variable.index, request.values[request.next]);
+    std::error_code status;
+    if (!exists) {
+      status = LinkError::VariableMissing;
+    } else if (isArray && write == machine::ArrayWrite::Refused) {
+      status = LinkError::NotWritable;
+    } else if (!isArray || item == first || write == machine::ArrayWrite::All) {
+      status = writeVariable(request, item);
+    }
+    request.event.statuses.push_back(status);
   }
-  request.event.statuses.push_back(status);
+}
+
+std::error_code SimulatedLink::writeVariable(const Request& request, std::size_t item) {
+  const opcua::Variable& variable = request.variables[item];
+  if (variable.kind != opcua::VariableKind::RParameter) {
+    return LinkError::NotWritable;
+  }
+  if (!m_machine.hasRParameter(variable.index)) {
+    return LinkError::VariableMissing;
+  }
+  if (onWrite) {
+    onWrite(request.id, variable.index, request.values[item]);
+  }
+  m_machine.writeRParameter(variable.index, request.values[item]);
+  return {};
 }
 
 opcua::Reading SimulatedLink::readVariable(const opcua::Variable& variable) const {

@@ -50,7 +50,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
     std::vector<double> values;  ///< Write
     base::Instant sent{};
     base::Instant deadline{};
-    std::size_t next = 0;        ///< node to be served
+    std::size_t next = 0;        ///< first variable of the node to be served
     base::Instant nextDoneAt{};  ///< when that node is done; valid once begun
     bool begun = false;
     bool refused = false;   ///< a value is not finite: fails without being sent
@@ -60,7 +60,12 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
 
   base::RequestId submit(Request request, base::Duration deadline);
   void beginNode(Request& request);
-  void access(Request& request);
+  /// Variables of the node to be served.
+  [[nodiscard]] static std::size_t nodeLength(const Request& request);
+  /// Reads or writes them.
+  void access(Request& request, std::size_t length);
+  [[nodiscard]] bool offers(opcua::Grouping grouping) const;
+  [[nodiscard]] std::error_code writeVariable(const Request& request, std::size_t item);
   [[nodiscard]] opcua::Reading readVariable(const opcua::Variable& variable) const;
 
   machine::Machine& m_machine;

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Forms of access for people. @threadsafety pure.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "streaming/access_forms.h"
+
+namespace rivulet::cli {
+
+/// "array-count (proved; also array-range, list, single)", and why others do not work.
+/// @param forms  what was tried; nothing: it was not
+[[nodiscard]] std::string accessText(opcua::Grouping used,
+                                     const std::optional<streaming::AccessForms>& forms);
+
+}  // namespace rivulet::cli

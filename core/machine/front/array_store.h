@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The node store of the server, asked in front of the library's own: where that knows no node, the
+/// address space may have one to make. So a control's countless array nodes exist without being
+/// there. @threadsafety as the server.
+#pragma once
+
+#include <open62541/server.h>
+
+#include "machine/front/address_space.h"
+
+namespace rivulet::machine {
+
+class ArrayStore {
+ public:
+  /// Takes the place of the configuration's store, which must be set, and keeps it. Both are
+  /// cleared together, by the server.
+  void install(UA_ServerConfig& config);
+
+  /// From here on nodes are made. @param space  outlives the server's last answer
+  void setAddressSpace(AddressSpace* space) { m_space = space; }
+
+ private:
+  [[nodiscard]] static ArrayStore& self(void* context) {
+    return *static_cast<ArrayStore*>(context);
+  }
+  static const UA_Node* onGetNode(void* context, const UA_NodeId* id, UA_UInt32 attributes,
+                                  UA_ReferenceTypeSet references,
+                                  UA_BrowseDirection directions) noexcept;
+
+  UA_Nodestore m_inner{};
+  AddressSpace* m_space = nullptr;
+};
+
+}  // namespace rivulet::machine

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// How fast method window can go without the machine waiting for the client, by form of access. The
+/// points are evenly 0.15 mm apart, the smallest distance [P1] ran method position with at F 500.
+
+#include <QtTest>
+
+#include "base/units.h"
+#include "streaming/simulation/scenario.h"
+
+using namespace rivulet;
+using machine::ArrayCharge;
+using opcua::Grouping;
+using streaming::RunReport;
+
+namespace {
+
+constexpr double kPointDistanceMm = 0.15;
+constexpr double kPaperFeedMmPerMin = 500.0;
+constexpr int kPointsPerWindow = 14;  // two windows fill the usual 100 R-parameters
+constexpr std::size_t kPoints = 20 * kPointsPerWindow;
+
+/// The machine of [P1], but for what keeps it slow on short blocks: with the jerk limit and the
+/// block cycle of dmu75 it is slower than any client. These would hide who waits for whom.
+machine::MachineConfig fastMachine(ArrayCharge charge) {
+  machine::MachineConfig config = *machine::loadPreset("dmu75-arrays");
+  config.access.arrays.charge = charge;
+  config.blocksPerCycleMax = 0.0;
+  config.resetDynamics = machine::Dynamics::Brisk;
+  return config;
+}
+
+RunReport run(machine::MachineConfig config, double feedMmPerMin, Grouping grouping,
+              std::uint64_t seed) {
+  base::Random random(seed);
+  streaming::Scenario scenario;
+  scenario.machine = std::move(config);
+  scenario.seed = seed;
+  scenario.program =
+      streaming::programOf(streaming::drawContour({kPoints, kPointDistanceMm, 0.0}, random));
+  scenario.settings.parameters.pointsPerLoop = kPointsPerWindow;
+  scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  scenario.settings.grouping = grouping;
+  return streaming::simulate(scenario);
+}
+
+/// Whether each stop between two windows is as long as it is for a client that needs no time at
+/// all.
+bool waitsForNobody(const machine::MachineConfig& config, double feedMmPerMin, Grouping grouping,
+                    std::uint64_t seed) {
+  machine::MachineConfig free = config;
+  free.access.readOverhead = free.access.writeOverhead = {};
+  free.access.nodeTimeMean = free.access.nodeTimeDeviation = free.access.nodeTimeMin = {};
+  const RunReport real = run(config, feedMmPerMin, grouping, seed);
+  const RunReport ideal = run(free, feedMmPerMin, grouping, seed);
+  if (!real.isFaultless() || !ideal.isFaultless() ||
+      ideal.pauses.size() != kPoints / kPointsPerWindow - 1) {
+    qFatal("a run failed: %s %s", real.error.text().c_str(), ideal.error.text().c_str());
+  }
+  if (real.pauses.size() != ideal.pauses.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < real.pauses.size(); ++i) {
+    if (real.pauses[i].duration > ideal.pauses[i].duration + config.interpolationCycle) {
+      return false;
+    }
+  }
+  return true;
+}
+
+constexpr std::uint64_t kSeeds = 5;
+
+bool waitsForNobody(const machine::MachineConfig& config, double feedMmPerMin, Grouping grouping) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    if (!waitsForNobody(config, feedMmPerMin, grouping, seed)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The largest feed of a ladder up to which nobody waits in any of the runs.
+double reachMmPerMin(const machine::MachineConfig& config, Grouping grouping, double stepMmPerMin,
+                     double mostMmPerMin) {
+  double reach = 0.0;
+  for (double feed = stepMmPerMin; feed <= mostMmPerMin; feed += stepMmPerMin) {
+    if (!waitsForNobody(config, feed, grouping)) {
+      break;
+    }
+    reach = feed;
+  }
+  return reach;
+}
+
+}  // namespace
+
+class TestWindowReach : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  /// The feed the machine is ordered is also the one it comes to: the client is what is measured.
+  void theMachineReachesTheFeed() {
+    const RunReport report =
+        run(fastMachine(ArrayCharge::Node), 10.0 * kPaperFeedMmPerMin, Grouping::ArrayCount, 1);
+    QVERIFY(report.isFaultless() && report.controlTrace);
+    double mostMmPerS = 0.0;
+    for (const trace::ControlSample& sample : report.controlTrace->samples) {
+      mostMmPerS = std::max(mostMmPerS, sample.feedMmPerS);
+    }
+    QVERIFY(std::abs(base::mmPerMinFromMmPerS(mostMmPerS) - 10.0 * kPaperFeedMmPerMin) < 1.0);
+  }
+
+  void arraysReachTenTimesThePaper() {
+    const double reach =
+        reachMmPerMin(fastMachine(ArrayCharge::Node), Grouping::ArrayCount, 2500.0, 40000.0);
+    qInfo("arrays charged per node: no wait up to F %.0f", reach);
+    QVERIFY2(reach >= 10.0 * kPaperFeedMmPerMin, std::to_string(reach).c_str());
+  }
+
+  /// Without them, or where the control charges their elements, it is not so: what makes the
+  /// difference is the number of nodes.
+  void listsDoNot() {
+    const double list = reachMmPerMin(fastMachine(ArrayCharge::Node), Grouping::List, 50.0, 5000.0);
+    const double element =
+        reachMmPerMin(fastMachine(ArrayCharge::Element), Grouping::ArrayCount, 50.0, 5000.0);
+    qInfo("lists: no wait up to F %.0f; arrays charged per element: up to F %.0f", list, element);
+    for (const double reach : {list, element}) {
+      QVERIFY2(reach >= 300.0 && reach <= 2.0 * kPaperFeedMmPerMin, std::to_string(reach).c_str());
+    }
+  }
+
+  /// The machine of the preset itself, whose jerk limit leaves the client more time.
+  void theFittedMachineDoesNotWaitEither() {
+    const machine::MachineConfig config = *machine::loadPreset("dmu75-arrays");
+    for (const double feed : {500.0, 2000.0, 5000.0, 20000.0}) {
+      QVERIFY2(waitsForNobody(config, feed, Grouping::ArrayCount), std::to_string(feed).c_str());
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestWindowReach)
+#include "tst_window_reach.moc"
