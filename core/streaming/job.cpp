@@ -13,6 +13,7 @@
 #include "base/contract.h"
 #include "base/units.h"
 #include "templates/generator.h"
+#include "templates/lint/lint.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
 
@@ -175,6 +176,9 @@ class Job {
     const Result<std::string> text = templates::generateTemplate(m_settings.parameters);
     if (!text) {
       return base::fail(text.error());
+    }
+    if (Result<void> sound = templates::requireSound(*text, m_settings.parameters); !sound) {
+      return sound;
     }
     const std::string name = templates::templateFileName(m_settings.parameters);
     publish(RunState::Armed, "transfer");

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "base/error.h"
 #include "templates/lint/flow.h"
 
 namespace rivulet::templates {
@@ -614,6 +615,11 @@ class Linter {
 
 }  // namespace
 
+std::error_code make_error_code(LintError code) {
+  static const base::NamedCategory category("lint");
+  return {static_cast<int>(code), category};
+}
+
 std::string_view lintRuleName(LintRule rule) {
   static constexpr std::array<std::string_view, 20> kNames{
       "syntax",
@@ -655,6 +661,19 @@ const LintFinding* firstError(const std::vector<LintFinding>& findings) {
     return finding.severity == LintSeverity::Error;
   });
   return found == findings.end() ? nullptr : &*found;
+}
+
+base::Result<void> requireSound(std::string_view text, const TemplateParameters& parameters) {
+  const auto findings = lintProgram(text, parameters);
+  if (!findings) {
+    return base::fail(findings.error());
+  }
+  if (const LintFinding* finding = firstError(*findings)) {
+    return base::fail(LintError::Rejected,
+                      fmt::format("The flexible program is not written to the control. Line {}: {}",
+                                  finding->line.value, finding->message));
+  }
+  return {};
 }
 
 }  // namespace rivulet::templates

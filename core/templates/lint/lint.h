@@ -10,6 +10,7 @@
 
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "base/id.h"
@@ -44,6 +45,10 @@ enum class LintRule {
 /// "stopre-missing", ...
 [[nodiscard]] std::string_view lintRuleName(LintRule rule);
 
+enum class LintError { Rejected = 1 };
+
+[[nodiscard]] std::error_code make_error_code(LintError code);
+
 enum class LintSeverity { Warning, Error };
 
 struct LintFinding {
@@ -62,4 +67,12 @@ struct LintFinding {
 /// The first finding that is an error; null: none.
 [[nodiscard]] const LintFinding* firstError(const std::vector<LintFinding>& findings);
 
+/// For use before a program is written to a control. @return Rejected with the first error, or the
+/// errors of `planCells`
+[[nodiscard]] base::Result<void> requireSound(std::string_view text,
+                                              const TemplateParameters& parameters);
+
 }  // namespace rivulet::templates
+
+template <>
+struct std::is_error_code_enum<rivulet::templates::LintError> : std::true_type {};
