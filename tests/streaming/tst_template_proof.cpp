@@ -75,6 +75,10 @@ void TestTemplateProof::generatedTemplateHolds_data() {
   TemplateParameters single = parametersOf(MethodKind::Window, 1);
   single.windows = 1;
   QTest::newRow("window, one of one point") << single;
+  TemplateParameters large = parametersOf(MethodKind::Window, 40);
+  large.windows = 8;
+  large.rParameterCount = 1100;
+  QTest::newRow("window, eight of 40 points") << large;
   TemplateParameters packed = parametersOf(MethodKind::Position, 1);
   packed.layout = templates::Layout::Contiguous;
   packed.axes = {false, true, false};

@@ -43,6 +43,15 @@ class Orders final : public RunSink, public RunOrders {
   bool stopRequested(Instant now) override { return stopAt && now >= *stopAt; }
 };
 
+/// To and fro within the axes' limits; on each way between the points of the ways before.
+double wayMm(int step) {
+  constexpr int kStepsPerWay = 100;
+  constexpr double kBetweenMm = 0.15;
+  const int way = step / kStepsPerWay;
+  const int rest = step % kStepsPerWay;
+  return kStepMm * (way % 2 == 0 ? rest : kStepsPerWay - rest) + kBetweenMm * way;
+}
+
 /// Some loops and a rest; no two points are alike, in none of the axes.
 std::vector<base::Vec3> proofPoints(const templates::TemplateParameters& parameters,
                                     const machine::MachineConfig& config) {
@@ -50,10 +59,10 @@ std::vector<base::Vec3> proofPoints(const templates::TemplateParameters& paramet
   const int count = loops * parameters.pointsPerLoop + std::min(2, parameters.pointsPerLoop);
   std::vector<base::Vec3> points;
   for (int i = 0; i < count; ++i) {
-    const auto at = [&](std::size_t axis, double stepMm) {
-      return config.axes[axis].startMm + (parameters.axes[axis] ? (i + 1) * stepMm : 0.0);
+    const auto at = [&](std::size_t axis, double scale) {
+      return config.axes[axis].startMm + (parameters.axes[axis] ? scale * wayMm(i + 1) : 0.0);
     };
-    points.push_back({at(0, kStepMm), at(1, 0.75 * kStepMm), at(2, 0.5 * kStepMm)});
+    points.push_back({at(0, 1.0), at(1, 0.75), at(2, 0.5)});
   }
   return points;
 }
