@@ -69,6 +69,9 @@ struct TemplateOptions {
   OperatingOptions point;
   int rParameterCount = 100;
   std::string output;  ///< file; empty: standard output
+  std::string lint;    ///< program to look at instead of generating one; empty: none
+  bool verify = false;
+  std::string preset = "dmu75";  ///< machine of `verify`
   bool json = false;
 };
 [[nodiscard]] Exit makeTemplate(const TemplateOptions& options);

@@ -157,6 +157,16 @@ int main(int argc, char** argv) {
                    "R-parameters of the control (MD28050)")
       ->capture_default_str();
   templateCommand->add_option("-o,--output", makeTemplate.output, "File to write");
+  auto* lintOption = templateCommand->add_option(
+      "--lint", makeTemplate.lint,
+      "Look for faults in this flexible program, made for the settings");
+  auto* outputOption = templateCommand->get_option("--output");
+  lintOption->excludes(outputOption);
+  templateCommand->add_flag("--verify", makeTemplate.verify,
+                            "Look for faults and run the program on the virtual machine");
+  templateCommand
+      ->add_option("--preset", makeTemplate.preset, "Machine of --verify: a name or a file")
+      ->capture_default_str();
   addJson(templateCommand, makeTemplate.json);
   templateCommand->callback([&] { exit = rivulet::cli::makeTemplate(makeTemplate); });
 

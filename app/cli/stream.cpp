@@ -14,9 +14,12 @@
 #include "cli/connection.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
+#include "machine/config.h"
 #include "report/report_json.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
+#include "streaming/simulation/template_proof.h"
+#include "templates/generator.h"
 #include "trace/file.h"
 #include "trace/recording.h"
 
@@ -196,6 +199,25 @@ void print(const streaming::RunReport& report, bool feasible) {
   }
 }
 
+/// What goes to a real control has run on the virtual one first.
+base::Result<void> proveProgram(const templates::TemplateParameters& parameters) {
+  const auto text = templates::generateTemplate(parameters);
+  const auto machine = machine::loadPreset("dmu75");
+  if (!text || !machine) {
+    return base::fail(text ? machine.error() : text.error());
+  }
+  const auto proof = streaming::proveTemplate(*text, parameters, *machine);
+  if (!proof) {
+    return base::fail(proof.error());
+  }
+  if (!proof->holds()) {
+    return base::fail(templates::LintError::Rejected,
+                      "The flexible program of these settings did not hold on the virtual machine "
+                      "and is not written to the control. See template --verify.");
+  }
+  return {};
+}
+
 }  // namespace
 
 Exit stream(const StreamOptions& options) {
@@ -228,6 +250,11 @@ Exit stream(const StreamOptions& options) {
 
   if (const auto cells = templates::planCells(settings.parameters); !cells) {
     return reportError(cells.error(), options.json);
+  }
+  if (!options.simulate) {
+    if (const auto proven = proveProgram(settings.parameters); !proven) {
+      return reportError(proven.error(), options.json);
+    }
   }
   auto connection =
       options.simulate ? simulate(options.preset, options.seed) : connectTo(options.endpoint);

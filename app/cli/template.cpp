@@ -3,21 +3,133 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <optional>
+
 #include "cli/commands.h"
+#include "machine/config.h"
+#include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
+#include "templates/lint/lint.h"
 #include "trace/file.h"
 
 namespace rivulet::cli {
 
+namespace {
+
+using streaming::ProofCase;
+using streaming::TemplateProof;
+using templates::LintFinding;
+using templates::LintSeverity;
+
+std::string_view severityOf(const LintFinding& finding) {
+  return finding.severity == LintSeverity::Error ? "error" : "warning";
+}
+
+nlohmann::ordered_json jsonOf(const TemplateProof& proof, bool verified) {
+  auto findings = nlohmann::ordered_json::array();
+  for (const LintFinding& finding : proof.findings) {
+    findings.push_back({{"severity", severityOf(finding)},
+                        {"line", finding.line.value},
+                        {"code", templates::lintRuleName(finding.rule)},
+                        {"message", finding.message}});
+  }
+  nlohmann::ordered_json json{{"findings", findings}};
+  if (verified) {
+    auto cases = nlohmann::ordered_json::array();
+    for (const ProofCase& one : proof.cases) {
+      cases.push_back({{"name", one.name},
+                       {"required", one.isRequired},
+                       {"runs", one.runs},
+                       {"failures", one.failures},
+                       {"message", one.message}});
+    }
+    json["cases"] = cases;
+  }
+  return json;
+}
+
+/// For people, on standard error where standard output holds the program.
+void print(std::FILE* out, const TemplateProof& proof, bool verified, bool sound) {
+  for (const LintFinding& finding : proof.findings) {
+    fmt::print(out, "line {}: {}: {} [{}]\n", finding.line.value, severityOf(finding),
+               finding.message, templates::lintRuleName(finding.rule));
+  }
+  for (const ProofCase& one : proof.cases) {
+    const char* verdict = one.holds() ? "holds" : one.isRequired ? "FAILS" : "not promised";
+    fmt::print(out, "{}: {}, {} of {} runs right{}{}\n", one.name, verdict, one.runs - one.failures,
+               one.runs, one.message.empty() ? "" : ": ", one.message);
+  }
+  const char* good = verified ? "The program holds." : "No errors found.";
+  fmt::print(out, "{}\n", sound ? good : "The program must not be run.");
+}
+
+/// The lint alone, or with the runs of the proof.
+base::Result<TemplateProof> lookAt(const std::string& text,
+                                   const templates::TemplateParameters& parameters,
+                                   const TemplateOptions& options) {
+  if (options.verify) {
+    const auto machine = machine::loadPreset(options.preset);
+    if (!machine) {
+      return base::fail(machine.error());
+    }
+    return streaming::proveTemplate(text, parameters, *machine);
+  }
+  auto findings = templates::lintProgram(text, parameters);
+  if (!findings) {
+    return base::fail(findings.error());
+  }
+  return TemplateProof{std::move(*findings), {}};
+}
+
+bool isSound(const TemplateProof& proof, bool verified) {
+  return verified ? proof.holds() : templates::firstError(proof.findings) == nullptr;
+}
+
+/// A program from a file, maybe written by hand.
+Exit lintFile(const templates::TemplateParameters& parameters, const TemplateOptions& options) {
+  const base::Result<std::string> text = trace::readFile(options.lint);
+  if (!text) {
+    return reportError(text.error(), options.json);
+  }
+  const base::Result<TemplateProof> proof = lookAt(*text, parameters, options);
+  if (!proof) {
+    return reportError(proof.error(), options.json);
+  }
+  const bool sound = isSound(*proof, options.verify);
+  if (options.json) {
+    nlohmann::ordered_json json{{"file", options.lint}, {"sound", sound}};
+    json.update(jsonOf(*proof, options.verify));
+    printJson(json);
+  } else {
+    print(stdout, *proof, options.verify, sound);
+  }
+  return sound ? Exit::Done : Exit::Wrong;
+}
+
+}  // namespace
+
 Exit makeTemplate(const TemplateOptions& options) {
   templates::TemplateParameters parameters = options.point.parameters();
   parameters.rParameterCount = options.rParameterCount;
+  if (!options.lint.empty()) {
+    return lintFile(parameters, options);
+  }
   const auto cells = templates::planCells(parameters);
   const auto text = templates::generateTemplate(parameters);
   if (!cells || !text) {
     return reportError(cells ? text.error() : cells.error(), options.json);
   }
-  if (!options.output.empty()) {
+  std::optional<TemplateProof> proof;
+  if (options.verify) {
+    base::Result<TemplateProof> seen = lookAt(*text, parameters, options);
+    if (!seen) {
+      return reportError(seen.error(), options.json);
+    }
+    proof = std::move(*seen);
+  }
+  const bool sound = !proof || isSound(*proof, true);
+  if (!options.output.empty() && sound) {
     if (const auto written = trace::writeFile(options.output, *text); !written) {
       return reportError(written.error(), options.json);
     }
@@ -47,16 +159,24 @@ Exit makeTemplate(const TemplateOptions& options) {
                  {"first_slot", cells->firstSlot},
                  {"slot_stride", cells->slotStride}};
     }
-    printJson({{"name", templates::templateFileName(parameters)},
-               {"layout_number", templates::layoutNumber(parameters)},
-               {"r_parameters", cells->last() + 1},
-               {"cells", numbers},
-               {"file", options.output},
-               {"text", *text}});
+    nlohmann::ordered_json json{{"name", templates::templateFileName(parameters)},
+                                {"layout_number", templates::layoutNumber(parameters)},
+                                {"r_parameters", cells->last() + 1},
+                                {"cells", numbers},
+                                {"file", options.output},
+                                {"text", *text}};
+    if (proof) {
+      json["sound"] = sound;
+      json["verdict"] = jsonOf(*proof, true);
+    }
+    printJson(json);
   } else if (options.output.empty()) {
     fmt::print("{}", *text);
   }
-  return Exit::Done;
+  if (proof && !options.json) {
+    print(options.output.empty() ? stderr : stdout, *proof, true, sound);
+  }
+  return sound ? Exit::Done : Exit::Wrong;
 }
 
 }  // namespace rivulet::cli

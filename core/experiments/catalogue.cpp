@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "experiments/access_experiments.h"
 #include "experiments/equations.h"
+#include "experiments/methods.h"
 #include "experiments/stream_experiments.h"
 
 namespace rivulet::experiments {
@@ -50,6 +51,7 @@ constexpr std::array kEntries{
     Entry{"method2", runMethod2, nullptr},
     Entry{"delta", runDelta, nullptr},
     Entry{"equations", equations, nullptr},
+    Entry{"methods", runMethods, nullptr},
 };
 
 Result<Entry> find(const std::string& name) {

@@ -358,8 +358,11 @@ void Driver::checkDeadlines() {
 
 void Driver::abandon(base::Error error) {
   m_sink.note({m_link.now(), "stream abandoned: " + error.text()});
-  m_end.error = std::move(error);
-  m_abandonedAt = m_link.now();
+  // What comes later is no new cause, and must not put off the end of the wait for the stop.
+  if (!m_abandonedAt) {
+    m_end.error = std::move(error);
+    m_abandonedAt = m_link.now();
+  }
   m_methodPending.reset();
   m_nextStatus = m_link.now();
 }

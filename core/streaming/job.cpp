@@ -15,6 +15,7 @@
 #include "streaming/access_probe.h"
 #include "streaming/pause_placement.h"
 #include "templates/generator.h"
+#include "templates/lint/lint.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
 
@@ -224,6 +225,9 @@ class Job {
     const Result<std::string> text = templates::generateTemplate(m_settings.parameters);
     if (!text) {
       return base::fail(text.error());
+    }
+    if (Result<void> sound = templates::requireSound(*text, m_settings.parameters); !sound) {
+      return sound;
     }
     const std::string name = templates::templateFileName(m_settings.parameters);
     publish(RunState::Armed, "transfer");

@@ -37,6 +37,11 @@ QStringList words(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
+bool writeText(const QString& path, const QString& text) {
+  QFile file(path);
+  return file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(text.toUtf8()) >= 0;
+}
+
 }  // namespace
 
 class TestCli : public QObject {
@@ -138,6 +143,32 @@ class TestCli : public QObject {
              run(words("template --method position --points 9")).output);
   }
 
+  void verifiesTemplates() {
+    const Outcome sound = run(words("template --points 3 --verify --json"));
+    QCOMPARE(sound.exit, 0);
+    QVERIFY(sound.parsed()["sound"].get<bool>());
+    QVERIFY(sound.parsed()["verdict"]["findings"].empty());
+    QCOMPARE(sound.parsed()["verdict"]["cases"].size(), std::size_t{6});
+    const QString path = m_folder.filePath(QStringLiteral("lint.mpf"));
+    QString text = run(words("template --method position --points 3")).output;
+    QVERIFY(writeText(path, text));
+    const QStringList lint = words("template --method position --points 3 --lint") << path;
+    QCOMPARE(run(lint).exit, 0);
+    QCOMPARE(run(QStringList(lint) << QStringLiteral("--verify")).exit, 0);
+    // Made for other settings, the client must not drive it.
+    QCOMPARE(run(words("template --method position --points 4 --lint") << path).exit, 1);
+    text.replace(QStringLiteral("IF R2<1 GOTOB"), QStringLiteral("GOTOB"));
+    QVERIFY(writeText(path, text));
+    const Outcome broken = run(QStringList(lint) << QStringLiteral("--json"));
+    QCOMPARE(broken.exit, 1);
+    const json finding = broken.parsed()["findings"].front();
+    QCOMPARE(finding["code"].get<std::string>(), std::string("stop-check-missing"));
+    QCOMPARE(finding["severity"].get<std::string>(), std::string("error"));
+    QCOMPARE(finding["line"].get<qsizetype>(),
+             text.left(text.indexOf(QStringLiteral("GOTOB RIV_LOOP"))).count(QLatin1Char('\n')) + 1);
+    QCOMPARE(run(words("template --lint /nowhere.mpf")).exit, 2);
+  }
+
   void streamsAndAnalyses() {
     const QString path = m_folder.filePath(QStringLiteral("run.rivulet"));
     const Outcome stream = run(QStringList{QStringLiteral("stream"), kScorpion}
@@ -167,7 +198,10 @@ class TestCli : public QObject {
     QCOMPARE(judged.exit, 0);
     QVERIFY(judged.parsed()["feasible"].get<bool>());
     QVERIFY(judged.parsed()["waits"].get<bool>());
-    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 38);
+    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 45);
+    QCOMPARE(judged.parsed()["planned_pauses_in_cut"].get<int>(), 3);
+    QCOMPARE(judged.parsed()["even_pauses"].get<int>(), 38);
+    QCOMPARE(judged.parsed()["even_pauses_in_cut"].get<int>(), 15);
     const json made = run(words("template --windows 3 --base-cell 5 --points 5 --json")).parsed();
     QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_5X3B5.MPF"));
     QCOMPARE(made["cells"]["run"].get<int>(), 5);

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "experiments/methods.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <optional>
+
+#include "base/random.h"
+#include "base/units.h"
+#include "experiments/figures.h"
+#include "streaming/simulation/scenario.h"
+
+namespace rivulet::experiments {
+
+namespace {
+
+using base::MethodKind;
+using streaming::RunReport;
+
+constexpr std::size_t kPoints = 140;
+constexpr int kPointsPerLoop = 7;
+constexpr double kPointDistanceMm = 0.15;  // as in [P1], Fig. 4
+constexpr double kRestMmMean = 0.15;
+constexpr std::array kMethods{MethodKind::Position, MethodKind::Signal, MethodKind::Window};
+constexpr std::array<double, 12> kFeeds{100.0,  200.0,  300.0,  500.0,  700.0,  1000.0,
+                                        1500.0, 2000.0, 3000.0, 5000.0, 8000.0, 12000.0};
+
+/// One run, as the machine's own trace has it; only the access is counted at the link.
+struct Measured {
+  bool isRight = false;
+  double pauses = 0.0;
+  double standingS = 0.0;
+  double totalS = 0.0;
+  double executed = 0.0;
+  double nodes = 0.0;
+  double requests = 0.0;
+};
+
+Measured measure(const ExperimentOptions& options, MethodKind method, double feedMmPerMin,
+                 std::uint64_t seed) {
+  base::Random random = base::Random(seed).fork(9);
+  streaming::Scenario scenario;
+  scenario.machine = options.machine;
+  scenario.program = streaming::programOf(
+      streaming::drawContour({kPoints, kPointDistanceMm, kRestMmMean}, random));
+  scenario.settings.parameters.method = method;
+  scenario.settings.parameters.pointsPerLoop = kPointsPerLoop;
+  scenario.settings.deltaMm = kPointDistanceMm;
+  scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  scenario.settings.monitor = false;  // reads nothing but what the method needs
+  scenario.settings.stallDeadline = std::chrono::seconds{3};
+  scenario.seed = seed;
+  scenario.limit = std::chrono::minutes{10};
+  const RunReport report = streaming::simulate(scenario);
+  Measured measured;
+  measured.isRight = report.outcome == streaming::Outcome::Completed &&
+                     report.integrity.isFaultless() && report.integrity.executed == kPoints;
+  measured.pauses = static_cast<double>(report.pauses.size());
+  for (const trace::Pause& pause : report.pauses) {
+    measured.standingS += base::toSeconds(pause.duration);
+  }
+  measured.totalS = base::toSeconds(report.duration);
+  measured.executed = static_cast<double>(report.integrity.executed);
+  measured.nodes = static_cast<double>(report.access.nodes);
+  measured.requests = static_cast<double>(report.access.requests);
+  return measured;
+}
+
+/// All runs of a method at a feed.
+struct Summary {
+  std::size_t right = 0;
+  double pauses = 0.0;
+  double standingShare = 0.0;
+  double totalS = 0.0;
+  double pointsPerS = 0.0;
+  double nodesPerPoint = 0.0;
+  double requestsPerPoint = 0.0;
+};
+
+Summary summaryOf(const Measured* runs, std::size_t count) {
+  Summary summary;
+  Measured sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    summary.right += runs[i].isRight ? 1 : 0;
+    sum.pauses += runs[i].pauses;
+    sum.standingS += runs[i].standingS;
+    sum.totalS += runs[i].totalS;
+    sum.executed += runs[i].executed;
+    sum.nodes += runs[i].nodes;
+    sum.requests += runs[i].requests;
+  }
+  const double number = static_cast<double>(count);
+  const double points = std::max(sum.executed, 1.0);
+  summary.pauses = sum.pauses / number;
+  summary.totalS = sum.totalS / number;
+  summary.standingShare = sum.totalS > 0.0 ? sum.standingS / sum.totalS : 0.0;
+  summary.pointsPerS = sum.totalS > 0.0 ? sum.executed / sum.totalS : 0.0;
+  summary.nodesPerPoint = sum.nodes / points;
+  summary.requestsPerPoint = sum.requests / points;
+  return summary;
+}
+
+std::vector<std::string> rowOf(MethodKind method, double feed, const Summary& summary,
+                               std::size_t seeds) {
+  return {std::string(base::methodName(method)),
+          fmt::format("{:.0f}", feed),
+          fmt::format("{} of {}", summary.right, seeds),
+          fmt::format("{:.1f}", summary.pauses),
+          fmt::format("{:.1f}", 100.0 * summary.standingShare),
+          fmt::format("{:.2f}", summary.totalS),
+          fmt::format("{:.2f}", summary.pointsPerS),
+          fmt::format("{:.1f}", summary.nodesPerPoint),
+          fmt::format("{:.2f}", summary.requestsPerPoint)};
+}
+
+}  // namespace
+
+base::Result<Experiment> runMethods(const ExperimentOptions& options) {
+  const std::size_t seeds = options.seeds > 0 ? options.seeds : 40;
+  const std::size_t perMethod = kFeeds.size() * seeds;
+  std::vector<Measured> runs(kMethods.size() * perMethod);
+  std::atomic<std::size_t> done{0};
+  std::atomic<bool> isCancelled{false};
+  options.executor.forEach(runs.size(), [&](std::size_t job) {
+    if (isCancelled) {
+      return;
+    }
+    const MethodKind method = kMethods[job / perMethod];
+    const double feed = kFeeds[job % perMethod / seeds];
+    runs[job] = measure(options, method, feed, job % seeds + 1);
+    const double share = static_cast<double>(++done) / static_cast<double>(runs.size());
+    if (options.progress && !options.progress(share)) {
+      isCancelled = true;
+    }
+  });
+  if (isCancelled) {
+    return base::fail(ExperimentError::Cancelled, "The experiment was cancelled.");
+  }
+
+  Experiment result;
+  result.name = "methods";
+  result.title = "The methods beside each other";
+  result.setup = fmt::format(
+      "{} points, steps of {} mm plus an exponential rest of mean {} mm; N {}, δ = d_min; {} feeds "
+      "from {:.0f} to {:.0f} mm/min, {} runs each. All methods get the same contours, machines and "
+      "seeds. Errors, pauses and times are those of the machine's own trace; access is counted at "
+      "the link.",
+      kPoints, kPointDistanceMm, kRestMmMean, kPointsPerLoop, kFeeds.size(), kFeeds.front(),
+      kFeeds.back(), seeds);
+  const std::vector<std::string> columns{
+      "method",       "F (mm/min)",         "runs right",
+      "pauses",       "stand-still (%)",    "total time (s)",
+      "points per s", "accesses per point", "requests per point"};
+  Table best{"At the largest feed without an error", columns, {}};
+  Table all{"At all feeds", columns, {}};
+  Plot rate{"Points per second, runs without error", "F (mm/min)", "points per s", {}};
+  Plot standing{
+      "Share of time the axes stand, runs without error", "F (mm/min)", "stand-still (%)", {}};
+  for (std::size_t m = 0; m < kMethods.size(); ++m) {
+    const std::string name(base::methodName(kMethods[m]));
+    Series rates{name, SeriesStyle::Line, false, {}, {}, {}};
+    Series shares{name, SeriesStyle::Line, false, {}, {}, {}};
+    std::optional<std::size_t> largest;
+    bool isStillRight = true;
+    std::size_t wrong = 0;
+    std::vector<Summary> summaries;
+    for (std::size_t f = 0; f < kFeeds.size(); ++f) {
+      const Summary summary = summaryOf(&runs[m * perMethod + f * seeds], seeds);
+      summaries.push_back(summary);
+      all.rows.push_back(rowOf(kMethods[m], kFeeds[f], summary, seeds));
+      wrong += seeds - summary.right;
+      isStillRight = isStillRight && summary.right == seeds;
+      if (isStillRight) {
+        largest = f;
+        rates.x.push_back(kFeeds[f]);
+        rates.y.push_back(summary.pointsPerS);
+        shares.x.push_back(kFeeds[f]);
+        shares.y.push_back(100.0 * summary.standingShare);
+      }
+    }
+    if (largest) {
+      best.rows.push_back(rowOf(kMethods[m], kFeeds[*largest], summaries[*largest], seeds));
+    }
+    if (kMethods[m] == MethodKind::Window) {
+      Check never;
+      never.what = "runs of method window with an error, all feeds";
+      never.source = "promise of the method";
+      never.reference = 0.0;
+      never.ours = static_cast<double>(wrong);
+      never.lowest = 0.0;
+      never.highest = 0.0;
+      result.checks.push_back(never);
+    }
+    rate.series.push_back(std::move(rates));
+    standing.series.push_back(std::move(shares));
+  }
+  result.tables = {std::move(best), std::move(all)};
+  result.plots = {std::move(rate), std::move(standing)};
+  result.notes = {
+      fmt::format("The largest feed is the largest of the {} that were tried with every run right "
+                  "there and at all smaller ones: with {:.0f} mm/min no limit was found.",
+                  kFeeds.size(), kFeeds.back()),
+      "Between points so close, and with a stand-still in each loop, the axes of the machine never "
+      "reach the larger feeds: points per second approach a limit, and so do the errors.",
+      "Method window is right at any feed because its axes wait where the client is late; the "
+      "methods of [P1] are right only where they are fast enough on the machine in question.",
+      "Where runs went wrong, the figures of the second table are those of runs that repeat or "
+      "skip points: they are no measure of the method."};
+  return result;
+}
+
+}  // namespace rivulet::experiments

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The streaming methods beside each other: same contours, same machine, same access.
+/// @threadsafety pure; jobs go through the executor of the options.
+#pragma once
+
+#include "experiments/catalogue.h"
+
+namespace rivulet::experiments {
+
+/// How fast each method may be without an error, and what that costs in pauses and access.
+[[nodiscard]] base::Result<Experiment> runMethods(const ExperimentOptions& options);
+
+}  // namespace rivulet::experiments

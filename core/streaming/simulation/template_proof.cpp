@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/simulation/template_proof.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "streaming/job.h"
+#include "streaming/simulation/faulty_link.h"
+#include "streaming/simulation/scenario.h"
+#include "trace/analysis/integrity.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::MethodKind;
+
+/// Slow, and with much way between the points: far from every border of feasibility.
+constexpr double kStepMm = 2.0;
+constexpr double kDeltaMm = 1.0;
+constexpr double kFeedMmPerS = 5.0;
+constexpr double kSameMm = 1e-6;
+constexpr double kStillMm = 1e-9;
+/// A run that gets nowhere is stopped.
+constexpr Duration kLimit = std::chrono::minutes{20};
+/// Without a client a program of method window has to end: 1000 passes of its waiting loop.
+constexpr Duration kAloneMax = std::chrono::minutes{30};
+/// Long enough to see whether something moves that must not.
+constexpr Duration kWatched = std::chrono::seconds{20};
+
+class Orders final : public RunSink, public RunOrders {
+ public:
+  std::optional<Instant> stopAt;
+  void update(const LiveUpdate&) override {}
+  void access(const trace::Access&) override {}
+  void note(const trace::Note&) override {}
+  bool stopRequested(Instant now) override { return stopAt && now >= *stopAt; }
+};
+
+/// To and fro within the axes' limits; on each way between the points of the ways before.
+double wayMm(int step) {
+  constexpr int kStepsPerWay = 100;
+  constexpr double kBetweenMm = 0.15;
+  const int way = step / kStepsPerWay;
+  const int rest = step % kStepsPerWay;
+  return kStepMm * (way % 2 == 0 ? rest : kStepsPerWay - rest) + kBetweenMm * way;
+}
+
+/// Some loops and a rest; no two points are alike, in none of the axes.
+std::vector<base::Vec3> proofPoints(const templates::TemplateParameters& parameters,
+                                    const machine::MachineConfig& config) {
+  const int loops = parameters.method == MethodKind::Window ? parameters.windows + 2 : 3;
+  const int count = loops * parameters.pointsPerLoop + std::min(2, parameters.pointsPerLoop);
+  std::vector<base::Vec3> points;
+  for (int i = 0; i < count; ++i) {
+    const auto at = [&](std::size_t axis, double scale) {
+      return config.axes[axis].startMm + (parameters.axes[axis] ? scale * wayMm(i + 1) : 0.0);
+    };
+    points.push_back({at(0, 1.0), at(1, 0.75), at(2, 0.5)});
+  }
+  return points;
+}
+
+/// One run of the program under proof.
+class Trial {
+ public:
+  Trial(std::string_view text, const templates::TemplateParameters& parameters,
+        const machine::MachineConfig& config, const LinkFaults& faults, std::uint64_t seed)
+      : m_program(programOf(proofPoints(parameters, config))),
+        m_machine(config, seed),
+        m_link(m_machine, faults, seed) {
+    m_link.programInstead = std::string(text);
+    m_settings.parameters = parameters;
+    m_settings.deltaMm = kDeltaMm;
+    m_settings.feedMmPerS = kFeedMmPerS;
+    m_settings.requestDeadline = std::chrono::seconds{20};
+    m_settings.startDeadline = std::chrono::seconds{60};
+    m_settings.stallDeadline = std::chrono::minutes{2};
+    m_settings.stopDeadline = std::chrono::minutes{2};
+    m_settings.monitor = false;
+    m_startMm = {config.axes[0].startMm, config.axes[1].startMm, config.axes[2].startMm};
+  }
+
+  [[nodiscard]] machine::Machine& machine() { return m_machine; }
+  [[nodiscard]] FaultyLink& link() { return m_link; }
+
+  const RunReport& run(std::optional<Duration> stopAfter = {}) {
+    Orders orders;
+    orders.stopAt = m_machine.now() + stopAfter.value_or(kLimit);
+    m_report = runJob(m_link, m_link, *m_program, m_settings, orders, orders);
+    return m_report;
+  }
+
+  /// Time the points take, without pauses.
+  [[nodiscard]] Duration motionTime() const {
+    double lengthMm = 0.0;
+    base::Vec3 at = m_startMm;
+    for (const gcode::TrajectoryPoint& point : m_program->trajectory.points) {
+      lengthMm += base::distance(at, point.positionMm);
+      at = point.positionMm;
+    }
+    return base::fromSeconds(lengthMm / kFeedMmPerS);
+  }
+
+  /// What the axes have done wrong so far; empty: nothing.
+  [[nodiscard]] std::string wrongMotion() const {
+    const auto points = gcode::streamPoints(m_program->trajectory, m_startMm).points;
+    const trace::Integrity seen = trace::judgeIntegrity(points, m_machine.trace().blocks, kSameMm);
+    if (seen.isFaultless()) {
+      return {};
+    }
+    return fmt::format(
+        "{} points repeated, {} skipped, {} out of order, {} moves to where no "
+        "point is",
+        seen.repeated, seen.skipped, seen.outOfOrder, seen.foreign);
+  }
+
+  [[nodiscard]] std::string notCompleted() const {
+    if (m_report.outcome == Outcome::Completed) {
+      return {};
+    }
+    const std::string alarm = m_machine.state().alarmText;
+    return fmt::format("the run is {}{}{}", outcomeName(m_report.outcome),
+                       m_report.error.code ? ": " + m_report.error.message : "",
+                       alarm.empty() ? "" : " Alarm: " + alarm);
+  }
+
+  [[nodiscard]] bool hasEnded() const {
+    return m_machine.state().channel == machine::ChannelStatus::Reset;
+  }
+
+  /// Nobody touches the control any more.
+  void leaveAlone() {
+    const Instant until = m_machine.now() + kAloneMax;
+    while (m_machine.now() < until && !hasEnded()) {
+      m_link.wait(m_machine.now() + std::chrono::milliseconds{500});
+    }
+  }
+
+  [[nodiscard]] bool movesOn() {
+    m_machine.advance(m_machine.now() + std::chrono::seconds{1});  // the servo settles
+    const base::Vec3 before = m_machine.state().commandMm;
+    m_machine.advance(m_machine.now() + kWatched);
+    return base::distance(before, m_machine.state().commandMm) > kStillMm;
+  }
+
+ private:
+  std::shared_ptr<const gcode::Program> m_program;
+  machine::Machine m_machine;
+  FaultyLink m_link;
+  RunSettings m_settings;
+  base::Vec3 m_startMm;
+  RunReport m_report;
+};
+
+std::string firstOf(std::string a, const std::string& b) {
+  return a.empty() ? b : a;
+}
+
+/// Collects the cases.
+class Prover {
+ public:
+  Prover(std::string_view text, const templates::TemplateParameters& parameters,
+         machine::MachineConfig config)
+      : m_text(text), m_parameters(parameters), m_config(std::move(config)) {
+    m_config.rParameterCount = parameters.rParameterCount;
+  }
+
+  std::vector<ProofCase> run() {
+    const bool isWindow = m_parameters.method == MethodKind::Window;
+    // A template for study only breaks this promise on purpose.
+    const bool isStudy = m_parameters.method == MethodKind::Signal &&
+                         m_parameters.signalStop == templates::SignalStop::OncePerLoop;
+    add("on-time", !isStudy, 2, {}, [](Trial& trial) {
+      trial.run();
+      return firstOf(trial.wrongMotion(), trial.notCompleted());
+    });
+    add("stop", true, 3, {}, [isWindow](Trial& trial) {
+      const RunReport& report = trial.run(trial.motionTime() / 2);
+      if (report.outcome != Outcome::Stopped || !report.stopConfirmedAfter) {
+        return firstOf(trial.notCompleted(), "the stop was not confirmed");
+      }
+      if (trial.movesOn()) {
+        return std::string("the axes move behind a confirmed stop");
+      }
+      return isWindow ? trial.wrongMotion() : std::string();
+    });
+    LinkFaults late;
+    late.stallProbability = 0.05;
+    late.stallMax = std::chrono::seconds{8};
+    late.delayProbability = 0.05;
+    late.delayMax = std::chrono::seconds{3};
+    // The methods of [P1] repeat what the client is too late to replace: they do not promise more.
+    add("late-client", isWindow, 4, late, [](Trial& trial) {
+      trial.run();
+      return firstOf(trial.wrongMotion(), trial.notCompleted());
+    });
+    if (isWindow) {
+      addWindowCases();
+    }
+    return std::move(m_cases);
+  }
+
+ private:
+  void addWindowCases() {
+    LinkFaults bad;
+    bad.delayProbability = 0.05;
+    bad.delayMax = std::chrono::seconds{5};
+    bad.lostRequestProbability = 0.02;
+    bad.lostAnswerProbability = 0.02;
+    bad.disconnectProbability = 0.01;
+    bad.strayMax = std::chrono::seconds{10};
+    add("bad-network", true, 4, bad, [](Trial& trial) {
+      trial.run();
+      trial.leaveAlone();
+      return firstOf(trial.wrongMotion(),
+                     trial.hasEnded() ? "" : "the program does not end without its client");
+    });
+    const templates::CellMap cells = *templates::planCells(m_parameters);
+    // One coordinate of the second window is changed behind the client's back. Each in its turn.
+    const std::vector<int> slot = cells.slotCells(cells.windows > 1 ? cells.pointsPerLoop : 0);
+    add("damaged-window", true, slot.size(), {}, [&](Trial& trial) {
+      const int cell = slot[m_turn % slot.size()];
+      bool isDone = false;
+      trial.link().onWrite = [&, cell](int written, double value, bool) {
+        if (written == cells.delivered && value >= 2.0 && !isDone) {
+          isDone = true;
+          trial.machine().writeRParameter(cell, trial.machine().rParameter(cell) + 0.25);
+        }
+      };
+      const RunReport& report = trial.run();
+      const bool isRefused = report.error.code == StreamError::WindowDamaged;
+      return firstOf(trial.wrongMotion(),
+                     isRefused ? "" : "a window that does not fit its check number was taken");
+    });
+    add("client-gone", true, 2, {}, [this](Trial& trial) {
+      const Instant goneAt = trial.machine().now() + trial.motionTime() / 2;
+      // Once the connection breaks, once nothing comes through any more.
+      trial.link().onTime = [this, &trial, goneAt] {
+        if (trial.machine().now() >= goneAt) {
+          LinkFaults gone;
+          (m_turn == 0 ? gone.disconnectProbability : gone.lostRequestProbability) = 1.0;
+          trial.link().setFaults(gone);
+        }
+      };
+      trial.run();
+      trial.leaveAlone();
+      return firstOf(trial.wrongMotion(),
+                     trial.hasEnded() ? "" : "the program does not end without its client");
+    });
+  }
+
+  template <class Try>
+  void add(const char* name, bool isRequired, std::size_t runs, const LinkFaults& faults,
+           Try attempt) {
+    ProofCase result;
+    result.name = name;
+    result.isRequired = isRequired;
+    result.runs = runs;
+    for (m_turn = 0; m_turn < runs; ++m_turn) {
+      Trial trial(m_text, m_parameters, m_config, faults, m_turn + 1);
+      const std::string failure = attempt(trial);
+      if (!failure.empty()) {
+        result.message = result.failures == 0 ? failure : result.message;
+        ++result.failures;
+      }
+    }
+    m_cases.push_back(std::move(result));
+  }
+
+  std::string_view m_text;
+  templates::TemplateParameters m_parameters;
+  machine::MachineConfig m_config;
+  std::size_t m_turn = 0;
+  std::vector<ProofCase> m_cases;
+};
+
+}  // namespace
+
+bool TemplateProof::holds() const {
+  return templates::firstError(findings) == nullptr && !cases.empty() &&
+         std::all_of(cases.begin(), cases.end(),
+                     [](const ProofCase& one) { return one.holds() || !one.isRequired; });
+}
+
+base::Result<TemplateProof> proveTemplate(std::string_view text,
+                                          const templates::TemplateParameters& parameters,
+                                          const machine::MachineConfig& machine) {
+  auto findings = templates::lintProgram(text, parameters);
+  if (!findings) {
+    return base::fail(findings.error());
+  }
+  TemplateProof proof;
+  proof.findings = std::move(*findings);
+  if (templates::firstError(proof.findings) == nullptr) {
+    proof.cases = Prover(text, parameters, machine).run();
+  }
+  return proof;
+}
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Puts a flexible program to the proof: the production client drives it on a virtual machine in
+/// virtual time, on time and late, over a bad network, until it is stopped or the client is gone.
+/// What it moved is judged by the machine's own trace. @threadsafety pure; runs on the calling
+/// thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "machine/config.h"
+#include "templates/cells.h"
+#include "templates/lint/lint.h"
+
+namespace rivulet::streaming {
+
+/// One situation, in a number of runs.
+struct ProofCase {
+  std::string name;        ///< "on-time", "late-client", ...
+  bool isRequired = true;  ///< false: what the method does not promise, for information
+  std::size_t runs = 0;
+  std::size_t failures = 0;
+  std::string message;  ///< the first failure: what was expected, and what happened
+
+  [[nodiscard]] bool holds() const { return failures == 0; }
+};
+
+struct TemplateProof {
+  std::vector<templates::LintFinding> findings;
+  std::vector<ProofCase> cases;  ///< none if a finding is an error: such a program is not run
+
+  /// No finding is an error, and every case that is required holds.
+  [[nodiscard]] bool holds() const;
+};
+
+/// @param text        the program; the client believes it to be that of `parameters`
+/// @param machine     whose number of R-parameters is set to that of `parameters`
+/// @return the errors of `planCells`
+[[nodiscard]] base::Result<TemplateProof> proveTemplate(
+    std::string_view text, const templates::TemplateParameters& parameters,
+    const machine::MachineConfig& machine);
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,679 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "templates/lint/lint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "templates/lint/flow.h"
+
+namespace rivulet::templates {
+
+namespace {
+
+using base::MethodKind;
+using machine::NcProgram;
+using machine::Statement;
+
+constexpr int kUnknownNameAlarm = 12550;
+
+/// What is known when control arrives at a statement. "Must" facts hold on every path to it, "may"
+/// facts on one at least.
+struct State {
+  Environment values;
+  bool mustFeed = false;
+  bool mustLayout = false;
+  bool mayLayout = false;
+  bool mustRun = false;        ///< the run cell was asked
+  bool mustDelivered = false;  ///< asked since the last STOPRE and motion (method window)
+  bool mustStand = true;       ///< a STOPRE since the last motion
+  bool mayRapid = false;
+  bool mayRelative = false;
+  std::set<int> mayStale;  ///< cells read since the last STOPRE
+
+  /// @return true if something has changed
+  bool join(const State& other) {
+    bool changed = false;
+    for (const auto& [slot, values_] : other.values) {
+      changed = values[slot].join(values_) || changed;
+    }
+    const auto must = [&changed](bool& mine, bool theirs) {
+      changed = changed || (mine && !theirs);
+      mine = mine && theirs;
+    };
+    const auto may = [&changed](bool& mine, bool theirs) {
+      changed = changed || (!mine && theirs);
+      mine = mine || theirs;
+    };
+    must(mustFeed, other.mustFeed);
+    must(mustLayout, other.mustLayout);
+    must(mustRun, other.mustRun);
+    must(mustDelivered, other.mustDelivered);
+    must(mustStand, other.mustStand);
+    may(mayLayout, other.mayLayout);
+    may(mayRapid, other.mayRapid);
+    may(mayRelative, other.mayRelative);
+    const std::size_t before = mayStale.size();
+    mayStale.insert(other.mayStale.begin(), other.mayStale.end());
+    return changed || mayStale.size() != before;
+  }
+};
+
+class Linter {
+ public:
+  Linter(const NcProgram& program, const TemplateParameters& parameters, const CellMap& cells)
+      : m_program(program),
+        m_statements(program.statements()),
+        m_parameters(parameters),
+        m_cells(cells),
+        m_isWindow(parameters.method == MethodKind::Window),
+        m_layoutNumber(layoutNumber(parameters)) {
+    for (int slot = 0; slot < cells.slotCount(); ++slot) {
+      const std::vector<int> numbers = cells.slotCells(slot);
+      m_slotCells.insert(numbers.begin(), numbers.end());
+    }
+    m_stopCell = m_isWindow ? cells.run : cells.stop;
+  }
+
+  std::vector<LintFinding> run() {
+    lookAtBlocks();
+    follow();
+    m_reports = true;
+    for (std::size_t i = 0; i < m_statements.size(); ++i) {
+      if (m_isReached[i]) {
+        static_cast<void>(step(i, m_before[i]));
+      }
+    }
+    lookAtLoops();
+    lookAtWhole();
+    std::stable_sort(m_findings.begin(), m_findings.end(),
+                     [](const auto& a, const auto& b) { return a.line < b.line; });
+    return std::move(m_findings);
+  }
+
+ private:
+  void add(LintRule rule, LintSeverity severity, base::LineNumber line, std::string message) {
+    if (m_reports && m_found.insert({rule, line.value}).second) {
+      m_findings.push_back({rule, severity, line, std::move(message)});
+    }
+  }
+  void error(LintRule rule, base::LineNumber line, std::string message) {
+    add(rule, LintSeverity::Error, line, std::move(message));
+  }
+  void warn(LintRule rule, base::LineNumber line, std::string message) {
+    add(rule, LintSeverity::Warning, line, std::move(message));
+  }
+  /// A lack that every line behind it shares is told once.
+  void errorOnce(LintRule rule, base::LineNumber line, std::string message) {
+    if (m_reports && m_toldOnce.insert(rule).second) {
+      error(rule, line, std::move(message));
+    }
+  }
+
+  // --- block by block ---------------------------------------------------------------------
+
+  void lookAtBlocks() {
+    m_reports = true;
+    for (std::size_t i = 0; i < m_statements.size(); ++i) {
+      const Statement& statement = m_statements[i];
+      if (const auto* alarm = std::get_if<machine::AlarmStatement>(&statement.what)) {
+        const bool isName = alarm->alarm.number == kUnknownNameAlarm;
+        error(isName ? LintRule::UnknownName : LintRule::Syntax, statement.line,
+              fmt::format("The control would stop here with alarm {}: {} Correct the block.",
+                          alarm->alarm.number, alarm->alarm.text));
+      } else if (const auto* call = std::get_if<machine::CallStatement>(&statement.what)) {
+        if (call->isPlainName) {
+          error(LintRule::UnknownName, statement.line,
+                fmt::format("{} is neither a word of the control nor a variable of this program. "
+                            "Correct the name, or define it with DEF.",
+                            call->name));
+        } else {
+          warn(LintRule::NotChecked, statement.line,
+               fmt::format("The subprogram {} is not looked into. Write its blocks into this "
+                           "program.",
+                           call->name));
+        }
+      } else if (std::holds_alternative<machine::SyncStatement>(statement.what)) {
+        warn(LintRule::NotChecked, statement.line,
+             "What a synchronized action writes is not followed. Leave it out.");
+      } else if (exitsOf(m_program, i).misses) {
+        const auto* jump = std::get_if<machine::JumpStatement>(&statement.what);
+        const auto* repeat = std::get_if<machine::RepeatStatement>(&statement.what);
+        const std::string& label = jump != nullptr ? jump->label : repeat->label;
+        error(LintRule::MissingLabel, statement.line,
+              fmt::format("There is no label {} where the jump looks for it. Write the label, or "
+                          "correct the direction of the jump.",
+                          label));
+      }
+    }
+    m_reports = false;
+  }
+
+  // --- along all paths --------------------------------------------------------------------
+
+  void follow() {
+    m_before.resize(m_statements.size());
+    m_isReached.assign(m_statements.size() + 1, false);
+    State first;
+    for (const int slot : indexVariables(m_program)) {
+      first.values[slot].add(0.0);
+    }
+    std::deque<std::size_t> due;
+    const auto arrive = [&](std::size_t at, const State& state) {
+      if (at >= m_statements.size()) {
+        m_isReached[m_statements.size()] = true;
+      } else if (!m_isReached[at]) {
+        m_isReached[at] = true;
+        m_before[at] = state;
+        due.push_back(at);
+      } else if (m_before[at].join(state) && std::find(due.begin(), due.end(), at) == due.end()) {
+        due.push_back(at);
+      }
+    };
+    arrive(0, first);
+    while (!due.empty()) {
+      const std::size_t at = due.front();
+      due.pop_front();
+      const State after = step(at, m_before[at]);
+      const Exits exits = exitsOf(m_program, at);
+      if (exits.ends) {
+        continue;
+      }
+      State whenTrue = after;
+      State whenFalse = after;
+      bool mayBeTrue = true;
+      bool mayBeFalse = true;
+      if (exits.condition != nullptr) {
+        Evaluation evaluation = evaluate(*exits.condition, after.values);
+        mayBeTrue = evaluation.mayBeTrue;
+        mayBeFalse = evaluation.mayBeFalse;
+        whenTrue.values = std::move(evaluation.whereTrue);
+        whenFalse.values = std::move(evaluation.whereFalse);
+      }
+      if (exits.whenTrue && mayBeTrue) {
+        arrive(*exits.whenTrue, whenTrue);
+      }
+      if (exits.whenFalse && mayBeFalse) {
+        arrive(*exits.whenFalse, whenFalse);
+      }
+    }
+  }
+
+  /// What holds behind a statement; in the last pass, what is wrong with it.
+  State step(std::size_t at, const State& before) {
+    const Statement& statement = m_statements[at];
+    State after = before;
+    if (statement.readsMainRun) {
+      stop(after);
+    }
+    std::vector<int> reads;
+    for (const machine::Expression* expression : expressionsOf(statement)) {
+      const Evaluation evaluation = evaluate(*expression, before.values);
+      reads.insert(reads.end(), evaluation.reads.begin(), evaluation.reads.end());
+      lookAtReads(statement, evaluation, after);
+    }
+    if (std::holds_alternative<machine::StopreStatement>(statement.what)) {
+      stop(after);
+    } else if (const auto* motion = std::get_if<machine::MotionStatement>(&statement.what)) {
+      move(statement.line, *motion, reads, after);
+    } else if (const auto* assign = std::get_if<machine::AssignStatement>(&statement.what)) {
+      write(statement.line, *assign, after);
+    } else if (const auto* local = std::get_if<machine::LocalAssignStatement>(&statement.what)) {
+      if (!local->element && after.values.contains(local->slot)) {
+        after.values[local->slot] = evaluate(local->value, before.values).result;
+      }
+    } else if (const auto* fill = std::get_if<machine::FillStatement>(&statement.what)) {
+      if (after.values.contains(fill->slot)) {
+        const bool isKnown = !fill->values.empty() && fill->values.front();
+        after.values[fill->slot] =
+            isKnown ? evaluate(*fill->values.front(), before.values).result : ValueSet::unknown();
+      }
+    }
+    if (exitsOf(m_program, at).condition != nullptr) {
+      const auto asks = [&reads](int cell) {
+        return std::find(reads.begin(), reads.end(), cell) != reads.end();
+      };
+      after.mustRun = after.mustRun || asks(m_cells.run);
+      after.mustDelivered = after.mustDelivered || (m_isWindow && asks(m_cells.delivered));
+    }
+    return after;
+  }
+
+  static void stop(State& state) {
+    state.mustStand = true;
+    state.mustDelivered = false;
+    state.mayStale.clear();
+  }
+
+  [[nodiscard]] bool isWindowCell(int cell) const {
+    return m_isWindow && cell >= m_cells.windowCount(0) && cell <= m_cells.last();
+  }
+
+  void checkRange(base::LineNumber line, int cell) {
+    if (cell < 0 || cell >= m_parameters.rParameterCount) {
+      error(LintRule::RParameterOutOfRange, line,
+            fmt::format("R{} does not exist: this control has R0 to R{}. Use fewer points per "
+                        "loop, or have MD28050 raised to {} at least.",
+                        cell, m_parameters.rParameterCount - 1, cell + 1));
+    }
+  }
+
+  void lookAtReads(const Statement& statement, const Evaluation& evaluation, State& state) {
+    const base::LineNumber line = statement.line;
+    if (evaluation.hasUnknownIndex) {
+      warn(LintRule::RParameterUnbounded, line,
+           "Which R-parameter is meant cannot be told before the program runs. Compute the number "
+           "from variables of the program alone, within bounds that it checks.");
+    }
+    // In a loop over the slots the same words read another slot in each pass.
+    const bool isCertain = evaluation.reads.size() == 1;
+    for (const int cell : evaluation.reads) {
+      checkRange(line, cell);
+      if (isWindowCell(cell)) {
+        if (!state.mustStand) {
+          errorOnce(LintRule::StopreMissing, line,
+                    fmt::format("A window is taken from R{} on a path without STOPRE since the "
+                                "last motion: the control may have read it before the client wrote "
+                                "it. Put a STOPRE in front of the question for R{}.",
+                                cell, m_cells.delivered));
+        } else if (!state.mustDelivered) {
+          errorOnce(LintRule::HandshakeMissing, line,
+                    fmt::format("A window is taken from R{} on a path that has not asked R{} "
+                                "behind its STOPRE: the client may still be writing it. Take it "
+                                "only behind a condition on R{}.",
+                                cell, m_cells.delivered, m_cells.delivered));
+        }
+      } else if (!m_isWindow && m_slotCells.contains(cell)) {
+        if (!state.mustRun) {
+          errorOnce(LintRule::HandshakeMissing, line,
+                    fmt::format("R{} is read on a path that has not waited for the client: R{} was "
+                                "not asked. Wait in a loop until R{} is 1.",
+                                cell, m_cells.run, m_cells.run));
+        }
+        if (isCertain && state.mayStale.contains(cell)) {
+          errorOnce(LintRule::StopreMissing, line,
+                    fmt::format("R{} is read again on a path without STOPRE since it was read "
+                                "last: the control would run ahead of the client and repeat the "
+                                "point. Put a STOPRE on every way from the last point to the next "
+                                "pass.",
+                                cell));
+        }
+      }
+    }
+    for (const int cell : evaluation.reads) {
+      if (m_slotCells.contains(cell)) {
+        m_slotsRead.insert(cell);
+        if (isCertain) {
+          state.mayStale.insert(cell);
+        }
+      }
+    }
+  }
+
+  void move(base::LineNumber line, const machine::MotionStatement& motion,
+            const std::vector<int>& reads, State& state) {
+    if (motion.mode) {
+      state.mayRapid = *motion.mode == machine::PathMode::Rapid;
+    }
+    if (motion.absolute) {
+      state.mayRelative = !*motion.absolute;
+    }
+    if (motion.feedMmPerMin) {
+      state.mustFeed = true;
+      const Evaluation feed = evaluate(*motion.feedMmPerMin, state.values);
+      m_usesClientFeed = m_usesClientFeed || feed.asks(m_cells.feed);
+    }
+    if (!motion.moves()) {
+      return;
+    }
+    if (!state.mustFeed) {
+      errorOnce(LintRule::FeedMissing, line,
+                m_isWindow
+                    ? "The axes move on a path that has set no feed. Write F with the feed of the "
+                      "window into the block."
+                    : fmt::format("The axes move on a path that has set no feed. Write F=R{} into "
+                                  "the block.",
+                                  m_cells.feed));
+    }
+    if (!state.mustLayout) {
+      errorOnce(LintRule::LayoutNumberMissing, line,
+                fmt::format("The axes move on a path that has not written R{}={}: the client would "
+                            "not know the program. Write it in front of the waiting loop, behind "
+                            "a STOPRE.",
+                            m_cells.layout, m_layoutNumber));
+    }
+    if (state.mayRapid) {
+      warn(LintRule::RapidMotion, line,
+           "The block moves with G0, at rapid speed whatever the feed. Write G1.");
+    }
+    if (state.mayRelative) {
+      error(LintRule::RelativeMotion, line,
+            "The block may move by increments (G91), but the client sends positions. Write G90 in "
+            "front of the loop.");
+    }
+    for (const int cell : reads) {
+      if (isWindowCell(cell)) {
+        error(LintRule::MotionFromCells, line,
+              fmt::format("The axes move to what R{} says at this moment, which nothing has "
+                          "checked. Copy the window, check its check number, and move from the "
+                          "copy.",
+                          cell));
+        break;
+      }
+    }
+    state.mustStand = false;
+    state.mustDelivered = false;
+  }
+
+  void write(base::LineNumber line, const machine::AssignStatement& assign, State& state) {
+    const Evaluation index = evaluate(assign.index, state.values);
+    const Evaluation value = evaluate(assign.value, state.values);
+    if (index.result.isUnknown) {
+      warn(LintRule::RParameterUnbounded, line,
+           "Which R-parameter is written cannot be told before the program runs. Compute the "
+           "number from variables of the program alone.");
+      return;
+    }
+    for (const double number : index.result.values) {
+      const int cell = static_cast<int>(number);
+      checkRange(line, cell);
+      if (cell == m_cells.layout) {
+        writeLayout(line, value.result, state);
+      } else if (state.mayLayout && isClients(cell)) {
+        error(LintRule::ClientCellOverwritten, line,
+              fmt::format("R{} belongs to the client once the layout number stands in R{}, and is "
+                          "overwritten here. Set it in front of R{}={}.",
+                          cell, m_cells.layout, m_cells.layout, m_layoutNumber));
+      } else if (!m_isWindow && cell == m_cells.signal &&
+                 m_parameters.method == MethodKind::Signal && !state.mustStand) {
+        signalAhead(line);
+      }
+    }
+  }
+
+  void signalAhead(base::LineNumber line) {
+    const bool isWanted = m_parameters.signalStop == SignalStop::OncePerLoop;
+    add(LintRule::SignalAhead, isWanted ? LintSeverity::Warning : LintSeverity::Error, line,
+        fmt::format("R{} is set on a path without STOPRE since the last motion: the control sets "
+                    "it before the axes have passed the points, and the client overwrites them too "
+                    "early. Put a STOPRE in front of it.",
+                    m_cells.signal));
+  }
+
+  void writeLayout(base::LineNumber line, const ValueSet& value, State& state) {
+    state.mayLayout = true;
+    const bool isRight = !value.isUnknown && value.values.size() == 1 &&
+                         value.values.front() == static_cast<double>(m_layoutNumber);
+    state.mustLayout = true;  // a wrong one is told of here, not at every motion
+    if (!isRight) {
+      error(LintRule::WrongLayoutNumber, line,
+            fmt::format("R{} must become {} for this method, these points, cells and axes; here "
+                        "it gets {}. Write R{}={}, or choose the settings the program was made "
+                        "for.",
+                        m_cells.layout, m_layoutNumber,
+                        value.isUnknown || value.values.empty()
+                            ? std::string("a computed value")
+                            : fmt::format("{}", value.values.front()),
+                        m_cells.layout, m_layoutNumber));
+    }
+  }
+
+  [[nodiscard]] bool isClients(int cell) const {
+    if (m_slotCells.contains(cell) || isWindowCell(cell) || cell == m_cells.run) {
+      return true;
+    }
+    return m_isWindow
+               ? cell == m_cells.delivered || cell == m_cells.client || cell == m_cells.heartbeat
+               : cell == m_cells.stop || cell == m_cells.feed;
+  }
+
+  // --- loops ------------------------------------------------------------------------------
+
+  [[nodiscard]] std::vector<std::size_t> nextOf(std::size_t at) const {
+    const Exits exits = exitsOf(m_program, at);
+    std::vector<std::size_t> next;
+    for (const auto& exit : {exits.whenTrue, exits.whenFalse}) {
+      if (!exits.ends && exit && *exit < m_statements.size() && m_isReached[*exit]) {
+        next.push_back(*exit);
+      }
+    }
+    return next;
+  }
+
+  /// Statements that can be come to from `from`, without passing one that is `closed`.
+  [[nodiscard]] std::vector<bool> reachedFrom(std::size_t from,
+                                              const std::vector<bool>& closed) const {
+    std::vector<bool> reached(m_statements.size(), false);
+    std::vector<std::size_t> due{from};
+    while (!due.empty()) {
+      const std::size_t at = due.back();
+      due.pop_back();
+      for (const std::size_t next : nextOf(at)) {
+        if (!reached[next] && !closed[next]) {
+          reached[next] = true;
+          due.push_back(next);
+        }
+      }
+    }
+    return reached;
+  }
+
+  [[nodiscard]] std::vector<int> conditionReads(std::size_t at) const {
+    const Exits exits = exitsOf(m_program, at);
+    return exits.condition == nullptr ? std::vector<int>{}
+                                      : evaluate(*exits.condition, m_before[at].values).reads;
+  }
+
+  void lookAtLoops() {
+    const std::size_t count = m_statements.size();
+    std::vector<bool> asksStop(count, false);
+    std::vector<bool> stops(count, false);
+    for (std::size_t at = 0; at < count; ++at) {
+      if (!m_isReached[at]) {
+        continue;
+      }
+      const std::vector<int> reads = conditionReads(at);
+      asksStop[at] = std::find(reads.begin(), reads.end(), m_stopCell) != reads.end();
+      stops[at] = std::holds_alternative<machine::StopreStatement>(m_statements[at].what) ||
+                  m_statements[at].readsMainRun;
+    }
+    // A question whose answers all lead back to it stops nothing.
+    const std::vector<bool> candidates = asksStop;
+    for (std::size_t at = 0; at < count; ++at) {
+      if (!candidates[at]) {
+        continue;
+      }
+      std::vector<bool> closed = candidates;
+      closed[at] = false;
+      const std::vector<std::size_t> next = nextOf(at);
+      const bool ends = next.size() < 2;  // one answer goes behind the last block
+      asksStop[at] = ends || std::any_of(next.begin(), next.end(), [&](std::size_t to) {
+                       return to != at && !reachedFrom(to, closed)[at];
+                     });
+    }
+    findCycles(asksStop, [this](const std::vector<std::size_t>& cycle) {
+      if (!lasts(cycle)) {
+        return;
+      }
+      error(LintRule::StopCheckMissing, m_statements[cycle.back()].line,
+            fmt::format("The loop from line {} back from here can be gone round without asking "
+                        "R{}: a stop of the client would not be seen. Put a condition on R{} that "
+                        "leaves it into the loop.",
+                        m_statements[cycle.front()].line.value, m_stopCell, m_stopCell));
+    });
+    findCycles(stops, [this](const std::vector<std::size_t>& cycle) {
+      for (const std::size_t at : cycle) {
+        for (const int cell : conditionReads(at)) {
+          if (isClients(cell) || (cell == m_cells.signal && !m_isWindow)) {
+            error(LintRule::StopreMissing, m_statements[at].line,
+                  fmt::format("The loop asks R{} again and again without a STOPRE: the control may "
+                              "never see what the client writes. Put a STOPRE into the loop, in "
+                              "front of the question.",
+                              cell));
+            return;
+          }
+        }
+      }
+    });
+  }
+
+  /// Calls `found` with each set of statements that lie on common cycles, `closed` ones left out.
+  template <class Found>
+  void findCycles(const std::vector<bool>& closed, Found found) const {
+    const std::size_t count = m_statements.size();
+    std::vector<bool> isDone(count, false);
+    for (std::size_t at = 0; at < count; ++at) {
+      if (closed[at] || isDone[at] || !m_isReached[at]) {
+        continue;
+      }
+      const std::vector<bool> reached = reachedFrom(at, closed);
+      if (!reached[at]) {
+        continue;
+      }
+      std::vector<std::size_t> cycle;
+      for (std::size_t other = 0; other < count; ++other) {
+        if (reached[other] && reachedFrom(other, closed)[at]) {
+          cycle.push_back(other);
+          isDone[other] = true;
+        }
+      }
+      found(cycle);
+    }
+  }
+
+  /// A loop that does not wait and ends by what it computes needs no question for a stop.
+  [[nodiscard]] bool lasts(const std::vector<std::size_t>& cycle) const {
+    bool leaves = false;
+    for (const std::size_t at : cycle) {
+      const auto& what = m_statements[at].what;
+      if (std::holds_alternative<machine::DwellStatement>(what) ||
+          std::holds_alternative<machine::StopreStatement>(what) || !conditionReads(at).empty()) {
+        return true;
+      }
+      for (const std::size_t next : nextOf(at)) {
+        leaves = leaves || std::find(cycle.begin(), cycle.end(), next) == cycle.end();
+      }
+    }
+    return !leaves;
+  }
+
+  // --- the program as a whole -------------------------------------------------------------
+
+  void lookAtWhole() {
+    const base::LineNumber last =
+        m_statements.empty() ? base::LineNumber{} : m_statements.back().line;
+    if (m_statements.empty() || m_isReached[m_statements.size()]) {
+      warn(LintRule::NoEnd, last, "The program runs off its last line. End it with M30.");
+    }
+    const bool hasErrors = std::any_of(m_findings.begin(), m_findings.end(), [](const auto& f) {
+      return f.severity == LintSeverity::Error;
+    });
+    if (hasErrors) {
+      return;  // what is not reached because of an error is not told again
+    }
+    for (const int cell : m_slotCells) {
+      if (!m_slotsRead.contains(cell)) {
+        error(LintRule::SlotNotRead, last,
+              fmt::format("Nothing reads R{}, where the client writes a coordinate: the point "
+                          "would be left out. Move to all slots of the method.",
+                          cell));
+        return;
+      }
+    }
+    if (!m_isWindow && !m_usesClientFeed) {
+      warn(LintRule::FeedNotFromClient, last,
+           fmt::format("R{}, the feed of the client, is never used: the verdict on feasibility "
+                       "does not hold. Write F=R{} into the blocks.",
+                       m_cells.feed, m_cells.feed));
+    }
+  }
+
+  const NcProgram& m_program;
+  const std::vector<Statement>& m_statements;
+  const TemplateParameters& m_parameters;
+  const CellMap& m_cells;
+  bool m_isWindow;
+  int m_layoutNumber;
+  int m_stopCell = 0;
+  std::set<int> m_slotCells;
+  std::set<int> m_slotsRead;
+  bool m_usesClientFeed = false;
+  bool m_reports = false;
+  std::vector<State> m_before;
+  std::vector<bool> m_isReached;  ///< the last: the end of the text
+  std::set<std::pair<LintRule, std::uint32_t>> m_found;
+  std::set<LintRule> m_toldOnce;
+  std::vector<LintFinding> m_findings;
+};
+
+}  // namespace
+
+std::error_code make_error_code(LintError code) {
+  static const base::NamedCategory category("lint");
+  return {static_cast<int>(code), category};
+}
+
+std::string_view lintRuleName(LintRule rule) {
+  static constexpr std::array<std::string_view, 20> kNames{
+      "syntax",
+      "unknown-name",
+      "missing-label",
+      "r-parameter-out-of-range",
+      "r-parameter-unbounded",
+      "wrong-layout-number",
+      "layout-number-missing",
+      "handshake-missing",
+      "stopre-missing",
+      "signal-ahead",
+      "stop-check-missing",
+      "feed-missing",
+      "feed-not-from-client",
+      "slot-not-read",
+      "client-cell-overwritten",
+      "motion-from-cells",
+      "relative-motion",
+      "rapid-motion",
+      "not-checked",
+      "no-end",
+  };
+  return kNames[static_cast<std::size_t>(rule) - 1];
+}
+
+base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
+                                                   const TemplateParameters& parameters) {
+  const base::Result<CellMap> cells = planCells(parameters);
+  if (!cells) {
+    return base::fail(cells.error());
+  }
+  const NcProgram program = NcProgram::compile(text);
+  return Linter(program, parameters, *cells).run();
+}
+
+const LintFinding* firstError(const std::vector<LintFinding>& findings) {
+  const auto found = std::find_if(findings.begin(), findings.end(), [](const LintFinding& finding) {
+    return finding.severity == LintSeverity::Error;
+  });
+  return found == findings.end() ? nullptr : &*found;
+}
+
+base::Result<void> requireSound(std::string_view text, const TemplateParameters& parameters) {
+  const auto findings = lintProgram(text, parameters);
+  if (!findings) {
+    return base::fail(findings.error());
+  }
+  if (const LintFinding* finding = firstError(*findings)) {
+    return base::fail(LintError::Rejected,
+                      fmt::format("The flexible program is not written to the control. Line {}: {}",
+                                  finding->line.value, finding->message));
+  }
+  return {};
+}
+
+}  // namespace rivulet::templates

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Every generated template is without findings; a template that is broken on purpose is caught by
+/// the finding that names what was broken, at the line where it matters.
+
+#include <QtTest>
+#include <algorithm>
+#include <set>
+
+#include "templates/generator.h"
+#include "templates/lint/lint.h"
+
+using namespace rivulet;
+using base::MethodKind;
+using templates::LintFinding;
+using templates::LintRule;
+using templates::LintSeverity;
+using templates::SignalStop;
+using templates::TemplateParameters;
+
+Q_DECLARE_METATYPE(rivulet::templates::LintRule)
+Q_DECLARE_METATYPE(rivulet::base::MethodKind)
+
+namespace {
+
+TemplateParameters parametersOf(MethodKind method, int points = 7) {
+  TemplateParameters parameters;
+  parameters.method = method;
+  parameters.pointsPerLoop = points;
+  return parameters;
+}
+
+std::string generated(const TemplateParameters& parameters) {
+  return *templates::generateTemplate(parameters);
+}
+
+std::vector<LintFinding> lint(const std::string& text, const TemplateParameters& parameters) {
+  auto findings = templates::lintProgram(text, parameters);
+  return findings ? *findings : std::vector<LintFinding>{};
+}
+
+QByteArray listed(const std::vector<LintFinding>& findings) {
+  QByteArray text;
+  for (const LintFinding& finding : findings) {
+    text += QByteArray::number(finding.line.value) + " " +
+            QByteArray::fromStdString(std::string(templates::lintRuleName(finding.rule))) + ": " +
+            QByteArray::fromStdString(finding.message) + "\n";
+  }
+  return text;
+}
+
+/// Line of the first occurrence, from 1.
+unsigned lineOf(const std::string& text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  return at == std::string::npos
+             ? 0
+             : static_cast<unsigned>(
+                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
+                   1;
+}
+
+}  // namespace
+
+class TestLint : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void generatedTemplatesAreClean();
+  void brokenTemplateIsCaught_data();
+  void brokenTemplateIsCaught();
+  void studyTemplateIsWarnedOf();
+  void handWrittenLoopsAreFollowed();
+  void boundsOfCellsAreFollowed();
+  void rulesHaveNames();
+  void settingsThatDoNotFit();
+};
+
+void TestLint::generatedTemplatesAreClean() {
+  int looked = 0;
+  const auto isClean = [&looked](const TemplateParameters& parameters) {
+    const auto text = templates::generateTemplate(parameters);
+    if (!text) {
+      return;
+    }
+    ++looked;
+    const auto findings = lint(*text, parameters);
+    QVERIFY2(findings.empty(), (*text + "\n").c_str() + listed(findings));
+  };
+  using Axes = std::array<bool, base::kAxisCount>;
+  for (const Axes axes :
+       {Axes{true, true, true}, Axes{true, false, true}, Axes{false, true, false}}) {
+    for (const int points : {1, 2, 3, 7, 12}) {
+      for (const MethodKind method : base::kPaperMethods) {
+        for (const auto layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
+          TemplateParameters parameters = parametersOf(method, points);
+          parameters.axes = axes;
+          parameters.layout = layout;
+          parameters.rParameterCount = 200;
+          isClean(parameters);
+        }
+      }
+      for (const int windows : {1, 2, 3, 8}) {
+        TemplateParameters parameters = parametersOf(MethodKind::Window, points);
+        parameters.axes = axes;
+        parameters.windows = windows;
+        parameters.baseCell = windows == 3 ? 40 : 0;
+        parameters.slotStride = windows == 2 ? 5 : 0;
+        parameters.rParameterCount = 400;
+        isClean(parameters);
+      }
+    }
+  }
+  QVERIFY(looked > 80);
+}
+
+void TestLint::brokenTemplateIsCaught_data() {
+  QTest::addColumn<MethodKind>("method");
+  QTest::addColumn<std::string>("find");     // what is replaced, first occurrence behind `behind`
+  QTest::addColumn<std::string>("replace");  // with what
+  QTest::addColumn<std::string>("behind");
+  QTest::addColumn<LintRule>("rule");
+  QTest::addColumn<std::string>("where");  // text in the line of the finding, after the change
+  const auto row = [](const char* name, MethodKind method, const char* behind, const char* find,
+                      const char* replace, LintRule rule, const char* where) {
+    QTest::newRow(name) << method << std::string(find) << std::string(replace)
+                        << std::string(behind) << rule << std::string(where);
+  };
+  const MethodKind position = MethodKind::Position;
+  const MethodKind signal = MethodKind::Signal;
+  const MethodKind window = MethodKind::Window;
+  row("position: no STOPRE at the end of the loop", position, "RIV_LOOP:", "STOPRE\n", "",
+      LintRule::StopreMissing, "G1 X=R11");
+  row("position: STOPRE jumped over on one path", position, "RIV_LOOP:", "STOPRE\n",
+      "IF R90>0 GOTOF RIV_PAST\nSTOPRE\nRIV_PAST:\n", LintRule::StopreMissing, "G1 X=R11");
+  row("position: no STOPRE in the waiting loop", position, "RIV_WAIT:", "STOPRE\n", "",
+      LintRule::StopreMissing, "IF R2>0");
+  row("position: no stop check in the waiting loop", position,
+      "RIV_WAIT:", "IF R2>0 GOTOF RIV_END\n", "", LintRule::StopCheckMissing, "IF R1<1");
+  row("position: no stop check in the loop", position, "RIV_LOOP:", "IF R2<1 GOTOB RIV_LOOP",
+      "GOTOB RIV_LOOP", LintRule::StopCheckMissing, "GOTOB RIV_LOOP");
+  row("position: the stop check leads back", position, "RIV_LOOP:", "IF R2<1 GOTOB RIV_LOOP\n",
+      "IF R2<1 GOTOB RIV_LOOP\nGOTOB RIV_LOOP\n", LintRule::StopCheckMissing, "\nGOTOB RIV_LOOP");
+  row("position: not waited for the client", position, "RIV_WAIT:", "IF R1<1 GOTOB RIV_WAIT\n", "",
+      LintRule::HandshakeMissing, "G1 X=R11");
+  row("position: R out of range", position, "RIV_LOOP:", "X=R71", "X=R171",
+      LintRule::RParameterOutOfRange, "X=R171");
+  row("position: wrong layout number", position, "STOPRE\n", "R4=", "R4=1",
+      LintRule::WrongLayoutNumber, "R4=1");
+  row("position: layout number on one path only", position, "STOPRE\n",
+      "R4=", "IF R80>0 GOTOF RIV_WAIT\nR4=", LintRule::LayoutNumberMissing, "G1 X=R11");
+  row("position: feed missing in the first block", position, "RIV_LOOP:", " F=R3", "",
+      LintRule::FeedMissing, "G1 X=R11");
+  row("position: label missing", position,
+      "RIV_LOOP:", "RIV_END:", "RIV_ENDE:", LintRule::MissingLabel, "IF R2>0 GOTOF RIV_END");
+  row("position: label in the other direction", position, "RIV_LOOP:", "GOTOB RIV_LOOP",
+      "GOTOF RIV_LOOP", LintRule::MissingLabel, "GOTOF RIV_LOOP");
+  row("position: unknown name", position, "RIV_LOOP:", "STOPRE\n", "STOPRE\nSTOPER\n",
+      LintRule::UnknownName, "STOPER");
+  row("position: syntax", position, "RIV_LOOP:", "Y=R12", "Y=R12+", LintRule::Syntax, "Y=R12+");
+  row("position: slot forgotten", position, "RIV_LOOP:", "G1 X=R21 Y=R22 Z=R23 F=R3\n", "",
+      LintRule::SlotNotRead, "M30");
+  row("position: run reset too late", position, "STOPRE\n", "RIV_WAIT:\n", "R1=0\nRIV_WAIT:\n",
+      LintRule::ClientCellOverwritten, "R1=0\nRIV_WAIT");
+  row("position: increments", position, "", "G90 G94", "G91 G94", LintRule::RelativeMotion,
+      "G1 X=R11");
+  row("position: rapid", position, "RIV_LOOP:", "G1 X=R31", "G0 X=R31", LintRule::RapidMotion,
+      "G0 X=R31");
+  row("position: feed of its own", position, "RIV_LOOP:", "F=R3\n", "F=100\n",
+      LintRule::FeedNotFromClient, "M30");
+  row("position: no end", position, "RIV_END:", "M30\n", "G4 F0.1\n", LintRule::NoEnd, "G4 F0.1");
+  row("signal: no STOPRE before the first signal", signal, "RIV_LOOP:", "STOPRE\nR0=0", "R0=0",
+      LintRule::SignalAhead, "R0=0");
+  row("signal: no STOPRE before the second signal", signal, "RIV_LOOP:", "STOPRE\nR0=1", "R0=1",
+      LintRule::SignalAhead, "R0=1");
+  row("window: no STOPRE between windows", window, "RIV_NEXT:", "STOPRE\n", "",
+      LintRule::StopreMissing, "RIV_K=R[RIV_B]");
+  row("window: STOPRE jumped over behind the last point", window, "RIV_MOVE:", "GOTOB RIV_NEXT",
+      "IF (R0<2) AND (R1>RIV_L) GOTOB RIV_TAKE\nGOTOB RIV_NEXT", LintRule::StopreMissing,
+      "RIV_K=R[RIV_B]");
+  row("window: delivered not asked", window, "RIV_NEXT:", "(R1>RIV_L) AND (R1<=RIV_L+2)", "(R8>0)",
+      LintRule::HandshakeMissing, "RIV_K=R[RIV_B]");
+  row("window: no stop check", window, "RIV_NEXT:", "IF R0>1 GOTOF RIV_STOPPED\n", "",
+      LintRule::StopCheckMissing, "");
+  row("window: one window too many", window, "RIV_TAKE:", "RIV_B<=34", "RIV_B<=94",
+      LintRule::RParameterOutOfRange, "");
+  row("window: motion from the cells", window, "RIV_MOVE:", "X=RIV_C[0]", "X=R[RIV_B+3]",
+      LintRule::MotionFromCells, "X=R[RIV_B+3]");
+  row("window: feed missing", window, "RIV_MOVE:", " F=RIV_F", "", LintRule::FeedMissing,
+      "G1 X=RIV_C[0]");
+  row("window: wrong layout number", window, "STOPRE\n", "R4=", "R4=1", LintRule::WrongLayoutNumber,
+      "R4=1");
+  row("window: delivered reset too late", window, "STOPRE\n", "RIV_NEXT:\n", "R1=0\nRIV_NEXT:\n",
+      LintRule::ClientCellOverwritten, "R1=0\nRIV_NEXT");
+  row("window: name misspelt", window, "RIV_TAKE:", "RIV_IDLE=0", "RIV_IDEL=0",
+      LintRule::UnknownName, "RIV_IDEL");
+  row("window: point not copied", window, "RIV_TAKE:", " RIV_C[4]=R[RIV_B+7]", "",
+      LintRule::SlotNotRead, "");
+}
+
+void TestLint::brokenTemplateIsCaught() {
+  QFETCH(MethodKind, method);
+  QFETCH(std::string, find);
+  QFETCH(std::string, replace);
+  QFETCH(std::string, behind);
+  QFETCH(LintRule, rule);
+  QFETCH(std::string, where);
+  const TemplateParameters parameters = parametersOf(method);
+  std::string text = generated(parameters);
+  const std::size_t from = text.find(behind);
+  QVERIFY(from != std::string::npos);
+  std::size_t at = text.find(find, from);
+  QVERIFY2(at != std::string::npos, text.c_str());
+  if (rule == LintRule::FeedNotFromClient) {
+    for (; at != std::string::npos; at = text.find(find, at)) {
+      text.replace(at, find.size(), replace);
+    }
+  } else {
+    text.replace(at, find.size(), replace);
+  }
+  const auto findings = lint(text, parameters);
+  const auto found = std::find_if(findings.begin(), findings.end(),
+                                  [&](const LintFinding& finding) { return finding.rule == rule; });
+  QVERIFY2(found != findings.end(), text.c_str() + listed(findings));
+  QVERIFY(!found->message.empty());
+  if (!where.empty()) {
+    const unsigned line = where.front() == '\n' ? lineOf(text, where) + 1 : lineOf(text, where);
+    const bool isThere = std::any_of(findings.begin(), findings.end(), [&](const auto& finding) {
+      return finding.rule == rule && finding.line.value == line;
+    });
+    QVERIFY2(isThere,
+             text.c_str() + listed(findings) + "expected line " + QByteArray::number(line));
+  }
+  // Nothing else is blamed for it.
+  for (const LintFinding& finding : findings) {
+    QVERIFY2(finding.rule == rule, text.c_str() + listed(findings));
+  }
+  const bool isWarning = rule == LintRule::RapidMotion || rule == LintRule::FeedNotFromClient ||
+                         rule == LintRule::NoEnd;
+  QCOMPARE(templates::firstError(findings) == nullptr, isWarning);
+}
+
+void TestLint::studyTemplateIsWarnedOf() {
+  TemplateParameters parameters = parametersOf(MethodKind::Signal);
+  parameters.signalStop = SignalStop::OncePerLoop;
+  const auto findings = lint(generated(parameters), parameters);
+  QCOMPARE(findings.size(), std::size_t{1});
+  QVERIFY(findings.front().rule == LintRule::SignalAhead);
+  QVERIFY(findings.front().severity == LintSeverity::Warning);
+}
+
+void TestLint::handWrittenLoopsAreFollowed() {
+  TemplateParameters parameters = parametersOf(MethodKind::Position, 3);
+  const std::string number = std::to_string(templates::layoutNumber(parameters));
+  // The same contract in other words: WHILE and FOR instead of labels, slots by number.
+  const std::string text =
+      "DEF INT NR\nR1=0 R2=0\nG90 G94 G64\nSTOPRE\nR4=" + number +
+      "\nWHILE R1<1\nSTOPRE\nG4 F0.02\nIF R2>0 GOTOF ENDE\nENDWHILE\n"
+      "WHILE R2<1\nFOR NR=1 TO 3\nG1 X=R[10*NR+1] Y=R[10*NR+2] Z=R[10*NR+3] F=R3\n"
+      "ENDFOR\nSTOPRE\nENDWHILE\nENDE:\nM30\n";
+  const auto clean = lint(text, parameters);
+  QVERIFY2(templates::firstError(clean) == nullptr, listed(clean));
+  std::string broken = text;
+  broken.replace(broken.find("TO 3"), 4, "TO 10");
+  const auto findings = lint(broken, parameters);
+  QVERIFY2(std::any_of(findings.begin(), findings.end(),
+                       [](const LintFinding& finding) {
+                         return finding.rule == LintRule::RParameterOutOfRange &&
+                                finding.line.value == 13;
+                       }),
+           listed(findings));
+}
+
+void TestLint::boundsOfCellsAreFollowed() {
+  TemplateParameters parameters = parametersOf(MethodKind::Position, 1);
+  const std::string number = std::to_string(templates::layoutNumber(parameters));
+  const std::string head =
+      "G90 G94\nSTOPRE\nR4=" + number + "\nWAIT:\nSTOPRE\nIF R2>0 GOTOF ENDE\nIF R1<1 GOTOB WAIT\n";
+  const std::string tail = "G1 X=R11 Y=R12 Z=R13 F=R3\nGOTOB WAIT\nENDE:\nM30\n";
+  QVERIFY2(lint(head + tail, parameters).empty(), listed(lint(head + tail, parameters)));
+  const auto unbounded = lint(head + "R20=R[R21]\n" + tail, parameters);
+  QCOMPARE(unbounded.size(), std::size_t{1});
+  QVERIFY(unbounded.front().rule == LintRule::RParameterUnbounded);
+  QCOMPARE(unbounded.front().line.value, 8U);
+  const auto written = lint(head + "R[R21]=1\n" + tail, parameters);
+  QCOMPARE(written.size(), std::size_t{1});
+  QVERIFY(written.front().rule == LintRule::RParameterUnbounded);
+}
+
+void TestLint::rulesHaveNames() {
+  std::set<std::string_view> names;
+  for (int rule = 1; rule <= static_cast<int>(LintRule::NoEnd); ++rule) {
+    names.insert(templates::lintRuleName(static_cast<LintRule>(rule)));
+  }
+  QCOMPARE(names.size(), static_cast<std::size_t>(LintRule::NoEnd));
+  QVERIFY(!names.contains(""));
+}
+
+void TestLint::settingsThatDoNotFit() {
+  QVERIFY(!templates::lintProgram("M30\n", parametersOf(MethodKind::Signal, 1)));
+}
+
+QTEST_APPLESS_MAIN(TestLint)
+#include "tst_lint.moc"
