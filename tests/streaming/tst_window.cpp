@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "gcode/program.h"
 #include "streaming/job.h"
+#include "streaming/pause_placement.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
