@@ -76,6 +76,7 @@ class Trial {
         m_machine(config, seed),
         m_link(m_machine, faults, seed) {
     m_link.programInstead = std::string(text);
+    m_settings.placePauses = false;  // every window is to be full once
     m_settings.parameters = parameters;
     m_settings.deltaMm = kDeltaMm;
     m_settings.feedMmPerS = kFeedMmPerS;
