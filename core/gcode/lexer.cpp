@@ -62,31 +62,28 @@ constexpr std::array<std::string_view, 42> kStatements{
     "MCALL",  "PCALL",  "PROC",    "REDEF",    "REPEAT", "REPEATB", "SETINT", "SUB", "ENDSUB",
     "END",    "UNTIL",  "WHEN",    "WHENEVER", "WHILE",  "SAVE"};
 
+/// True if the name, whatever its case, is one of the words.
+template <std::size_t Count>
+bool isOneOfWords(std::string_view name, const std::array<std::string_view, Count>& words) {
+  return std::any_of(words.begin(), words.end(), [name](std::string_view word) {
+    return std::equal(name.begin(), name.end(), word.begin(), word.end(),
+                      [](char a, char b) { return upper(a) == b; });
+  });
+}
+
 bool isOperatorWord(std::string_view name) {
-  std::array<char, 5> folded{};
-  if (name.size() < 2 || name.size() > folded.size()) {
-    return false;
-  }
-  std::transform(name.begin(), name.end(), folded.begin(), upper);
-  const std::string_view key(folded.data(), name.size());
-  static constexpr std::array<std::string_view, 14> kWords{"MOD", "DIV",   "AND",  "OR",    "XOR",
+  static constexpr std::array<std::string_view, 15> kWords{"MOD", "DIV",   "AND",  "OR",    "XOR",
                                                            "NOT", "B_AND", "B_OR", "B_XOR", "EQ",
-                                                           "NE",  "GT",    "LT",   "GE"};
-  return key == "LE" || std::find(kWords.begin(), kWords.end(), key) != kWords.end();
+                                                           "NE",  "GT",    "LT",   "GE",    "LE"};
+  return isOneOfWords(name, kWords);
 }
 
 bool isStatement(std::string_view name) {
-  std::array<char, 8> folded{};
   // DO1, END1 and GOTO100 of the ISO dialects.
   while (!name.empty() && classOf(name.back()) == kDigit) {
     name.remove_suffix(1);
   }
-  if (name.size() > folded.size()) {
-    return false;
-  }
-  std::transform(name.begin(), name.end(), folded.begin(), upper);
-  const std::string_view key(folded.data(), name.size());
-  return std::find(kStatements.begin(), kStatements.end(), key) != kStatements.end();
+  return isOneOfWords(name, kStatements);
 }
 
 /// Reads one line. Pointers instead of indices: this loop decides how fast a program loads.
