@@ -142,7 +142,7 @@ class TestCells : public QObject {
     for (int place = 0; place < 3000; ++place) {
       const double factor = templates::checkFactor(place);
       QVERIFY(factor >= 1.0 && factor < 2.0);
-      QCOMPARE(std::stod(QString::number(factor, 'f', 6).toStdString()), factor);
+      QCOMPARE(QString::number(factor, 'f', 6).toDouble(), factor);
       seen.insert(factor);
     }
     QCOMPARE(seen.size(), std::size_t{3000});
