@@ -290,7 +290,10 @@ void MainWindow::connectPages() {
             m_view = view;
             m_programPage->replaceProgram(m_view);
             if (!m_session.isRunning()) {
-              m_run->setTotal(points().size());
+              // What a run came to stays on show; the tool stands elsewhere behind it.
+              if (!m_report) {
+                m_run->setTotal(points().size());
+              }
               judge();
             }
           });
