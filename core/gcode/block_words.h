@@ -32,7 +32,6 @@ struct RareWords {
   std::string call;                 ///< a subprogram by name
   std::string callArguments;
   std::optional<Token> statement;
-  bool hasStatementFirst = false;
   bool macroCall = false;
   bool call98 = false;
   bool returns = false;
@@ -64,7 +63,6 @@ struct BlockWords {
   bool machineMove = false;  ///< in machine coordinates
   bool ends = false;
   bool hasRotary = false;  ///< an axis beyond X, Y, Z
-  bool hasSplineOff = false;
   int motionKey = -1;
   int distanceKey = -1;
   int planeKey = -1;

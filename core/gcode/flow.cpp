@@ -340,10 +340,6 @@ bool Flow::leaveSubprogram() {
   return true;
 }
 
-void Flow::restart() {
-  jump(m_levels.front().entry);
-}
-
 // --- calls ----------------------------------------------------------------------------------
 
 Flow::Outcome Flow::call(const std::string& name, std::string_view arguments, int times) {

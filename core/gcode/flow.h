@@ -49,8 +49,6 @@ class Flow {
   /// The line of the program file that is under way; in a subprogram of another file, the line
   /// that called it.
   [[nodiscard]] base::LineNumber line() const { return m_line; }
-  /// True in text that is not the program's own.
-  [[nodiscard]] bool isElsewhere() const;
   /// Lines of the program file seen from the top, for the progress.
   [[nodiscard]] std::size_t linesRead() const { return m_executed; }
   /// Why the execution ended before the end, if it did.
@@ -68,8 +66,6 @@ class Flow {
   /// M17, RET, M99. @return false in the main program
   [[nodiscard]] bool leaveSubprogram();
   [[nodiscard]] bool isInSubprogram() const { return m_levels.size() > 1; }
-  /// M99 of a main program: it starts again from the top.
-  void restart();
 
  private:
   struct Source {
@@ -103,6 +99,8 @@ class Flow {
 
   /// Steps over a line without executing it; it counts like one that is.
   [[nodiscard]] std::optional<std::string_view> passLine();
+  /// True in text that is not the program file's own.
+  [[nodiscard]] bool isElsewhere() const;
   [[nodiscard]] Level& level() { return m_levels.back(); }
   void index(Source& source);
   void jump(Place target);
@@ -137,7 +135,6 @@ class Flow {
   Lexer m_lexer;
   Place m_current;  ///< of the line under way
   base::LineNumber m_line;
-  base::LineNumber m_callLine;  ///< the last line of the file, while elsewhere
   std::size_t m_executed = 0;
   std::size_t m_fileLines = 0;
   bool m_hasJumped = false;

@@ -221,23 +221,18 @@ class Interpreter {
                             "\\x" + fmt::format("{:02x}", token.text.front()));
           break;
         }
-        fault(token, DiagnosticCode::UnexpectedCharacter, std::string(token.text));
+        m_findings.error(token, DiagnosticCode::UnexpectedCharacter, std::string(token.text));
         break;
       case TokenKind::NumberMissing:
-        fault(token, DiagnosticCode::NumberMissing, std::string(tokenName(token)));
+        m_findings.error(token, DiagnosticCode::NumberMissing, std::string(tokenName(token)));
         break;
       case TokenKind::NumberMalformed:
-        fault(token, DiagnosticCode::NumberMalformed, std::string(token.text));
+        m_findings.error(token, DiagnosticCode::NumberMalformed, std::string(token.text));
         break;
       case TokenKind::CommentNotClosed:
-        fault(token, DiagnosticCode::CommentNotClosed, {});
+        m_findings.error(token, DiagnosticCode::CommentNotClosed, {});
         break;
     }
-  }
-
-  /// An error behind which the words of the block are not what the author meant.
-  void fault(const Token& token, DiagnosticCode code, std::string argument) {
-    m_findings.error(token, code, std::move(argument));
   }
 
   void readText(const Token& token) {
@@ -250,7 +245,7 @@ class Interpreter {
     } else if (token.address == 0 &&
                m_calculator.find(base::toUpper(tokenName(token))) != nullptr) {
       if (!m_calculator.assign(token.text)) {
-        fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+        m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
       }
     } else if (nameEffect(m_dialect, base::toUpper(tokenName(token))) == NameEffect::None) {
       m_findings.ignore(Severity::Note, token, base::toUpper(tokenName(token)));
@@ -282,7 +277,7 @@ class Interpreter {
     }
     const std::optional<double> result = m_calculator.evaluate(value);
     if (!result) {
-      fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+      m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
       if (axisOf(token.address) >= kProgrammedAxisCount) {
         return;
       }
@@ -318,7 +313,7 @@ class Interpreter {
           const std::optional<double> value =
               m_calculator.evaluate(Calculator::valuePart(token.text));
           if (!value) {
-            fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+            m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
             return;
           }
           words.rareWords().named[name] = {*value, false};
@@ -342,7 +337,7 @@ class Interpreter {
       return;
     }
     if (!m_calculator.assign(token.text)) {
-      fault(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+      m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
     }
   }
 
@@ -575,9 +570,6 @@ class Interpreter {
         break;
       case GEffect::Spline:
         words.rareWords().splineKey = key;
-        break;
-      case GEffect::CompensationOff:
-        m_findings.ignoreG(index, token);
         break;
       case GEffect::ToolLength:
         m_facts.forget(2);
@@ -1083,7 +1075,6 @@ class Interpreter {
                        base::formatNumber(words.feed));
       return;
     }
-    m_feedWord = words.feed;
     double feedMmPerMin = words.feed * m_feedFactor;
     if (m_feedMode == FeedMode::PerRevolution) {
       feedMmPerMin = words.feed * m_lengthFactor * m_spindlePerMin;
@@ -1174,8 +1165,7 @@ class Interpreter {
           continue;
         }
         if (std::isnan(position[axis])) {
-          Token token = *words.axisTokens[axis];
-          m_findings.error(token, DiagnosticCode::UnsupportedGCode, "G92");
+          m_findings.error(*words.axisTokens[axis], DiagnosticCode::UnsupportedGCode, "G92");
           return;
         }
         offset.set(axis, position[axis] - lengthMm(words, axis));
@@ -1230,8 +1220,7 @@ class Interpreter {
     point.set(second, point[second] + radiusMm * std::sin(radians));
   }
 
-  // --- motion
-  // -------------------------------------------------------------------------------------
+  // --- motion -------------------------------------------------------------------------------
 
   void executeMotion(BlockWords& words) {
     const bool arcMode = m_motion == Motion::ArcClockwise || m_motion == Motion::ArcCounter;
@@ -1257,9 +1246,6 @@ class Interpreter {
       m_furtherTokens.clear();
     }
     if (!arcMode && m_motion != Motion::CubicSpline && m_motion != Motion::QuadraticSpline) {
-      rejectArcWords(words);
-    }
-    if (words.hasAnyCentre() && m_motion == Motion::ThreePointArc) {
       rejectArcWords(words);
     }
     if (m_motion == Motion::Nurbs && words.rare && words.rare->splineKey == 52 && !moves) {
@@ -1728,15 +1714,13 @@ class Interpreter {
     }
     std::optional<SpaceArc> arc;
     if (m_motion == Motion::ThreePointArc) {
-      Vec3 middle = m_relative ? from : target;
+      Vec3 middle = from;
       static constexpr std::array<std::string_view, base::kAxisCount> kNames{"I1", "J1", "K1"};
       bool given = false;
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
         if (const NamedWord* const word = words.named(kNames[axis])) {
           middle.set(axis, word->value * m_lengthFactor + (m_relative ? from[axis] : 0.0));
           given = true;
-        } else if (!m_relative) {
-          middle.set(axis, from[axis]);
         }
       }
       arc = given ? arcThrough(from, middle, target) : std::nullopt;
@@ -1759,8 +1743,7 @@ class Interpreter {
     m_path.spaceArc(*arc, target, details);
   }
 
-  // --- splines
-  // -------------------------------------------------------------------------------------
+  // --- splines ------------------------------------------------------------------------------
 
   void addControlPoint(const BlockWords& words, Vec3 target, const MoveWords& details) {
     const Vec3 from = programmed();
@@ -1903,7 +1886,6 @@ class Interpreter {
 
   // Modal state of the control.
   double m_feedMmPerS = 0.0;
-  double m_feedWord = 0.0;
   FeedMode m_feedMode = FeedMode::PerMinute;
   double m_spindlePerMin = 0.0;
   double m_lengthFactor = 1.0;

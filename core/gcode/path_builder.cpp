@@ -121,11 +121,16 @@ void PathBuilder::keepArc(const SpaceArc& arc, Vec3 targetMm, const MoveWords& w
                                (1.0 / base::norm(axis)) * axis, arc.sweepRad});
 }
 
-void PathBuilder::appendChords(MoveKind kind, const MoveWords& words) {
-  for (const Vec3& chord : m_chords) {
-    append(chord, kind, words);
-  }
+void PathBuilder::appendCurve(MoveKind kind, const std::optional<SpaceArc>& kept,
+                              const MoveWords& words) {
   const Vec3 before = m_chords.size() > 1 ? m_chords[m_chords.size() - 2] : m_programmedMm;
+  if (m_options.keepArcs && kept && m_frame.keepsCircles()) {
+    keepArc(*kept, m_chords.back(), words);
+  } else {
+    for (const Vec3& chord : m_chords) {
+      append(chord, kind, words);
+    }
+  }
   m_direction = m_chords.back() - before;
   m_programmedMm = m_chords.back();
   count(m_frame.toWorkpiece(m_programmedMm));
@@ -134,20 +139,11 @@ void PathBuilder::appendChords(MoveKind kind, const MoveWords& words) {
 void PathBuilder::arc(const Arc& arc, const MoveWords& words) {
   takeRotary(words);
   m_chords.clear();
-  const double lengthMm = flattenArc(arc, m_options.chordToleranceMm, m_chords);
-  m_statistics.cutLengthMm += lengthMm;
+  m_statistics.cutLengthMm += flattenArc(arc, m_options.chordToleranceMm, m_chords);
   const ArcRadii radii = arcRadii(arc);
   // A spiral is no arc: it becomes chords in any case.
-  if (m_options.keepArcs && std::abs(radii.startMm - radii.endMm) <= kArcRadiusToleranceMm &&
-      m_frame.keepsCircles()) {
-    keepArc(inSpace(arc), arc.endMm, words);
-    m_direction =
-        m_chords.back() - (m_chords.size() > 1 ? m_chords[m_chords.size() - 2] : m_programmedMm);
-    m_programmedMm = arc.endMm;
-    count(m_frame.toWorkpiece(m_programmedMm));
-    return;
-  }
-  appendChords(MoveKind::ArcPiece, words);
+  const bool isCircle = std::abs(radii.startMm - radii.endMm) <= kArcRadiusToleranceMm;
+  appendCurve(MoveKind::ArcPiece, isCircle ? std::optional(inSpace(arc)) : std::nullopt, words);
 }
 
 void PathBuilder::spaceArc(const SpaceArc& arc, Vec3 targetMm, const MoveWords& words) {
@@ -155,22 +151,14 @@ void PathBuilder::spaceArc(const SpaceArc& arc, Vec3 targetMm, const MoveWords& 
   m_chords.clear();
   m_statistics.cutLengthMm +=
       flattenSpaceArc(arc, m_programmedMm, targetMm, m_options.chordToleranceMm, m_chords);
-  if (m_options.keepArcs && m_frame.keepsCircles()) {
-    keepArc(arc, targetMm, words);
-    m_direction =
-        m_chords.back() - (m_chords.size() > 1 ? m_chords[m_chords.size() - 2] : m_programmedMm);
-    m_programmedMm = targetMm;
-    count(m_frame.toWorkpiece(m_programmedMm));
-    return;
-  }
-  appendChords(MoveKind::ArcPiece, words);
+  appendCurve(MoveKind::ArcPiece, arc, words);
 }
 
 void PathBuilder::spline(const Spline& spline, const MoveWords& words) {
   takeRotary(words);
   m_chords.clear();
   m_statistics.cutLengthMm += flattenSpline(spline, m_options.chordToleranceMm, m_chords);
-  appendChords(MoveKind::SplinePiece, words);
+  appendCurve(MoveKind::SplinePiece, std::nullopt, words);
 }
 
 }  // namespace rivulet::gcode

@@ -52,7 +52,8 @@ class PathBuilder {
 
  private:
   void append(base::Vec3 programmedMm, MoveKind kind, const MoveWords& words);
-  void appendChords(MoveKind kind, const MoveWords& words);
+  /// The chords collected, or one point for the arc they stand for.
+  void appendCurve(MoveKind kind, const std::optional<SpaceArc>& kept, const MoveWords& words);
   void keepArc(const SpaceArc& arc, base::Vec3 targetMm, const MoveWords& words);
   void takeRotary(const MoveWords& words);
   void count(base::Vec3 workpieceMm);

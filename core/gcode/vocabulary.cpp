@@ -32,7 +32,7 @@ constexpr std::array kCommonG{
     GEntry{210, GEffect::Units},
     GEntry{700, GEffect::Units},
     GEntry{710, GEffect::Units},
-    GEntry{400, GEffect::CompensationOff},
+    GEntry{400, GEffect::None},  // radius compensation off
     GEntry{410, GEffect::Mode},
     GEntry{420, GEffect::Mode},
     GEntry{430, GEffect::ToolLength},
@@ -203,10 +203,6 @@ constexpr std::array kLinuxCncG{
     GEntry{53, GEffect::Spline}, GEntry{740, GEffect::Cycle}, GEntry{610, GEffect::None},
 };
 
-constexpr std::array kGrblG{
-    GEntry{400, GEffect::None},
-};
-
 constexpr std::array kHeidenhainG{
     GEntry{1100, GEffect::Pole},
     GEntry{1110, GEffect::Pole},
@@ -218,10 +214,9 @@ std::span<const GEntry> ownG(Dialect dialect) {
       return kSinumerikG;
     case Dialect::LinuxCnc:
       return kLinuxCncG;
-    case Dialect::Grbl:
-      return kGrblG;
     case Dialect::Heidenhain:
       return kHeidenhainG;
+    case Dialect::Grbl:
     case Dialect::Iso:
       break;
   }

@@ -358,8 +358,7 @@ class Job {
   [[nodiscard]] std::size_t pointsOfWindows(double windows) const {
     const std::vector<gcode::StreamPoint>& points = m_flight.points.points;
     const auto perWindow = static_cast<std::size_t>(m_settings.parameters.pointsPerLoop);
-    const PausePlacement placement =
-        m_settings.placePauses ? placePauses(points, perWindow) : evenPauses(points, perWindow);
+    const PausePlacement placement = cutWindows(points, perWindow, m_settings.placePauses);
     return windows < static_cast<double>(placement.windows())
                ? placement.begins[static_cast<std::size_t>(windows)]
                : points.size();

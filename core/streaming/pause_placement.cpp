@@ -78,4 +78,9 @@ PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_
   return placement;
 }
 
+PausePlacement cutWindows(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                          bool place) {
+  return place ? placePauses(points, pointsPerWindow) : evenPauses(points, pointsPerWindow);
+}
+
 }  // namespace rivulet::streaming

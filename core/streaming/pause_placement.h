@@ -42,4 +42,8 @@ struct PausePlacement {
 [[nodiscard]] PausePlacement evenPauses(std::span<const gcode::StreamPoint> points,
                                         std::size_t pointsPerWindow);
 
+/// `placePauses` or `evenPauses`. Client and resume cut a run with the same call.
+[[nodiscard]] PausePlacement cutWindows(std::span<const gcode::StreamPoint> points,
+                                        std::size_t pointsPerWindow, bool place);
+
 }  // namespace rivulet::streaming

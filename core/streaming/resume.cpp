@@ -183,9 +183,8 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
   const std::span<const gcode::StreamPoint> streamed =
       std::span(points).subspan(std::min(last.firstPoint, total));
-  const PausePlacement placement = streamed.empty()    ? PausePlacement{}
-                                   : last.pausesPlaced ? placePauses(streamed, perWindow)
-                                                       : evenPauses(streamed, perWindow);
+  const PausePlacement placement =
+      streamed.empty() ? PausePlacement{} : cutWindows(streamed, perWindow, last.pausesPlaced);
   const auto pointOf = [&](double windows) {
     const auto window = static_cast<std::size_t>(windows);
     return window < placement.windows() ? last.firstPoint + placement.begins[window] : total;

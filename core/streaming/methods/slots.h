@@ -50,9 +50,7 @@ class SlotPlan {
   /// First point of each window of at most M points, and the number of points at the end.
   [[nodiscard]] std::vector<std::size_t> windowBegins(std::size_t pointsPerWindow) const {
     std::vector<std::size_t> begins =
-        (m_setup.settings.placePauses ? placePauses(m_setup.points, pointsPerWindow)
-                                      : evenPauses(m_setup.points, pointsPerWindow))
-            .begins;
+        cutWindows(m_setup.points, pointsPerWindow, m_setup.settings.placePauses).begins;
     begins.push_back(pointCount());
     return begins;
   }
