@@ -32,8 +32,8 @@ constexpr Duration kPollInterval = std::chrono::milliseconds{100};
 constexpr double kBesideMm = 0.05;
 /// A point this close ahead counts as reached.
 constexpr double kReachedMm = 1e-3;
-/// Two places of the path this much farther apart along it are two passes, not one.
-constexpr double kPassMm = 0.5;
+/// A path that leaves the tool farther than this and comes back has passed it twice.
+constexpr double kSpotMm = 0.06;
 
 constexpr const char* kMoved =
     "The tool does not stand where the run was left. Bring it back to the last point that was "
@@ -104,7 +104,7 @@ std::optional<std::size_t> pointAhead(const std::vector<Vec3>& path, Vec3 toolMm
     double distanceMm;
     double arcMm;
   };
-  std::vector<Foot> feet;
+  std::vector<Foot> feet;  // one per block, in their order
   std::vector<double> arcMm{0.0};
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Vec3 way = path[i] - path[i - 1];
@@ -117,19 +117,28 @@ std::optional<std::size_t> pointAhead(const std::vector<Vec3>& path, Vec3 toolMm
         {base::distance(toolMm, path[i - 1] + share * way), arcMm.back() + share * lengthMm});
     arcMm.push_back(arcMm.back() + lengthMm);
   }
-  const Foot nearest =
-      *std::min_element(feet.begin(), feet.end(),
-                        [](const Foot& a, const Foot& b) { return a.distanceMm < b.distanceMm; });
-  if (nearest.distanceMm > kBesideMm) {
+  const auto nearest = std::min_element(feet.begin(), feet.end(), [](const Foot& a, const Foot& b) {
+    return a.distanceMm < b.distanceMm;
+  });
+  if (nearest->distanceMm > kBesideMm) {
     return std::nullopt;
   }
-  for (const Foot& foot : feet) {
-    if (foot.distanceMm <= kBesideMm && std::abs(foot.arcMm - nearest.arcMm) > kPassMm) {
+  const auto passesAgain = [&](std::size_t from, std::size_t to) {
+    bool hasLeft = false;  // between two blocks the path is farthest from the tool at a point
+    for (std::size_t block = from; block < to; ++block) {
+      hasLeft = hasLeft || base::distance(path[block + 1], toolMm) > kSpotMm;
+    }
+    return hasLeft;
+  };
+  const auto nearestBlock = static_cast<std::size_t>(nearest - feet.begin());
+  for (std::size_t block = 0; block < feet.size(); ++block) {
+    if (feet[block].distanceMm <= kBesideMm &&
+        passesAgain(std::min(block, nearestBlock), std::max(block, nearestBlock))) {
       return std::nullopt;
     }
   }
   std::size_t next = 1;
-  while (next < path.size() && arcMm[next] <= nearest.arcMm + kReachedMm) {
+  while (next < path.size() && arcMm[next] <= nearest->arcMm + kReachedMm) {
     ++next;
   }
   return next;

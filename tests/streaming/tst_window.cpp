@@ -535,6 +535,13 @@ class TestWindow : public QObject {
     const std::vector<Vec3> crossing{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {5, -5, 0}};
     QVERIFY(!streaming::pointAhead(crossing, {5.0 + 5.0 / 3.0, 0, 0}));
     QCOMPARE(streaming::pointAhead(crossing, {2, 0, 0}), std::optional<std::size_t>(1));
+    // Out and back again by less than half a millimetre: either point may have been the last.
+    const std::vector<base::Vec3> spur{{-1, 0, 0}, {0, 0, 0}, {0.07, 0, 0}, {0, 0, 0}, {0, 1, 0}};
+    QVERIFY(!streaming::pointAhead(spur, {0, 0, 0}));
+    QCOMPARE(streaming::pointAhead(spur, {0, 0.5, 0}), std::optional<std::size_t>(4));
+    // Cutting a corner by a rounding is no second pass.
+    const std::vector<base::Vec3> corner{{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
+    QCOMPARE(streaming::pointAhead(corner, {-0.02, 0.03, 0}), std::optional<std::size_t>(2));
   }
 };
 
