@@ -20,6 +20,7 @@
 #include "gcode/program.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
+#include "streaming/program_transfer.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
 #include "trace/analysis/statistics.h"
@@ -39,10 +40,11 @@ enum class StreamError {
   ControlAlarm,              ///< the control ended the program with an alarm
   EndedEarly,                ///< the program on the control ended before all points were sent
   OtherClient,               ///< another client has the cells (method window)
-  Restarted,      ///< the program was started anew in the middle of a run (method window)
-  WindowDamaged,  ///< the control refused a window that did not fit its check number
-  ClientSilent,   ///< the control gave up waiting for the client (method window)
-  CannotResume,   ///< where the run was left cannot be told for certain
+  Restarted,        ///< the program was started anew in the middle of a run (method window)
+  WindowDamaged,    ///< the control refused a window that did not fit its check number
+  ClientSilent,     ///< the control gave up waiting for the client (method window)
+  CannotResume,     ///< where the run was left cannot be told for certain
+  TransferRefused,  ///< no right to write part programs through the server
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -94,8 +96,9 @@ struct RunSettings {
   /// the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
-  bool placePauses = true;       ///< method window: end windows where the path stands or turns
-  bool monitor = true;  ///< read position and feed for the display where the stream has slack
+  TransferWay transfer = TransferWay::Link;
+  bool placePauses = true;  ///< method window: end windows where the path stands or turns
+  bool monitor = true;      ///< read position and feed for the display where the stream has slack
 };
 
 struct Counters {
@@ -146,6 +149,7 @@ struct RunReport {
   std::string programName;
   RunSettings settings;                    ///< with the grouping that was used
   std::optional<AccessForms> accessForms;  ///< what was tried; nothing if nothing was
+  std::optional<ProgramTransfer> transfer;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
 
   /// True if the run did what was ordered: completed (or stopped), nothing repeated or skipped.
