@@ -39,10 +39,11 @@ enum class StreamError {
   ControlAlarm,              ///< the control ended the program with an alarm
   EndedEarly,                ///< the program on the control ended before all points were sent
   OtherClient,               ///< another client has the cells (method window)
-  Restarted,      ///< the program was started anew in the middle of a run (method window)
-  WindowDamaged,  ///< the control refused a window that did not fit its check number
-  ClientSilent,   ///< the control gave up waiting for the client (method window)
-  CannotResume,   ///< where the run was left cannot be told for certain
+  Restarted,        ///< the program was started anew in the middle of a run (method window)
+  WindowDamaged,    ///< the control refused a window that did not fit its check number
+  ClientSilent,     ///< the control gave up waiting for the client (method window)
+  CannotResume,     ///< where the run was left cannot be told for certain
+  NotCommissioned,  ///< method credit on a control that has not passed its test
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -60,7 +61,7 @@ struct Resume {
   base::Vec3 startMm;     ///< where the tool stood before the first run
 };
 
-/// What has to be known of a run of method window to take it up again (`resumeFrom`).
+/// What has to be known of a run of method window or credit to take it up again (`resumeFrom`).
 struct Checkpoint {
   int runNumber = 0;           ///< what the control was asked to obey
   std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
@@ -90,11 +91,14 @@ struct RunSettings {
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
-  /// Method window: by which the control tells this run from others, 1 to 999 999; 0: made from
-  /// the time and the program.
+  /// Method credit: this control has passed the commissioning test. Nothing starts without.
+  bool isCommissioned = false;
+  /// Methods window and credit: by which the control tells this run from others, 1 to 999 999; 0:
+  /// made from the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
-  bool placePauses = true;       ///< method window: end windows where the path stands or turns
+  /// Method window: end windows where the path stands or turns. Method credit has no pauses there.
+  bool placePauses = true;
   bool monitor = true;  ///< read position and feed for the display where the stream has slack
 };
 

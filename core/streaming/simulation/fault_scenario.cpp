@@ -60,7 +60,7 @@ class Exposure {
         m_link(m_machine, scenario.faults, Random(scenario.run.scenario.seed).fork(31).bits()),
         m_random(Random(scenario.run.scenario.seed).fork(32)),
         m_cells(*templates::planCells(m_settings.parameters)),
-        m_isWindow(m_settings.parameters.method == MethodKind::Window) {}
+        m_isWindow(base::hasWindows(m_settings.parameters.method)) {}
 
   FaultEvidence run() {
     m_link.onWrite = [this](int cell, double value, bool stray) { seeWrite(cell, value, stray); };
@@ -301,13 +301,19 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   RunSettings& settings = scenario.settings;
   settings.parameters.method = method;
   settings.parameters.rParameterCount = 300;
-  if (method == MethodKind::Window) {
+  settings.isCommissioned = true;
+  if (base::hasWindows(method)) {
     settings.parameters.pointsPerLoop = 1 + static_cast<int>(random.below(14));
     settings.parameters.windows = 1 + static_cast<int>(random.below(4));
     settings.parameters.baseCell = random.below(3) == 0 ? static_cast<int>(random.below(40)) : 0;
     settings.parameters.slotStride = random.below(4) == 0 ? 5 : 0;
     settings.parameters.pointsPerLoop = std::min(settings.parameters.pointsPerLoop,
                                                  templates::pointsPerLoopMax(settings.parameters));
+  }
+  if (method == MethodKind::Credit) {
+    Random ofItsOwn = Random(seed).fork(33);  // the other methods keep their draws
+    settings.parameters.windowsAhead = 1 + static_cast<int>(ofItsOwn.below(8));
+    settings.parameters.slowDown = ofItsOwn.below(4) != 0;
   }
   settings.stallDeadline = std::chrono::seconds{120};
   settings.stopDeadline = std::chrono::seconds{120};
