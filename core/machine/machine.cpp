@@ -253,6 +253,8 @@ class Machine::Impl final : public MainRun {
         return isElement ? std::optional(m_markers[element]) : std::nullopt;
       case SystemVariable::AcParam:
         return isElement ? std::optional(m_params[element]) : std::nullopt;
+      case SystemVariable::AcIpoBuf:
+        return m_planner.blockCount();
     }
     return std::nullopt;
   }

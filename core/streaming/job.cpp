@@ -102,11 +102,15 @@ class Job {
 
   RunReport run() {
     m_report.programName = m_program.name;
+    m_settings.placePauses = m_settings.placePauses && !isCredit();
     if (isWindow() && m_settings.runNumber == 0) {
       m_settings.runNumber = makeRunNumber();
     }
     m_report.settings = m_settings;
-    Result<void> result = prepare();
+    Result<void> result = mayStart();
+    if (result) {
+      result = prepare();
+    }
     if (result) {
       result = chooseAccess();
     }
@@ -123,8 +127,18 @@ class Job {
   }
 
  private:
-  [[nodiscard]] bool isWindow() const {
-    return m_settings.parameters.method == base::MethodKind::Window;
+  [[nodiscard]] bool isWindow() const { return base::hasWindows(m_settings.parameters.method); }
+  [[nodiscard]] bool isCredit() const {
+    return m_settings.parameters.method == base::MethodKind::Credit;
+  }
+
+  [[nodiscard]] Result<void> mayStart() const {
+    if (isCredit() && !m_settings.isCommissioned) {
+      return base::fail(StreamError::NotCommissioned,
+                        "Method credit is experimental and starts only on a control that has "
+                        "passed its test. Run rivulet-cli commission, or choose method window.");
+    }
+    return {};
   }
 
   /// Two runs must not have the same number by accident: the clock of the link counts

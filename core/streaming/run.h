@@ -45,6 +45,7 @@ enum class StreamError {
   ClientSilent,     ///< the control gave up waiting for the client (method window)
   CannotResume,     ///< where the run was left cannot be told for certain
   TransferRefused,  ///< no right to write part programs through the server
+  NotCommissioned,  ///< method credit on a control that has not passed its test
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -62,7 +63,7 @@ struct Resume {
   base::Vec3 startMm;     ///< where the tool stood before the first run
 };
 
-/// What has to be known of a run of method window to take it up again (`resumeFrom`).
+/// What has to be known of a run of method window or credit to take it up again (`resumeFrom`).
 struct Checkpoint {
   int runNumber = 0;           ///< what the control was asked to obey
   std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
@@ -92,13 +93,16 @@ struct RunSettings {
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
-  /// Method window: by which the control tells this run from others, 1 to 999 999; 0: made from
-  /// the time and the program.
+  /// Method credit: this control has passed the commissioning test. Nothing starts without.
+  bool isCommissioned = false;
+  /// Methods window and credit: by which the control tells this run from others, 1 to 999 999; 0:
+  /// made from the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
   TransferWay transfer = TransferWay::Link;
-  bool placePauses = true;  ///< method window: end windows where the path stands or turns
-  bool monitor = true;      ///< read position and feed for the display where the stream has slack
+  /// Method window: end windows where the path stands or turns. Method credit has no pauses there.
+  bool placePauses = true;
+  bool monitor = true;  ///< read position and feed for the display where the stream has slack
 };
 
 struct Counters {

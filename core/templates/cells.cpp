@@ -25,10 +25,12 @@ constexpr int kContiguousFirstSlot = 10;
 
 /// Method window: counted up like the generator's version, for its own text.
 constexpr std::uint64_t kWindowVersion = 1;
+constexpr std::uint64_t kCreditVersion = 1;
 /// Cells in front of the first window, and in front of the slots of each window.
 constexpr int kWindowHeader = 10;
 constexpr int kWindowOwn = 3;
 constexpr int kWindowsMax = 8;
+constexpr int kWindowsAheadMax = 8;
 /// Far beyond every control; keeps the arithmetic of cells small.
 constexpr int kRParametersMax = 1'000'000;
 
@@ -45,7 +47,7 @@ CellMap cellsOf(const TemplateParameters& parameters) {
   CellMap cells;
   cells.axes = parameters.axes;
   cells.pointsPerLoop = parameters.pointsPerLoop;
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(parameters.method)) {
     const int first = parameters.baseCell;
     cells.run = first;
     cells.delivered = first + 1;
@@ -140,10 +142,15 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
         fmt::format("Method {} needs N of at least {}; it is {}.",
                     base::methodName(parameters.method), min, parameters.pointsPerLoop));
   }
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(parameters.method)) {
     if (parameters.windows < 1 || parameters.windows > kWindowsMax) {
       return base::fail(TemplateError::BadCells, fmt::format("{} windows: choose 1 to {}.",
                                                              parameters.windows, kWindowsMax));
+    }
+    if (parameters.windowsAhead < 1 || parameters.windowsAhead > kWindowsAheadMax) {
+      return base::fail(TemplateError::BadCells,
+                        fmt::format("{} windows ahead of the motion: choose 1 to {}.",
+                                    parameters.windowsAhead, kWindowsAheadMax));
     }
     if (parameters.baseCell < 0 || parameters.baseCell > kRParametersMax) {
       return base::fail(TemplateError::BadCells,
@@ -187,7 +194,7 @@ int pointsPerLoopMax(const TemplateParameters& parameters) {
   TemplateParameters one = parameters;
   one.pointsPerLoop = 1;
   const CellMap cells = cellsOf(one);
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(parameters.method)) {
     const int perWindow = (parameters.rParameterCount - cells.windowCount(0)) /
                               std::clamp(parameters.windows, 1, kWindowsMax) -
                           kWindowOwn;
@@ -215,7 +222,7 @@ int layoutNumber(const TemplateParameters& parameters) {
   constexpr std::uint64_t kSpread = 618'033;
   constexpr std::uint64_t kVersionShift = 271'829;
   const auto points = static_cast<std::uint64_t>(std::max(parameters.pointsPerLoop, 0));
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(parameters.method)) {
     // Numbers of their own: apart from those of [P1]'s methods below N = 10416, and from each
     // other below N = 7812 with the cells where they are by default.
     constexpr std::uint64_t kWindowFirst = 500'000;
@@ -224,6 +231,19 @@ int layoutNumber(const TemplateParameters& parameters) {
                                 static_cast<std::uint64_t>(std::max(parameters.slotStride, 0));
     const std::uint64_t windows =
         static_cast<std::uint64_t>(std::clamp(parameters.windows, 1, kWindowsMax) - 1);
+    if (parameters.method == base::MethodKind::Credit) {
+      // In between: apart from both, and from each other, below N = 244.
+      constexpr std::uint64_t kCreditFirst = 250'000;
+      const std::uint64_t ahead =
+          static_cast<std::uint64_t>(std::clamp(parameters.windowsAhead, 1, kWindowsAheadMax) - 1);
+      const std::uint64_t program = ahead * 2 + (parameters.slowDown ? 1 : 0);
+      const std::uint64_t code =
+          kCreditFirst +
+          (((points * kWindowsMax + windows) * 8 + axes) * kWindowsAheadMax * 2 + program) +
+          where % kPrime * kCellsSpread;
+      return static_cast<int>((code % kPrime * kSpread + kCreditVersion * kVersionShift) % kPrime) +
+             1;
+    }
     const std::uint64_t code =
         kWindowFirst + (points * kWindowsMax + windows) * 8 + axes + where % kPrime * kCellsSpread;
     return static_cast<int>((code % kPrime * kSpread + kWindowVersion * kVersionShift) % kPrime) +

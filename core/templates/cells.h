@@ -45,9 +45,13 @@ enum class SignalStop {
 struct TemplateParameters {
   base::MethodKind method = base::MethodKind::Window;
   int pointsPerLoop = 7;  ///< N; method window: points per window
-  int windows = 2;        ///< method window: k, 1 to 8
-  int baseCell = 0;       ///< method window: R number of its first cell
-  int slotStride = 0;     ///< method window: cells per point; 0: as many as axes
+  int windows = 2;        ///< methods window and credit: k, 1 to 8
+  int baseCell = 0;       ///< methods window and credit: R number of the first cell
+  int slotStride = 0;     ///< methods window and credit: cells per point; 0: as many as axes
+  /// Method credit: windows the program may have copied and not executed, the one in motion
+  /// included, 1 to 8. As many are still executed behind a stop.
+  int windowsAhead = 3;
+  bool slowDown = true;  ///< method credit: lower the feed while the last window there is, is run
   Layout layout = Layout::Paper;
   SignalStop signalStop = SignalStop::EachSignal;
   std::array<bool, base::kAxisCount> axes{true, true, true};
@@ -66,8 +70,8 @@ struct CellMap {
   int pointsPerLoop = 7;
   std::array<bool, base::kAxisCount> axes{true, true, true};
 
-  // Method window only. `run` is 0 hold, 1 run, 2 end before the next window; `signal`, `stop`
-  // and `feed` are not used there, and `firstSlot` is the first slot of window 0.
+  // Methods window and credit only. `run` is 0 hold, 1 run, 2 end before the next window; `signal`,
+  // `stop` and `feed` are not used there, and `firstSlot` is the first slot of window 0.
   int delivered = 0;     ///< client, last of each window: windows it has completed
   int latched = 0;       ///< NC: windows it has copied; their cells may be written again
   int executed = 0;      ///< NC: windows whose last point the axes have reached
@@ -93,7 +97,7 @@ struct CellMap {
   [[nodiscard]] int last() const;
 };
 
-/// What the program of method window says in its state cell.
+/// What the program of methods window and credit says in its state cell.
 enum class WindowState {
   Runs = 0,       ///< it waits or moves
   Done = 1,       ///< ended behind the last window
@@ -109,6 +113,9 @@ inline constexpr double kCheckCount = 13.7;
 inline constexpr double kCheckFeed = 0.917;
 /// @param place  of the coordinate in the window, from 0
 [[nodiscard]] double checkFactor(int place);
+
+/// Method credit: path override, in percent, while nothing is left behind the window in motion.
+inline constexpr int kCreditSlowPercent = 40;
 
 /// Where everything lies. @return DoesNotFit (the message names the MD28050 value that would
 /// do), TooFewPointsPerLoop, NoAxis
