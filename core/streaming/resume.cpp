@@ -56,6 +56,33 @@ Result<std::vector<double>> numbersOf(opcua::Link& link, std::span<const Variabl
   return numbers;
 }
 
+constexpr const char* kOverlayLeft =
+    "The correction of the run that was left still lies over the axes. Take it back at the control "
+    "(reset it, wait, and see that $AA_OFF is 0), then resume.";
+
+/// What the client of the run had asked for last. After a regular end nothing of it lies over the
+/// axes; after a reset that depends on the control (MD36750) and on the moment.
+struct LastCorrection {
+  Vec3 mm;
+  bool isKnown = true;  ///< false: a value that was not obeyed, so an earlier one may lie there
+};
+
+LastCorrection lastCorrection(const RunSettings& settings, const templates::CellMap& cells,
+                              std::span<const double> numbers) {
+  constexpr double kSameMm = 1e-9;
+  const double limitMm = templates::correctionSteps(settings.parameters) / 1000.0;
+  LastCorrection last;
+  std::size_t next = 0;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (cells.correction[axis] >= 0) {
+      const double valueMm = numbers[next++];
+      last.isKnown = last.isKnown && std::abs(valueMm) <= limitMm + kSameMm;
+      last.mm.set(axis, valueMm);
+    }
+  }
+  return last;
+}
+
 /// A program that waits for our windows ends; nothing else is touched.
 Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
                            const templates::CellMap& cells, const Checkpoint& last) {
@@ -159,10 +186,16 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   if (Result<void> ended = endOurProgram(link, settings, cells, last); !ended) {
     return base::fail(ended.error());
   }
-  const std::array<Variable, 6> watched{
+  std::vector<Variable> watched{
       opcua::rParameter(cells.owner),    opcua::rParameter(cells.latched),
       opcua::rParameter(cells.executed), {VariableKind::ActualPosition, 0},
       {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2}};
+  const std::size_t corrections = watched.size();
+  for (const int cell : cells.correction) {
+    if (cell >= 0) {
+      watched.push_back(opcua::rParameter(cell));
+    }
+  }
   const auto numbers = numbersOf(link, watched, settings.requestDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
@@ -174,12 +207,21 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   const double executed = (*numbers)[2];
   const bool isOurs = (*numbers)[0] == static_cast<double>(last.runNumber);
   const auto tool = [&] { return Vec3{(*numbers)[3], (*numbers)[4], (*numbers)[5]}; };
+  const LastCorrection correction =
+      lastCorrection(settings, cells, std::span(*numbers).subspan(corrections));
+  // The tool is not there: why?
+  const auto beside = [&](Vec3 expectedMm) {
+    const bool isCorrected = correction.isKnown && correction.mm != Vec3{} &&
+                             base::distance(expectedMm + correction.mm, tool()) <= kBesideMm;
+    return isCorrected ? base::fail(StreamError::OverlayLeft, kOverlayLeft)
+                       : base::fail(StreamError::CannotResume, kMoved);
+  };
   if (!isOurs && !last.granted) {
     // It never came to be obeyed: nothing has moved for it.
     if (last.firstPoint >= total ||
         (last.firstPoint > 0 &&
          base::distance(points[last.firstPoint - 1].positionMm, tool()) > kBesideMm)) {
-      return base::fail(StreamError::CannotResume, kMoved);
+      return beside(points[last.firstPoint > 0 ? last.firstPoint - 1 : 0].positionMm);
     }
     return Resume{last.firstPoint, last.startMm};
   }
@@ -214,6 +256,21 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     }
     const std::optional<std::size_t> ahead =
         path.size() >= 2 ? pointAhead(path, toolMm) : std::nullopt;
+    if (path.size() >= 2 && correction.mm != Vec3{}) {
+      // Whether the correction still lies over the axes is not known: both must say the same, or
+      // only where it does not may the path be.
+      const std::optional<std::size_t> corrected =
+          correction.isKnown ? pointAhead(path, toolMm - correction.mm) : std::nullopt;
+      if (!ahead && corrected) {
+        return base::fail(StreamError::OverlayLeft, kOverlayLeft);
+      }
+      if (!correction.isKnown || (corrected && corrected != ahead)) {
+        return base::fail(StreamError::CannotResume,
+                          "A correction was laid over the axes when the run was broken off, and "
+                          "where the tool would stand without it is not known. Start from the "
+                          "beginning.");
+      }
+    }
     if (!ahead) {
       return base::fail(StreamError::CannotResume,
                         "The tool does not stand on the path of what was broken off, "
@@ -223,7 +280,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   } else if (base::distance(next > 0 ? points[next - 1].positionMm : last.startMm, toolMm) >
              kBesideMm) {
     // Cells can be written by others; where the tool stands cannot.
-    return base::fail(StreamError::CannotResume, kMoved);
+    return beside(next > 0 ? points[next - 1].positionMm : last.startMm);
   }
   if (next >= total) {
     return base::fail(StreamError::CannotResume, "Every point has been executed already.",
