@@ -49,6 +49,10 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
   command->add_option("--windows", point.windows, "Windows (method window)")->capture_default_str();
+  command
+      ->add_option("--correction-limit", point.correctionLimitMm,
+                   "Online correction of each linear axis, at most, mm (method window)")
+      ->check(CLI::Range(0.001, rivulet::templates::kCorrectionLimitMmMax));
   command->add_option("--base-cell", point.baseCell, "First R-parameter (method window)")
       ->capture_default_str();
 }
@@ -207,6 +211,10 @@ int main(int argc, char** argv) {
       ->add_option("--program-file", stream.programFile,
                    "by-hand: file for the flexible program (default: its name, in this folder)")
       ->needs(byHand);
+  streamCommand
+      ->add_option("--correct", stream.correct,
+                   "Live source of corrections, lines as X 0.01 Y -0.02; - is standard input")
+      ->needs(streamCommand->get_option("--correction-limit"));
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
   streamCommand->add_flag("--even-pauses", stream.evenPauses,
                           "Method window: windows of M points each, wherever they end");

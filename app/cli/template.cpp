@@ -150,6 +150,9 @@ Exit makeTemplate(const TemplateOptions& options) {
                  {"window_stride", cells->windowStride},
                  {"windows", cells->windows},
                  {"slot_stride", cells->slotStride}};
+      if (cells->corrects()) {
+        numbers["correction"] = cells->correction;
+      }
     } else {
       numbers = {{"signal", cells->signal},
                  {"run", cells->run},
