@@ -28,6 +28,9 @@ constexpr int kSlackFactor = 2;
 /// Request durations the live margin is computed from.
 constexpr std::size_t kRecentMax = 100;
 
+/// Files travel more slowly than variables.
+constexpr Duration kStoreDeadline = std::chrono::seconds{10};
+
 constexpr double kChannelReset = 0.0;
 
 }  // namespace
@@ -157,6 +160,12 @@ void Driver::submitMethod() {
   if (action->kind == Action::Kind::Read) {
     pending.nodes = static_cast<int>(action->variables.size());
     pending.id = m_link.read(action->variables, m_settings.requestDeadline, m_settings.grouping);
+  } else if (action->kind == Action::Kind::Store) {
+    pending.write = true;
+    pending.nodes = 0;
+    pending.id = m_link.store(std::string(action->name), std::string(action->text),
+                              m_settings.requestDeadline + kStoreDeadline);
+    m_counters.sent += action->points;
   } else {
     pending.write = true;
     pending.nodes = static_cast<int>(action->assignments.size());
@@ -203,7 +212,9 @@ void Driver::handle(const opcua::Event& event) {
     return;
   }
   m_sink.access({event.sent, event.at - event.sent, pending.write, pending.nodes});
-  m_recentAccess.push_back(event.at - event.sent);
+  if (pending.nodes > 0) {
+    m_recentAccess.push_back(event.at - event.sent);
+  }
   if (m_recentAccess.size() > kRecentMax) {
     m_recentAccess.pop_front();
   }

@@ -56,7 +56,9 @@ class Ledger final : public RunSink {
   void access(const trace::Access& access) override {
     m_requests.push_back(access.took);
     m_nodes += static_cast<std::size_t>(access.nodes);
-    m_perNode.push_back(access.took / std::max(access.nodes, 1));
+    if (access.nodes > 0) {  // a file has none
+      m_perNode.push_back(access.took / access.nodes);
+    }
     if (m_writer != nullptr) {
       m_writer->access(access);
     }
@@ -177,7 +179,7 @@ class Job {
 
   /// Tries the forms of access on cells the run is going to overwrite anyway.
   Result<void> chooseAccess() {
-    if (m_settings.access == AccessChoice::Fixed) {
+    if (m_settings.access == AccessChoice::Fixed || m_cells.inFiles) {
       return {};
     }
     if (!isWindow() && m_settings.parameters.layout != templates::Layout::Contiguous) {

@@ -87,6 +87,15 @@ class SlotPlan {
       }
     }
   }
+  /// Coordinates of a point in the order of the axes.
+  void appendCoordinates(std::size_t index, std::vector<double>& coordinates) const {
+    const base::Vec3 point = pointMm(index);
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (m_setup.cells.axes[axis]) {
+        coordinates.push_back(point[axis]);
+      }
+    }
+  }
   [[nodiscard]] std::span<const opcua::Assignment> writes() const { return m_writes; }
 
   /// Feed, cleared stop cell and the first N points.

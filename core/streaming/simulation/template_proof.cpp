@@ -11,6 +11,7 @@
 #include "streaming/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/scenario.h"
+#include "templates/generator.h"
 #include "trace/analysis/integrity.h"
 
 namespace rivulet::streaming {
@@ -225,22 +226,11 @@ class Prover {
                      trial.hasEnded() ? "" : "the program does not end without its client");
     });
     const templates::CellMap cells = *templates::planCells(m_parameters);
-    // One coordinate of the second window is changed behind the client's back. Each in its turn.
-    const std::vector<int> slot = cells.slotCells(cells.windows > 1 ? cells.pointsPerLoop : 0);
-    add("damaged-window", true, slot.size(), {}, [&](Trial& trial) {
-      const int cell = slot[m_turn % slot.size()];
-      bool isDone = false;
-      trial.link().onWrite = [&, cell](int written, double value, bool) {
-        if (written == cells.delivered && value >= 2.0 && !isDone) {
-          isDone = true;
-          trial.machine().writeRParameter(cell, trial.machine().rParameter(cell) + 0.25);
-        }
-      };
-      const RunReport& report = trial.run();
-      const bool isRefused = report.error.code == StreamError::WindowDamaged;
-      return firstOf(trial.wrongMotion(),
-                     isRefused ? "" : "a window that does not fit its check number was taken");
-    });
+    if (cells.inFiles) {
+      addWrongFile(cells);
+    } else {
+      addDamagedWindow(cells);
+    }
     add("client-gone", true, 2, {}, [this](Trial& trial) {
       const Instant goneAt = trial.machine().now() + trial.motionTime() / 2;
       // Once the connection breaks, once nothing comes through any more.
@@ -255,6 +245,48 @@ class Prover {
       trial.leaveAlone();
       return firstOf(trial.wrongMotion(),
                      trial.hasEnded() ? "" : "the program does not end without its client");
+    });
+  }
+
+  /// The file of the second window is that of another, an older one.
+  void addWrongFile(const templates::CellMap& cells) {
+    add("damaged-window", true, 1, {}, [&](Trial& trial) {
+      bool isDone = false;
+      trial.link().onWrite = [&](int written, double value, bool) {
+        if (written == cells.delivered && value >= 2.0 && !isDone) {
+          isDone = true;
+          const std::string older = *trial.machine().programText(templates::windowFileName(0));
+          const int second = cells.windows > 1 ? 1 : 0;
+          const std::string other =
+              cells.windows > 1 ? older : "M17\n";  // of one file the second is all there is
+          static_cast<void>(
+              trial.machine().storeProgram(templates::windowFileName(second), other, true));
+        }
+      };
+      return refusal(trial);
+    });
+  }
+
+  /// @return empty: it was refused, and nothing has moved wrongly
+  static std::string refusal(Trial& trial) {
+    const RunReport& report = trial.run();
+    const bool isRefused = report.error.code == StreamError::WindowDamaged;
+    return firstOf(trial.wrongMotion(), isRefused ? "" : "a window that does not fit was taken");
+  }
+
+  void addDamagedWindow(const templates::CellMap& cells) {
+    // One coordinate of the second window is changed behind the client's back. Each in its turn.
+    const std::vector<int> slot = cells.slotCells(cells.windows > 1 ? cells.pointsPerLoop : 0);
+    add("damaged-window", true, slot.size(), {}, [&](Trial& trial) {
+      const int cell = slot[m_turn % slot.size()];
+      bool isDone = false;
+      trial.link().onWrite = [&, cell](int written, double value, bool) {
+        if (written == cells.delivered && value >= 2.0 && !isDone) {
+          isDone = true;
+          trial.machine().writeRParameter(cell, trial.machine().rParameter(cell) + 0.25);
+        }
+      };
+      return refusal(trial);
     });
   }
 
