@@ -136,6 +136,7 @@ void PathPlanner::append(const PreparedDwell& dwell) {
   block.toMm = m_endMm;
   block.dwellS = base::toSeconds(dwell.duration);
   block.isDwell = true;
+  ++m_appended;
   m_blocks.push_back(block);
 }
 
@@ -517,8 +518,8 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
   if (m_blocks.size() == 1) {
     m_commandMm = block.toMm;
   }
+  ++m_finished;
   if (!block.isDwell) {
-    ++m_finished;
     executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.lengthMm});
   }
   m_blocks.pop_front();

@@ -43,6 +43,7 @@ enum class StreamError {
   WindowDamaged,    ///< the control refused a window that did not fit its check number
   ClientSilent,     ///< the control gave up waiting for the client (method window)
   CannotResume,     ///< where the run was left cannot be told for certain
+  Cancelled,        ///< by whoever waits for it
   NotCommissioned,  ///< method credit on a control that has not passed its test
 };
 
