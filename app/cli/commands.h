@@ -118,6 +118,18 @@ struct CalibrateOptions {
 };
 [[nodiscard]] Exit calibrate(const CalibrateOptions& options);
 
+struct CommissionOptions {
+  std::string endpoint;
+  bool simulate = false;
+  std::string preset = "dmu75";
+  std::uint64_t seed = 1;
+  int baseCell = 0;
+  bool printProgram = false;
+  bool json = false;
+};
+/// Whether method credit may run on this machine; its profile remembers the answer.
+[[nodiscard]] Exit commission(const CommissionOptions& options);
+
 /// The larger time per node of a file of `calibrate`, ms. @return NotATrace
 [[nodiscard]] base::Result<double> measuredAccessMs(const std::string& path);
 

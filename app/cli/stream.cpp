@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 
 #include "base/units.h"
@@ -15,7 +14,9 @@
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "machine/config.h"
+#include "report/machine_profile.h"
 #include "report/report_json.h"
+#include "streaming/commissioning.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -83,15 +84,6 @@ class ConsoleSink final : public streaming::RunSink {
   streaming::RunState m_state = streaming::RunState::Idle;
 };
 
-std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
-
 /// Judged before anything moves. @return why the run must not start; nothing if it may
 std::optional<base::Error> objection(const StreamOptions& options, const Connection& connection,
                                      const gcode::Program& program,
@@ -149,12 +141,19 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   if (!run || !first || *first < 0.0 || !points || !windows || !base || !start[0] || !start[1] ||
       !start[2]) {
     return base::fail(streaming::StreamError::CannotResume,
-                      "This is no report of a run of method window. Give the output of stream "
-                      "--json of the run to be resumed.",
+                      "This is no report of a run of method window or credit. Give the output of "
+                      "stream --json of the run to be resumed.",
                       path);
   }
   streaming::RunSettings earlier = settings;
-  earlier.parameters.method = base::MethodKind::Window;
+  const auto method = base::methodFromName(
+      json.value(nlohmann::json::json_pointer("/settings/method"), std::string("window")));
+  earlier.parameters.method =
+      method && base::hasWindows(*method) ? *method : base::MethodKind::Window;
+  earlier.parameters.windowsAhead =
+      static_cast<int>(number("/settings/windows_ahead").value_or(earlier.parameters.windowsAhead));
+  earlier.parameters.slowDown =
+      json.value(nlohmann::json::json_pointer("/settings/slow_down"), earlier.parameters.slowDown);
   earlier.parameters.pointsPerLoop = static_cast<int>(*points);
   earlier.parameters.windows = static_cast<int>(*windows);
   earlier.parameters.baseCell = static_cast<int>(*base);
@@ -248,6 +247,29 @@ base::Result<void> proveProgram(const templates::TemplateParameters& parameters)
   return {};
 }
 
+/// Method credit only where its test has been passed. In virtual time it is made on the spot.
+base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
+  if (!options.simulate) {
+    const auto identity = connection.control->identity();
+    if (!identity) {
+      return base::fail(identity.error());
+    }
+    return report::requireCreditTest(report::profileFolder(), connection.name, *identity);
+  }
+  streaming::CommissioningPlan plan;
+  plan.firstCell = options.point.baseCell;
+  const auto result = streaming::commission(*connection.link, *connection.control, plan);
+  if (!result) {
+    return base::fail(result.error());
+  }
+  if (!result->passed()) {
+    return base::fail(streaming::StreamError::NotCommissioned,
+                      "This virtual machine does not pass the test of method credit: see "
+                      "commission --simulate. Choose method window.");
+  }
+  return {};
+}
+
 }  // namespace
 
 Exit stream(const StreamOptions& options) {
@@ -271,7 +293,7 @@ Exit stream(const StreamOptions& options) {
   settings.grouping = options.access == "single" ? opcua::Grouping::Single : opcua::Grouping::List;
   if (options.access == "array") {
     settings.access = streaming::AccessChoice::Array;
-  } else if (options.access == "auto" && settings.parameters.method == base::MethodKind::Window) {
+  } else if (options.access == "auto" && base::hasWindows(settings.parameters.method)) {
     // The other two are kept as they were published.
     settings.access = streaming::AccessChoice::Best;
   }
@@ -293,6 +315,12 @@ Exit stream(const StreamOptions& options) {
       options.simulate ? simulate(options.preset, options.seed) : connectTo(options.endpoint);
   if (!connection) {
     return reportError(connection.error(), options.json);
+  }
+  if (settings.parameters.method == base::MethodKind::Credit) {
+    if (const auto tested = requireTest(options, *connection); !tested) {
+      return reportError(tested.error(), options.json);
+    }
+    settings.isCommissioned = true;
   }
   bool feasible = false;
   if (const auto error = objection(options, *connection, *program, settings, feasible)) {

@@ -87,6 +87,8 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"points_per_loop", settings.parameters.pointsPerLoop},
           {"windows", settings.parameters.windows},
           {"base_cell", settings.parameters.baseCell},
+          {"windows_ahead", settings.parameters.windowsAhead},
+          {"slow_down", settings.parameters.slowDown},
           {"layout", templates::layoutName(settings.parameters.layout)},
           {"delta_mm", settings.deltaMm},
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},

@@ -172,6 +172,7 @@ void PathPlanner::append(const PreparedDwell& dwell) {
   block.toDeg = m_endDeg;
   block.dwellS = base::toSeconds(dwell.duration);
   block.isDwell = true;
+  ++m_appended;
   m_blocks.push_back(block);
 }
 
@@ -586,8 +587,8 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
   if (m_blocks.size() == 1) {
     m_commandMm = block.toMm;
   }
+  ++m_finished;
   if (!block.isDwell) {
-    ++m_finished;
     m_commandDeg = block.toDeg;  // the end of a turn is never rounded
     executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.wayMm,
                         block.toDeg, block.turnDeg});

@@ -63,7 +63,7 @@ class PathPlanner {
 
   /// Blocks taken over and not finished.
   [[nodiscard]] int blockCount() const { return static_cast<int>(m_blocks.size()); }
-  /// Motion blocks taken over and finished since the planner was made.
+  /// Blocks taken over and finished since the planner was made, dwells included.
   [[nodiscard]] std::uint64_t blocksAppended() const { return m_appended; }
   [[nodiscard]] std::uint64_t blocksFinished() const { return m_finished; }
   [[nodiscard]] bool isStanding() const { return m_state.speedMmPerS == 0.0; }

@@ -45,6 +45,7 @@ enum class StreamError {
   ClientSilent,     ///< the control gave up waiting for the client (method window)
   CannotResume,     ///< where the run was left cannot be told for certain
   TransferRefused,  ///< no right to write part programs through the server
+  Cancelled,        ///< by whoever waits for it
   NotCommissioned,  ///< method credit on a control that has not passed its test
 };
 
