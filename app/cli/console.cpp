@@ -36,6 +36,10 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.pointsPerLoop = pointsPerLoop;
   parameters.windows = windows;
   parameters.baseCell = baseCell;
+  if (!axes.empty()) {
+    // What is no axis was refused by the option parser.
+    static_cast<void>(templates::chooseAxes(parameters, axes));
+  }
   return parameters;
 }
 

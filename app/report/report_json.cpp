@@ -88,6 +88,7 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"windows", settings.parameters.windows},
           {"base_cell", settings.parameters.baseCell},
           {"layout", templates::layoutName(settings.parameters.layout)},
+          {"axes", templates::axisLetters(settings.parameters)},
           {"delta_mm", settings.deltaMm},
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
           {"grouping", opcua::groupingName(settings.grouping)},
@@ -133,7 +134,8 @@ ordered_json runJson(const streaming::RunReport& report) {
         {"first_point", checkpoint.firstPoint},
         {"granted", checkpoint.granted},
         {"pauses_placed", checkpoint.pausesPlaced},
-        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}}};
+        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}},
+        {"start_deg", checkpoint.startDeg}};
   }
   if (report.stopConfirmedAfter) {
     json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);

@@ -80,8 +80,7 @@ void WindowMethod::addContent(std::size_t window) {
                  templates::kCheckCount * count + templates::kCheckFeed * feedMmPerMin;
   for (std::size_t i = 0; i < m_perWindow; ++i) {
     // A short window is filled up with its last point: the check covers every slot.
-    const base::Vec3 pointMm = m_plan.pointMm(std::min(begin + i, end - 1));
-    m_plan.addPointAt(slot * m_perWindow + i, pointMm);
+    m_plan.addPointAt(slot * m_perWindow + i, std::min(begin + i, end - 1));
   }
   int place = 0;
   for (const opcua::Assignment& coordinate : m_plan.writes()) {
