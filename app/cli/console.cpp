@@ -49,6 +49,10 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.baseCell = baseCell;
   parameters.windowsAhead = windowsAhead;
   parameters.slowDown = !noSlowDown;
+  if (!axes.empty()) {
+    // What is no axis was refused by the option parser.
+    static_cast<void>(templates::chooseAxes(parameters, axes));
+  }
   return parameters;
 }
 

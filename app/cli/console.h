@@ -42,6 +42,7 @@ struct OperatingOptions {
   double deltaMm = 0.3;
   double feedMmPerMin = 0.0;
   std::string layout = "paper";
+  std::string axes;  ///< letters; empty: X Y Z, for a run also what the program turns
 
   /// Checked and in internal units. The names are checked by the option parser.
   [[nodiscard]] templates::TemplateParameters parameters() const;

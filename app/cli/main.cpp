@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "experiments/catalogue.h"
+#include "templates/cells.h"
 
 namespace {
 
@@ -22,6 +23,15 @@ const CLI::Validator kPositive(
                  : "must be a number greater than zero, not " + text;
     },
     "POSITIVE");
+
+/// Letters of axes.
+const CLI::Validator kAxes(
+    [](std::string& text) {
+      rivulet::templates::TemplateParameters parameters;
+      const auto chosen = rivulet::templates::chooseAxes(parameters, text);
+      return chosen ? std::string() : chosen.error().message;
+    },
+    "AXES");
 
 CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
   return command->add_option("--feed", point.feedMmPerMin, "Feed F, mm/min")->check(kPositive);
@@ -49,6 +59,12 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
                    "How slots lie in the R-parameters (methods position and signal)")
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--axes", point.axes,
+          "Axes to move, of XYZABC; rotary ones in degrees (method window). Without it XYZ "
+          "and, in a run, the rotary axes the program turns")
+      ->check(kAxes);
   command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
   command

@@ -17,6 +17,7 @@
 #include "report/machine_profile.h"
 #include "report/report_json.h"
 #include "streaming/commissioning.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -134,12 +135,12 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   const auto first = number("/checkpoint/first_point");
   const auto points = number("/settings/points_per_loop");
   const auto windows = number("/settings/windows");
-  const auto base = number("/settings/base_cell");
+  const auto baseCell = number("/settings/base_cell");
   const std::array<std::optional<double>, 3> start{number("/checkpoint/start_mm/0"),
                                                    number("/checkpoint/start_mm/1"),
                                                    number("/checkpoint/start_mm/2")};
-  if (!run || !first || *first < 0.0 || !points || !windows || !base || !start[0] || !start[1] ||
-      !start[2]) {
+  if (!run || !first || *first < 0.0 || !points || !windows || !baseCell || !start[0] ||
+      !start[1] || !start[2]) {
     return base::fail(streaming::StreamError::CannotResume,
                       "This is no report of a run of method window or credit. Give the output of "
                       "stream --json of the run to be resumed.",
@@ -156,7 +157,12 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
       json.value(nlohmann::json::json_pointer("/settings/slow_down"), earlier.parameters.slowDown);
   earlier.parameters.pointsPerLoop = static_cast<int>(*points);
   earlier.parameters.windows = static_cast<int>(*windows);
-  earlier.parameters.baseCell = static_cast<int>(*base);
+  earlier.parameters.baseCell = static_cast<int>(*baseCell);
+  const std::string axes =
+      json.value(nlohmann::json::json_pointer("/settings/axes"), std::string("XYZ"));
+  if (const auto chosen = templates::chooseAxes(earlier.parameters, axes); !chosen) {
+    return base::fail(chosen.error());
+  }
   streaming::Checkpoint checkpoint;
   checkpoint.runNumber = static_cast<int>(*run);
   checkpoint.firstPoint = static_cast<std::size_t>(*first);
@@ -164,6 +170,10 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   checkpoint.pausesPlaced =
       json.value(nlohmann::json::json_pointer("/checkpoint/pauses_placed"), true);
   checkpoint.startMm = {*start[0], *start[1], *start[2]};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    checkpoint.startDeg[axis] =
+        number(fmt::format("/checkpoint/start_deg/{}", axis).c_str()).value_or(0.0);
+  }
   return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
 }
 
@@ -288,6 +298,9 @@ Exit stream(const StreamOptions& options) {
   program->trajectory = options.resampling.resampled(std::move(program->trajectory));
   streaming::RunSettings settings;
   settings.parameters = options.point.parameters();
+  if (options.point.axes.empty()) {
+    settings.parameters = streaming::withTurnedAxes(settings.parameters, program->trajectory);
+  }
   settings.deltaMm = options.point.deltaMm;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   settings.grouping = options.access == "single" ? opcua::Grouping::Single : opcua::Grouping::List;

@@ -51,6 +51,18 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
   m_status.push_back({opcua::VariableKind::Alarm, 0});
 }
 
+void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
+  if (m_display.size() <= base::kAxisCount) {
+    return;  // a method that reads the axes itself
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (axisOf[axis] >= 0) {
+      m_displayRotary.push_back(axis);
+      m_display.insert(m_display.end() - 1, {opcua::VariableKind::ActualPosition, axisOf[axis]});
+    }
+  }
+}
+
 StreamEnd Driver::run() {
   while (!m_done) {
     checkOrders();
@@ -272,7 +284,7 @@ void Driver::handleMethod(const opcua::Event& event) {
   if (const std::optional<base::Vec3> position = m_method.positionMm();
       position && !event.readings.empty() && event.at >= m_nextDisplay) {
     m_nextDisplay = event.at + kDisplayInterval;
-    publish(trace::LiveSample{event.at, position, std::nullopt});
+    publish(trace::LiveSample{event.at, position, std::nullopt, {}});
   }
 }
 
@@ -292,10 +304,16 @@ void Driver::handleMonitor(const opcua::Event& event) {
     }
     return;
   }
-  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0};
+  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0, {}};
   if (event.readings.size() > base::kAxisCount) {
     sample.positionMm =
         base::Vec3{event.readings[0].number, event.readings[1].number, event.readings[2].number};
+    if (!m_displayRotary.empty()) {
+      sample.rotaryDeg.emplace();
+      for (std::size_t i = 0; i < m_displayRotary.size(); ++i) {
+        (*sample.rotaryDeg)[m_displayRotary[i]] = event.readings[base::kAxisCount + i].number;
+      }
+    }
   }
   if (const auto measured = m_detector.add(event.at, *sample.feedMmPerS)) {
     // The same stand-still may have been inferred from the handshake already.

@@ -91,6 +91,7 @@ struct MethodSetup {
   base::Vec3 startMm;  ///< where the tool stands before the run, workpiece frame
   templates::CellMap cells;
   RunSettings settings;
+  base::RotaryDeg startDeg{};  ///< the same of A, B, C
 };
 
 /// The method named in the settings. @param setup see MethodSetup

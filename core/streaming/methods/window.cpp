@@ -104,8 +104,7 @@ void WindowMethod::addContent(std::size_t window) {
                  templates::kCheckCount * count + templates::kCheckFeed * feedMmPerMin;
   for (std::size_t i = 0; i < m_perWindow; ++i) {
     // A short window is filled up with its last point: the check covers every slot.
-    const base::Vec3 pointMm = m_plan.pointMm(std::min(begin + i, end - 1));
-    m_plan.addPointAt(slot * m_perWindow + i, pointMm);
+    m_plan.addPointAt(slot * m_perWindow + i, std::min(begin + i, end - 1));
   }
   int place = 0;
   for (const opcua::Assignment& coordinate : m_plan.writes()) {
@@ -129,7 +128,7 @@ Action WindowMethod::store(std::size_t window) {
   file.isLast = end == m_plan.pointCount();
   file.feedMmPerMin = base::mmPerMinFromMmPerS(m_plan.settings().feedMmPerS);
   for (std::size_t point = begin; point < end; ++point) {
-    m_plan.appendCoordinates(point, file.coordinates);
+    m_plan.forEachCoordinate(point, [&](double value) { file.coordinates.push_back(value); });
   }
   m_fileName = templates::windowFileName(static_cast<int>(window % m_slots));
   m_fileText = templates::windowFileText(m_plan.cells(), file);
