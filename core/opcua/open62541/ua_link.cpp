@@ -8,6 +8,7 @@
 #include <open62541/client_config_default.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <deque>
@@ -214,6 +215,7 @@ class UaLink::Impl {
   [[nodiscard]] base::Result<void> open();
 
   [[nodiscard]] Instant now() const { return m_clock.now(); }
+  [[nodiscard]] base::Result<ServerIdentity> identity();
   [[nodiscard]] bool isVirtual() const { return m_virtualNamespace.has_value(); }
   [[nodiscard]] const std::string& endpoint() const { return m_options.endpoint; }
 
@@ -411,6 +413,35 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
     }
   }
   return {};
+}
+
+base::Result<ServerIdentity> UaLink::Impl::identity() {
+  const Instant deadline = addSaturating(now(), m_options.commandDeadline);
+  ServerIdentity identity;
+  // The first of the servers it speaks for is itself.
+  const auto servers =
+      readAttribute(standardNodeId(UA_NS0ID_SERVER_SERVERARRAY), UA_ATTRIBUTEID_VALUE, deadline);
+  if (!servers) {
+    return base::fail(servers.error());
+  }
+  const UA_DataValue& uris = (*servers)->results[0];
+  if (uris.hasValue && UA_Variant_hasArrayType(&uris.value, &UA_TYPES[UA_TYPES_STRING]) &&
+      uris.value.arrayLength > 0) {
+    identity.applicationUri = view(*static_cast<const UA_String*>(uris.value.data));
+  }
+  const std::array<std::pair<UA_UInt32, std::string*>, 3> members{
+      {{UA_NS0ID_SERVER_SERVERSTATUS_BUILDINFO_PRODUCTNAME, &identity.productName},
+       {UA_NS0ID_SERVER_SERVERSTATUS_BUILDINFO_SOFTWAREVERSION, &identity.softwareVersion},
+       {UA_NS0ID_SERVER_SERVERSTATUS_BUILDINFO_BUILDNUMBER, &identity.buildNumber}}};
+  for (const auto& [node, text] : members) {
+    const auto answer = readAttribute(standardNodeId(node), UA_ATTRIBUTEID_VALUE, deadline);
+    if (!answer) {
+      return base::fail(answer.error());
+    }
+    const UA_DataValue& value = (*answer)->results[0];
+    *text = (value.hasValue ? textOf(value.value) : std::nullopt).value_or(std::string());
+  }
+  return identity;
 }
 
 base::Result<ReadResponse> UaLink::Impl::readAttribute(const UA_NodeId& node,
@@ -981,6 +1012,10 @@ base::Result<void> UaLink::selectProgram(const std::string& name) {
     return base::fail(status.error());
   }
   return resultOf(*status, name);
+}
+
+base::Result<ServerIdentity> UaLink::identity() {
+  return m_impl->identity();
 }
 
 bool UaLink::isVirtualMachine() const {

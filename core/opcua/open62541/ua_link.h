@@ -48,6 +48,7 @@ class UaLink final : public Link, public Control {
                                    bool overwrite) override;
   base::Result<std::string> downloadProgram(const std::string& name) override;
   base::Result<void> selectProgram(const std::string& name) override;
+  base::Result<ServerIdentity> identity() override;
   [[nodiscard]] bool isVirtualMachine() const override;
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
