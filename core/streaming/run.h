@@ -29,6 +29,8 @@
 
 namespace rivulet::streaming {
 
+struct Calibration;
+
 enum class StreamError {
   ProgramNotStreamable = 1,  ///< findings of severity error, or fewer than one point
   WrongProgram,              ///< the control does not run the expected template
@@ -89,6 +91,10 @@ struct RunSettings {
   base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
+  /// What access to this control was measured to cost, of this version of its server; null: it was
+  /// not. Takes the place of `accessTime`, and of the 99th percentile of the live margin while the
+  /// run has too few accesses of its own.
+  std::shared_ptr<const Calibration> calibration;
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
   /// Method window: by which the control tells this run from others, 1 to 999 999; 0: made from
   /// the time and the program.
