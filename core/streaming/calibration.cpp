@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "base/contract.h"
@@ -138,7 +139,8 @@ struct WeightedPoint {
   double weight = 1.0;
 };
 
-/// Weighted least squares; through the origin where there is one x only.
+/// Weighted least squares with neither figure below zero: no request takes less for more cells.
+/// With one x only the line goes through the origin.
 Line lineOf(const std::vector<WeightedPoint>& points) {
   double w = 0.0;
   double wx = 0.0;
@@ -163,7 +165,20 @@ Line lineOf(const std::vector<WeightedPoint>& points) {
     return {0.0, meanY / meanX};
   }
   const double slope = xy / xx;
-  return {meanY - slope * meanX, slope};
+  if (slope <= 0.0) {
+    return {std::max(meanY, 0.0), 0.0};
+  }
+  const double intercept = meanY - slope * meanX;
+  if (intercept >= 0.0) {
+    return {intercept, slope};
+  }
+  double squares = 0.0;
+  double products = 0.0;
+  for (const WeightedPoint& point : points) {
+    squares += point.weight * point.x * point.x;
+    products += point.weight * point.x * point.y;
+  }
+  return {0.0, products / squares};
 }
 
 std::optional<AccessFit> fitOf(const std::vector<AccessSeries>& series, bool write,
@@ -517,6 +532,11 @@ class Measurement {
       }
       calibration.series.push_back(seriesOf(std::move(kind)));
     }
+    std::stable_sort(calibration.series.begin(), calibration.series.end(),
+                     [](const AccessSeries& one, const AccessSeries& other) {
+                       return std::tuple(one.grouping, one.write, one.nodes) <
+                              std::tuple(other.grouping, other.write, other.nodes);
+                     });
     for (const Grouping grouping : groupings) {
       for (const bool write : {false, true}) {
         if (const auto fit = fitOf(calibration.series, write, grouping)) {

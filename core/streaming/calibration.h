@@ -65,8 +65,9 @@ struct AccessSeries {
 };
 
 /// duration = overhead + cells · time per cell: a least-squares line through the averages of one
-/// form and direction. Each average counts as much as it is certain: its variance is that of the
-/// mean plus half a per cent of itself, which stands for what a straight line cannot say.
+/// form and direction, with neither figure below zero. Each average counts as much as it is
+/// certain: its variance is that of the mean plus half a per cent of itself, which stands for what
+/// a straight line cannot say.
 struct AccessFit {
   bool write = false;
   opcua::Grouping grouping = opcua::Grouping::List;
@@ -83,7 +84,7 @@ struct AccessFit {
 struct Calibration {
   CalibrationPlan plan;
   base::Duration took{};
-  std::vector<AccessSeries> series;
+  std::vector<AccessSeries> series;  ///< by form, direction and size
   std::vector<AccessFit> fits;       ///< of every form that was measured, reads and writes
   std::optional<AccessForms> forms;  ///< which forms were proved; nothing: not tried
 

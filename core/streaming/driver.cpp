@@ -36,13 +36,11 @@ constexpr double kChannelReset = 0.0;
 int longestWrite(const templates::TemplateParameters& parameters) {
   constexpr int kWindowHeader = 3;  // count, feed, check
   const int axes = static_cast<int>(base::kAxisCount);
-  switch (parameters.method) {
-    case base::MethodKind::Position:
-      return axes;
-    case base::MethodKind::Signal:
-      return axes * (parameters.pointsPerLoop / 2) + 1;
-    case base::MethodKind::Window:
-      break;
+  if (parameters.method == base::MethodKind::Position) {
+    return axes;
+  }
+  if (parameters.method == base::MethodKind::Signal) {
+    return axes * (parameters.pointsPerLoop / 2) + 1;
   }
   return axes * parameters.pointsPerLoop + kWindowHeader;
 }
