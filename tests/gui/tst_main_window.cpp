@@ -95,9 +95,10 @@ widgets::StreamSettings streamSettings(base::MethodKind method, int points, doub
 /// A picture of the whole window on every page; blank ones fail.
 void picturePages(MainWindow& window, const QString& prefix) {
   QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
-  const QStringList names{QStringLiteral("program"), QStringLiteral("feasibility"),
-                          QStringLiteral("traces"),  QStringLiteral("template"),
-                          QStringLiteral("report"),  QStringLiteral("log")};
+  const QStringList names{QStringLiteral("program"),     QStringLiteral("feasibility"),
+                          QStringLiteral("traces"),      QStringLiteral("template"),
+                          QStringLiteral("calibration"), QStringLiteral("report"),
+                          QStringLiteral("log")};
   const int present = window.pages()->currentIndex();
   for (int page = 0; page < window.pages()->count(); ++page) {
     window.pages()->setCurrentIndex(page);
