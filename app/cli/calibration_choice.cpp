@@ -45,7 +45,7 @@ base::Result<CalibrationChoice> calibrationOf(const Connection& connection) {
 
 opcua::Grouping formOf(base::MethodKind method, const streaming::Calibration& calibration) {
   // The methods of [P1] are kept as they were published.
-  return method == base::MethodKind::Window ? calibration.best() : opcua::Grouping::List;
+  return base::hasWindows(method) ? calibration.best() : opcua::Grouping::List;
 }
 
 std::string accessSourceText(const CalibrationChoice& choice, opcua::Grouping form,

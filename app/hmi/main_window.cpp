@@ -732,7 +732,7 @@ bool MainWindow::start() {
   settings.parameters = m_settings.stream.parameters;
   settings.deltaMm = m_settings.stream.deltaMm;
   settings.feedMmPerS = m_settings.stream.feedMmPerS;
-  if (settings.parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(settings.parameters.method)) {
     settings.access = streaming::AccessChoice::Best;  // the others are kept as they were published
   }
   if (m_access.isUsed()) {
@@ -923,7 +923,7 @@ void MainWindow::loadCalibration() {
 }
 
 feasibility::AccessModel MainWindow::accessModel() {
-  const bool window = m_settings.stream.parameters.method == base::MethodKind::Window;
+  const bool window = base::hasWindows(m_settings.stream.parameters.method);
   const int points = m_settings.stream.parameters.pointsPerLoop;
   constexpr int kAxes = static_cast<int>(base::kAxisCount);
   m_access.form = opcua::Grouping::List;

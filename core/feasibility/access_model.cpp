@@ -39,7 +39,9 @@ Duration AccessModel::timePerNode(base::MethodKind method, int pointsPerLoop) co
   // Of the cells beside the points two travel by themselves: the number and the look.
   constexpr int kAlone = 2;
   const int content = kWrite * pointsPerLoop + static_cast<int>(kWindowNodes) - kAlone;
-  return (write.of(content) + write.of(1) + read.of(1)) / (content + kAlone);
+  // Method credit looks at two cells, which the equation counts as one.
+  const int looked = method == base::MethodKind::Credit ? 2 : 1;
+  return (write.of(content) + write.of(1) + read.of(looked)) / (content + kAlone);
 }
 
 }  // namespace rivulet::feasibility

@@ -42,6 +42,7 @@ struct AccessModel {
   /// | signal   | read the signal, write half a loop         | 3⌊N/2⌋+1  | (r(1) + w(3⌊N/2⌋)) / … |
   /// | window   | write a window, write its number, look on  | 3N+5      | (w(3N+3)+w(1)+r(1)) / …|
   ///
+  /// Method credit is as method window, but looks at two cells: r(2).
   /// r(n), w(n) = a + b·n of reads and writes. With a = 0 and b = t for both, t comes out: [P1] is
   /// the special case. With arrays that cost as much as one cell (b = 0) the time for a window is
   /// 2·a_w + a_r, whatever N is, so that the reach grows with N.

@@ -62,7 +62,7 @@ std::vector<MethodEquation> equationsOf(base::MethodKind method,
   if (method == base::MethodKind::Position) {
     return {{Equation::PointDistance, true}, {Equation::Delta, true}};
   }
-  if (method == base::MethodKind::Window) {
+  if (base::hasWindows(method)) {
     return {{Equation::Reach, true}};
   }
   if (distances.windowSteps > 0) {
@@ -144,7 +144,7 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
     }
   }
   const bool inTime = holds(verdict.limiting.margin);
-  const bool window = operatingPoint.method == base::MethodKind::Window;
+  const bool window = base::hasWindows(operatingPoint.method);
   verdict.feasible = inTime || window;
   verdict.waits = window && !inTime;
   // Every left side is proportional to the feed, so the margin is the factor left for it.

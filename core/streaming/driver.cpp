@@ -35,7 +35,9 @@ constexpr double kChannelReset = 0.0;
 /// Cells of the longest request the method makes while it streams.
 int longestWrite(const templates::TemplateParameters& parameters) {
   constexpr int kWindowHeader = 3;  // count, feed, check
-  const int axes = static_cast<int>(base::kAxisCount);
+  int axes = static_cast<int>(std::count(parameters.axes.begin(), parameters.axes.end(), true));
+  axes += static_cast<int>(
+      std::count(parameters.rotaryAxes.begin(), parameters.rotaryAxes.end(), true));
   if (parameters.method == base::MethodKind::Position) {
     return axes;
   }
@@ -216,7 +218,7 @@ void Driver::handle(const opcua::Event& event) {
   if (event.kind == opcua::EventKind::ConnectionLost) {
     m_end.error = event.error;
     m_end.error.message +=
-        m_settings.parameters.method == base::MethodKind::Window
+        base::hasWindows(m_settings.parameters.method)
             ? " The control executes the windows it has and waits; it repeats nothing. Connect "
               "again and resume the run, or reset the control."
             : " The control goes on with the points it has and repeats them: stop it at the "
@@ -279,7 +281,7 @@ bool Driver::forgives(const opcua::Event& event, bool forMethod) {
     return false;
   }
   if (forMethod ? !m_method.answerLost(event.at)
-                : m_settings.parameters.method != base::MethodKind::Window) {
+                : !base::hasWindows(m_settings.parameters.method)) {
     return false;
   }
   m_sink.note({event.at, "no answer in time: asked again"});
@@ -387,7 +389,7 @@ void Driver::checkDeadlines() {
   if (!m_abandonedAt && progress.lastProgress != Instant{} &&
       now > progress.nextLatest + m_settings.stallDeadline) {
     const char* text =
-        m_settings.parameters.method == base::MethodKind::Window
+        base::hasWindows(m_settings.parameters.method)
             ? "The stream made no progress though the control was in its program: the control was "
               "on hold, or something else writes the R-parameters of the run. Nothing was "
               "repeated. "

@@ -102,11 +102,15 @@ class Job {
 
   RunReport run() {
     m_report.programName = m_program.name;
+    m_settings.placePauses = m_settings.placePauses && !isCredit();
     if (isWindow() && m_settings.runNumber == 0) {
       m_settings.runNumber = makeRunNumber();
     }
     m_report.settings = m_settings;
-    Result<void> result = prepare();
+    Result<void> result = mayStart();
+    if (result) {
+      result = prepare();
+    }
     if (result) {
       result = chooseAccess();
     }
@@ -123,8 +127,18 @@ class Job {
   }
 
  private:
-  [[nodiscard]] bool isWindow() const {
-    return m_settings.parameters.method == base::MethodKind::Window;
+  [[nodiscard]] bool isWindow() const { return base::hasWindows(m_settings.parameters.method); }
+  [[nodiscard]] bool isCredit() const {
+    return m_settings.parameters.method == base::MethodKind::Credit;
+  }
+
+  [[nodiscard]] Result<void> mayStart() const {
+    if (isCredit() && !m_settings.isCommissioned) {
+      return base::fail(StreamError::NotCommissioned,
+                        "Method credit is experimental and starts only on a control that has "
+                        "passed its test. Run rivulet-cli commission, or choose method window.");
+    }
+    return {};
   }
 
   /// Two runs must not have the same number by accident: the clock of the link counts
@@ -231,22 +245,16 @@ class Job {
     }
     const std::string name = templates::templateFileName(m_settings.parameters);
     publish(RunState::Armed, "transfer");
-    if (Result<void> done = m_control.uploadProgram(name, *text, true); !done) {
-      return done;
+    const Result<ProgramTransfer> transfer =
+        transferProgram(m_control, name, *text, m_settings.transfer);
+    if (!transfer) {
+      return base::fail(transfer.error());
     }
-    const Result<std::string> there = m_control.downloadProgram(name);
-    if (!there) {
-      return base::fail(there.error());
-    }
-    if (*there != *text) {
-      return base::fail(StreamError::WrongProgram,
-                        "The program on the control differs from the one transferred. Delete it "
-                        "there and start again.",
-                        name);
-    }
-    if (Result<void> done = m_control.selectProgram(name); !done) {
-      return done;
-    }
+    m_report.transfer = *transfer;
+    m_ledger.note({m_link.now(), fmt::format("program {}: {}, {}, {}", name,
+                                             transfer->written ? "written" : "was there",
+                                             transfer->compared ? "compared" : "not compared",
+                                             transfer->selected ? "selected" : "to be selected")});
     // A number left from an earlier run must not pass for the program's own.
     const std::array<opcua::Assignment, 3> clear{{{opcua::rParameter(m_cells.layout), 0.0},
                                                   {opcua::rParameter(m_cells.run), 0.0},
@@ -257,7 +265,7 @@ class Job {
         !done) {
       return done;
     }
-    publish(RunState::Armed, "cycle-start");
+    publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
     if (m_control.isVirtualMachine()) {
       if (Result<void> done = m_control.cycleStart(); !done) {
         return done;

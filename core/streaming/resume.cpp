@@ -152,8 +152,9 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   }
   const templates::CellMap& cells = *plan;
   if (cells.windows == 0) {
-    return base::fail(StreamError::CannotResume,
-                      "Only method window says how far it came. Start from the beginning.");
+    return base::fail(
+        StreamError::CannotResume,
+        "Only methods window and credit say how far they came. Start from the beginning.");
   }
   if (Result<void> ended = endOurProgram(link, settings, cells, last); !ended) {
     return base::fail(ended.error());
@@ -182,8 +183,12 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     }
     return Resume{last.firstPoint, last.startMm};
   }
-  if (!isOurs || !(executed >= 0.0) || !(latched == executed || latched == executed + 1.0) ||
-      latched > static_cast<double>(total)) {
+  // What the program may have taken over beyond what is executed.
+  const bool isCredit = settings.parameters.method == base::MethodKind::Credit;
+  const double aheadMax = isCredit ? settings.parameters.windowsAhead : 1.0;
+  const bool fits = latched >= executed && latched <= executed + aheadMax &&
+                    latched == std::floor(latched) && executed == std::floor(executed);
+  if (!isOurs || !(executed >= 0.0) || !fits || latched > static_cast<double>(total)) {
     return base::fail(StreamError::CannotResume,
                       "The control has run something else since: where this run was left is not "
                       "known. Start from the beginning.");
@@ -201,7 +206,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   std::size_t next = pointOf(executed);
   const Vec3 toolMm = tool();
   if (latched > executed) {
-    // Reset in the middle of a window: the tool stands on its way, or at its end.
+    // Reset in the middle of what was taken over: the tool stands on its way, or at its end.
     const std::size_t end = pointOf(latched);
     std::vector<Vec3> path{next > 0 ? points[next - 1].positionMm : last.startMm};
     for (std::size_t i = next; i < end; ++i) {
@@ -211,7 +216,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
         path.size() >= 2 ? pointAhead(path, toolMm) : std::nullopt;
     if (!ahead) {
       return base::fail(StreamError::CannotResume,
-                        "The tool does not stand on the path of the window that was broken off, "
+                        "The tool does not stand on the path of what was broken off, "
                         "or the path passes there twice. Start from the beginning.");
     }
     next += *ahead - 1;

@@ -20,6 +20,7 @@
 #include "gcode/program.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
+#include "streaming/program_transfer.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
 #include "trace/analysis/statistics.h"
@@ -41,10 +42,12 @@ enum class StreamError {
   ControlAlarm,              ///< the control ended the program with an alarm
   EndedEarly,                ///< the program on the control ended before all points were sent
   OtherClient,               ///< another client has the cells (method window)
-  Restarted,      ///< the program was started anew in the middle of a run (method window)
-  WindowDamaged,  ///< the control refused a window that did not fit its check number
-  ClientSilent,   ///< the control gave up waiting for the client (method window)
-  CannotResume,   ///< where the run was left cannot be told for certain
+  Restarted,        ///< the program was started anew in the middle of a run (method window)
+  WindowDamaged,    ///< the control refused a window that did not fit its check number
+  ClientSilent,     ///< the control gave up waiting for the client (method window)
+  CannotResume,     ///< where the run was left cannot be told for certain
+  TransferRefused,  ///< no right to write part programs through the server
+  NotCommissioned,  ///< method credit on a control that has not passed its test
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -62,7 +65,7 @@ struct Resume {
   base::Vec3 startMm;     ///< where the tool stood before the first run
 };
 
-/// What has to be known of a run of method window to take it up again (`resumeFrom`).
+/// What has to be known of a run of method window or credit to take it up again (`resumeFrom`).
 struct Checkpoint {
   int runNumber = 0;           ///< what the control was asked to obey
   std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
@@ -96,11 +99,15 @@ struct RunSettings {
   /// run has too few accesses of its own.
   std::shared_ptr<const Calibration> calibration;
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
-  /// Method window: by which the control tells this run from others, 1 to 999 999; 0: made from
-  /// the time and the program.
+  /// Method credit: this control has passed the commissioning test. Nothing starts without.
+  bool isCommissioned = false;
+  /// Methods window and credit: by which the control tells this run from others, 1 to 999 999; 0:
+  /// made from the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
-  bool placePauses = true;       ///< method window: end windows where the path stands or turns
+  TransferWay transfer = TransferWay::Link;
+  /// Method window: end windows where the path stands or turns. Method credit has no pauses there.
+  bool placePauses = true;
   bool monitor = true;  ///< read position and feed for the display where the stream has slack
 };
 
@@ -152,6 +159,7 @@ struct RunReport {
   std::string programName;
   RunSettings settings;                    ///< with the grouping that was used
   std::optional<AccessForms> accessForms;  ///< what was tried; nothing if nothing was
+  std::optional<ProgramTransfer> transfer;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
 
   /// True if the run did what was ordered: completed (or stopped), nothing repeated or skipped.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// The invariants of method window under everything that can go wrong, and of the methods of [P1]
-/// that what does go wrong is seen. The judge here shares no code with methods, driver or oracle:
-/// it has the list of points and what the machine says it has executed.
+/// The invariants of methods window and credit under everything that can go wrong, and of the
+/// methods of [P1] that what does go wrong is seen. The judge here shares no code with methods,
+/// driver or oracle: it has the list of points and what the machine says it has executed.
 /// RIVULET_SEED=n replays one run, RIVULET_SCENARIOS=n runs so many; scripts/soak runs many.
 
 #include <QtTest>
@@ -169,11 +169,14 @@ QString feedsOf(const FaultScenario& drawn, const FaultEvidence& evidence) {
   return {};
 }
 
-/// @return what method window must never do; empty: nothing
+/// @return what methods window and credit must never do; empty: nothing
 QString examineWindow(std::uint64_t seed, Tally& tally,
-                      std::optional<opcua::Grouping> arrays = std::nullopt) {
-  FaultScenario drawn = streaming::drawFaults(
-      seed, *machine::loadPreset(arrays ? "dmu75-arrays" : "dmu75"), MethodKind::Window);
+                      std::optional<opcua::Grouping> arrays = std::nullopt,
+                      MethodKind method = MethodKind::Window,
+                      machine::RRead rRead = machine::RRead::AtInterpretation) {
+  FaultScenario drawn =
+      streaming::drawFaults(seed, *machine::loadPreset(arrays ? "dmu75-arrays" : "dmu75"), method);
+  drawn.run.scenario.machine.rRead = rRead;
   if (arrays) {
     drawn.run.scenario.settings.grouping = *arrays;
   }
@@ -339,6 +342,32 @@ class TestWindowFaults : public QObject {
                           findings.mid(0, 20).join(u'\n')));
       if (seeds.size() > 100) {
         QVERIFY(sum.whole > 0 && sum.stopped > 0 && sum.lost > 0 && sum.damaged > 0);
+      }
+    }
+  }
+
+  /// The same promises without a stop between windows, even on a control that does not read as
+  /// method credit needs it (and on which it is never started): there the machine waits.
+  void creditKeepsThemToo() {
+    for (const machine::RRead rRead :
+         {machine::RRead::AtInterpretation, machine::RRead::CachedUntilStopre}) {
+      const bool isFit = rRead == machine::RRead::AtInterpretation;
+      const std::vector<std::uint64_t> seeds = seedsToRun(isFit ? 400 : 100);
+      QStringList findings;
+      const Tally sum = examineAll(
+          seeds,
+          [rRead](std::uint64_t seed, Tally& tally) {
+            return examineWindow(seed, tally, std::nullopt, MethodKind::Credit, rRead);
+          },
+          findings);
+      print(isFit ? "credit" : "credit, values cached", sum);
+      QVERIFY2(findings.isEmpty(),
+               qPrintable(QStringLiteral("%1 of %2\n").arg(findings.size()).arg(seeds.size()) +
+                          findings.mid(0, 20).join(u'\n')));
+      if (seeds.size() > 300) {
+        QVERIFY(sum.attempts > seeds.size() + seeds.size() / 5);
+        QVERIFY(sum.whole > 0 && sum.stopped > 0 && sum.lost > 0 && sum.damaged > 0);
+        QVERIFY(sum.resets > 0 && sum.strayWrites > 0 && sum.intruded > 0 && sum.refused > 0);
       }
     }
   }

@@ -139,6 +139,7 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop / 2));
       break;
     case base::MethodKind::Window:
+    case base::MethodKind::Credit:
       perMm = feasibility::reachMargin(point.feedMmPerS, accessTime, point.pointsPerLoop, 1.0,
                                        safety.window);
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop));

@@ -33,12 +33,17 @@ WindowMethod::WindowMethod(MethodSetup setup)
       m_begins(m_plan.windowBegins(m_perWindow)),
       m_windowCount(m_begins.size() - 1),
       m_ownerCell{opcua::rParameter(m_plan.cells().owner)},
-      m_latchedCell{opcua::rParameter(m_plan.cells().latched)},
+      m_isCredit(m_plan.settings().parameters.method == base::MethodKind::Credit),
+      m_watched{opcua::rParameter(m_plan.cells().latched)},
       m_header{opcua::rParameter(m_plan.cells().latched),
                opcua::rParameter(m_plan.cells().delivered), opcua::rParameter(m_plan.cells().owner),
                opcua::rParameter(m_plan.cells().state), opcua::rParameter(m_plan.cells().run)} {
   RIVULET_ASSERT(m_slots >= 1);
   RIVULET_ASSERT(m_plan.settings().runNumber > 0);
+  if (m_isCredit) {
+    m_watched.push_back(opcua::rParameter(m_plan.cells().executed));
+    m_header.push_back(opcua::rParameter(m_plan.cells().executed));
+  }
 }
 
 std::size_t WindowMethod::windowBegin(std::size_t window) const {
@@ -52,6 +57,22 @@ Duration WindowMethod::windowTime(std::size_t window) const {
     return m_plan.approachTime() + m_plan.travelTime(0, std::max<std::size_t>(end, 1) - 1);
   }
   return m_plan.travelTime(begin - 1, end - 1);
+}
+
+Duration WindowMethod::takenTime() const {
+  if (!m_isCredit) {
+    return windowTime(m_latched == 0 ? 0 : m_latched - 1);
+  }
+  Duration sum{};
+  for (std::size_t window = m_executed; window < std::max(m_latched, m_executed + 1); ++window) {
+    sum += windowTime(window);
+  }
+  return sum;
+}
+
+Duration WindowMethod::takenTimeMax() const {
+  const bool slows = m_isCredit && m_plan.settings().parameters.slowDown;
+  return slows ? takenTime() * 100 / templates::kCreditSlowPercent : takenTime();
 }
 
 Action WindowMethod::write(Step step, std::size_t points) {
@@ -148,7 +169,7 @@ std::optional<Action> WindowMethod::poll(Instant now) {
     m_nextLook = now + kLookInterval;
     return read(Step::Look, m_header);
   }
-  return read(Step::Watch, m_latchedCell);
+  return read(Step::Watch, m_watched);
 }
 
 bool WindowMethod::answerLost(Instant) {
@@ -187,8 +208,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
     case Step::Number:
       if (m_delivered < m_filled) {
         // What the control had not taken so far it takes at once, or behind the window it is in.
-        m_progress.nextLatest =
-            now + windowTime(m_latched == 0 ? 0 : m_latched - 1) + kSlowerThanPlanned;
+        m_progress.nextLatest = now + takenTimeMax() + kSlowerThanPlanned;
       }
       m_delivered = m_filled;
       m_renumber = false;
@@ -197,8 +217,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       m_run = m_runAsked;
       m_progress.lastProgress = now;
       if (m_run == kRun) {
-        m_progress.nextLatest =
-            now + windowTime(m_latched == 0 ? 0 : m_latched - 1) + kSlowerThanPlanned;
+        m_progress.nextLatest = now + takenTimeMax() + kSlowerThanPlanned;
       } else if (m_run == kHold) {
         m_progress.nextLatest = now + kOurTurn;
       }
@@ -211,7 +230,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       }
       break;
     case Step::Watch:
-      observe(answer.readings[0].number, answer, now);
+      observe(answer.readings[0].number, m_isCredit ? answer.readings[1].number : 0.0, answer, now);
       break;
     case Step::Look:
       look(answer, now);
@@ -220,7 +239,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
   m_progress.allSent = m_delivered == m_windowCount;
 }
 
-void WindowMethod::observe(double latched, const Answer& answer, Instant now) {
+void WindowMethod::observe(double latched, double executed, const Answer& answer, Instant now) {
   if (!(latched >= 0.0) || latched > static_cast<double>(m_delivered) ||
       latched < static_cast<double>(m_latched)) {
     // The program on the control never says this to us: someone else has written the cell, or the
@@ -230,19 +249,26 @@ void WindowMethod::observe(double latched, const Answer& answer, Instant now) {
     return;
   }
   const auto windows = static_cast<std::size_t>(latched);
-  if (windows == m_latched) {
+  // With method window, one that is copied has everything in front of it executed. With method
+  // credit the control says so; what it cannot have meant is left out of account.
+  std::size_t passed = windows == 0 ? 0 : windows - 1;
+  if (m_isCredit) {
+    const bool isMeant = executed >= static_cast<double>(m_executed) && executed <= latched;
+    passed = isMeant ? static_cast<std::size_t>(executed) : m_executed;
+  }
+  if (windows == m_latched && passed == m_executed) {
     return;
   }
   m_latched = windows;
+  m_executed = passed;
   m_progress.lastProgress = now;
-  // The program copies a window when everything in front of it has been executed.
-  m_progress.executed = windowBegin(m_latched - 1);
-  m_progress.stopsPassed = m_latched - 1;
-  const Duration travel = windowTime(m_latched - 1);
+  m_progress.executed = windowBegin(m_executed);
+  m_progress.stopsPassed = m_isCredit ? 0 : m_latched - 1;
   const bool moreToBring = m_filled < m_windowCount;
-  m_progress.nextEarliest = moreToBring ? now : answer.sent + travel;
-  m_progress.nextLatest =
-      moreToBring && m_delivered == m_latched ? now + kOurTurn : now + travel + kSlowerThanPlanned;
+  m_progress.nextEarliest = moreToBring ? now : answer.sent + takenTime();
+  m_progress.nextLatest = moreToBring && m_delivered == m_latched
+                              ? now + kOurTurn
+                              : now + takenTimeMax() + kSlowerThanPlanned;
 }
 
 void WindowMethod::look(const Answer& answer, Instant now) {
@@ -262,7 +288,7 @@ void WindowMethod::look(const Answer& answer, Instant now) {
   if (m_stopWanted && answer.readings[4].number != kEnd) {
     m_run = kHold;
   }
-  observe(answer.readings[0].number, answer, now);
+  observe(answer.readings[0].number, m_isCredit ? answer.readings[5].number : 0.0, answer, now);
 }
 
 std::optional<base::Error> WindowMethod::failure() const {

@@ -60,7 +60,7 @@ class Exposure {
         m_link(m_machine, scenario.faults, Random(scenario.run.scenario.seed).fork(31).bits()),
         m_random(Random(scenario.run.scenario.seed).fork(32)),
         m_cells(*templates::planCells(m_settings.parameters)),
-        m_isWindow(m_settings.parameters.method == MethodKind::Window) {}
+        m_isWindow(base::hasWindows(m_settings.parameters.method)) {}
 
   FaultEvidence run() {
     m_link.onWrite = [this](int cell, double value, bool stray) { seeWrite(cell, value, stray); };
@@ -185,6 +185,7 @@ class Exposure {
   }
 
   void takeSegment() {
+    lookForWindowsBehindStop();
     FaultSegment segment;
     segment.trace = m_machine.trace();
     segment.endMm = m_machine.state().commandMm;
@@ -194,11 +195,25 @@ class Exposure {
     m_evidence.segments.push_back(std::move(segment));
   }
 
+  /// Behind a stop no window is taken any more, but for one that the program was just reading. (A
+  /// control that does not read cells when it passes a block sees the stop later.)
+  void lookForWindowsBehindStop() {
+    const bool reads = m_scenario.run.scenario.machine.rRead == machine::RRead::AtInterpretation;
+    if (m_latchedAtStop && reads && m_evidence.intrusions == 0 && m_evidence.strayWrites == 0 &&
+        m_machine.ncRParameter(m_cells.latched) > *m_latchedAtStop + 1.0) {
+      m_evidence.violations.emplace_back("a window was taken behind a stop");
+    }
+    m_latchedAtStop.reset();
+  }
+
   /// A window's cells must not be written between its number and the control's copy.
   void seeWrite(int cell, double value, bool stray) {
     m_evidence.strayWrites += stray ? 1 : 0;
     if (m_isWindow && !stray && cell == m_cells.delivered) {
       m_delivered = static_cast<long long>(value);
+    }
+    if (m_isWindow && !stray && cell == m_cells.run && value > 1.0 && !m_latchedAtStop) {
+      m_latchedAtStop = m_machine.ncRParameter(m_cells.latched);
     }
     if (!m_isWindow || stray || cell < m_cells.windowCount(0)) {
       return;
@@ -280,7 +295,8 @@ class Exposure {
   templates::CellMap m_cells;
   bool m_isWindow;
   bool m_wasReset = false;
-  long long m_delivered = 0;  ///< windows, as the client of this connection has said
+  long long m_delivered = 0;              ///< windows, as the client of this connection has said
+  std::optional<double> m_latchedAtStop;  ///< windows the control had when it was told to end
   Instant m_startedAt{};
   std::optional<Instant> m_resetAt;
   std::optional<Instant> m_intrusionAt;
@@ -301,13 +317,19 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   RunSettings& settings = scenario.settings;
   settings.parameters.method = method;
   settings.parameters.rParameterCount = 300;
-  if (method == MethodKind::Window) {
+  settings.isCommissioned = true;
+  if (base::hasWindows(method)) {
     settings.parameters.pointsPerLoop = 1 + static_cast<int>(random.below(14));
     settings.parameters.windows = 1 + static_cast<int>(random.below(4));
     settings.parameters.baseCell = random.below(3) == 0 ? static_cast<int>(random.below(40)) : 0;
     settings.parameters.slotStride = random.below(4) == 0 ? 5 : 0;
     settings.parameters.pointsPerLoop = std::min(settings.parameters.pointsPerLoop,
                                                  templates::pointsPerLoopMax(settings.parameters));
+  }
+  if (method == MethodKind::Credit) {
+    Random ofItsOwn = Random(seed).fork(33);  // the other methods keep their draws
+    settings.parameters.windowsAhead = 1 + static_cast<int>(ofItsOwn.below(8));
+    settings.parameters.slowDown = ofItsOwn.below(4) != 0;
   }
   settings.stallDeadline = std::chrono::seconds{120};
   settings.stopDeadline = std::chrono::seconds{120};

@@ -55,7 +55,7 @@ double wayMm(int step) {
 /// Some loops and a rest; no two points are alike, in none of the axes.
 std::vector<base::Vec3> proofPoints(const templates::TemplateParameters& parameters,
                                     const machine::MachineConfig& config) {
-  const int loops = parameters.method == MethodKind::Window ? parameters.windows + 2 : 3;
+  const int loops = base::hasWindows(parameters.method) ? parameters.windows + 2 : 3;
   const int count = loops * parameters.pointsPerLoop + std::min(2, parameters.pointsPerLoop);
   std::vector<base::Vec3> points;
   for (int i = 0; i < count; ++i) {
@@ -78,6 +78,7 @@ class Trial {
     m_link.programInstead = std::string(text);
     m_settings.placePauses = false;  // every window is to be full once
     m_settings.parameters = parameters;
+    m_settings.isCommissioned = true;  // the machine of the proof reads R when it passes a block
     m_settings.deltaMm = kDeltaMm;
     m_settings.feedMmPerS = kFeedMmPerS;
     m_settings.requestDeadline = std::chrono::seconds{20};
@@ -174,7 +175,7 @@ class Prover {
   }
 
   std::vector<ProofCase> run() {
-    const bool isWindow = m_parameters.method == MethodKind::Window;
+    const bool isWindow = base::hasWindows(m_parameters.method);
     // A template for study only breaks this promise on purpose.
     const bool isStudy = m_parameters.method == MethodKind::Signal &&
                          m_parameters.signalStop == templates::SignalStop::OncePerLoop;
