@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "feasibility/access_model.h"
 #include "widgets/calibration/calibration_charts.h"
 #include "widgets/calibration/calibration_models.h"
 #include "widgets/common/number_format.h"
@@ -310,8 +311,8 @@ void CalibrationPage::refresh() {
 void CalibrationPage::showState() {
   if (!m_record) {
     m_state->setStatus(Status::Unknown,
-                       tr("This machine is not calibrated: 4.3 ms per cell are assumed, as in "
-                          "[P1]."));
+                       tr("This machine is not calibrated: %1 per cell is assumed, as in [P1].")
+                           .arg(millisecondsText(feasibility::AccessModel{}.accessTime)));
     return;
   }
   const streaming::Calibration& calibration = m_record->calibration;
