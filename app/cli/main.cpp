@@ -160,8 +160,12 @@ int main(int argc, char** argv) {
       ->add_option("--access-time", feasibility.accessTimeMs, "OPC UA access time per node, ms")
       ->check(kPositive)
       ->capture_default_str();
-  feasibilityCommand->add_option("--calibration", feasibility.calibration,
-                                 "Measured access time: file of calibrate --output");
+  auto* calibrationFile = feasibilityCommand->add_option(
+      "--calibration", feasibility.calibration, "Measured access time: file of calibrate --output");
+  feasibilityCommand
+      ->add_option("--endpoint", feasibility.endpoint,
+                   "Measured access time: what calibrate has kept of this OPC UA server")
+      ->excludes(calibrationFile);
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
@@ -274,6 +278,13 @@ int main(int argc, char** argv) {
   calibrateCommand->add_option("--shots", calibrate.shots, "Requests of each kind")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
+  calibrateCommand
+      ->add_option("--budget", calibrate.budgetS,
+                   "Seconds for all of it; the longest kinds get fewer shots to keep it; 0: any")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  calibrateCommand->add_flag("--yes", calibrate.confirmed,
+                             "The cells of the real control are free to be written");
   calibrateCommand->add_option("-o,--output", calibrate.output,
                                "File for feasibility --calibration");
   addJson(calibrateCommand, calibrate.json);

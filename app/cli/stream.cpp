@@ -9,11 +9,13 @@
 
 #include "base/units.h"
 #include "cli/access_text.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "machine/config.h"
+#include "report/calibration_json.h"
 #include "report/machine_profile.h"
 #include "report/report_json.h"
 #include "streaming/commissioning.h"
@@ -85,10 +87,18 @@ class ConsoleSink final : public streaming::RunSink {
   streaming::RunState m_state = streaming::RunState::Idle;
 };
 
+/// What was said before anything moved.
+struct Judgement {
+  bool feasible = false;
+  opcua::Grouping form = opcua::Grouping::List;  ///< the run is expected to use
+  std::optional<feasibility::Verdict> verdict;   ///< nothing for a single point
+};
+
 /// Judged before anything moves. @return why the run must not start; nothing if it may
 std::optional<base::Error> objection(const StreamOptions& options, const Connection& connection,
                                      const gcode::Program& program,
-                                     const streaming::RunSettings& settings, bool& feasible) {
+                                     const streaming::RunSettings& settings,
+                                     const CalibrationChoice& calibrated, Judgement& judged) {
   feasibility::OperatingPoint point;
   point.method = settings.parameters.method;
   point.pointsPerLoop = settings.parameters.pointsPerLoop;
@@ -96,16 +106,23 @@ std::optional<base::Error> objection(const StreamOptions& options, const Connect
   point.feedMmPerS = settings.feedMmPerS;
   const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
   if (list.points.size() < 2) {
-    feasible = true;  // a single point needs no refill
+    judged.feasible = true;  // a single point needs no refill
     return std::nullopt;
   }
-  const auto verdict =
-      feasibility::judge(point, feasibility::programDistances(list.points, point.pointsPerLoop));
+  feasibility::AccessModel access;
+  if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+    judged.form = settings.access == streaming::AccessChoice::Fixed ? settings.grouping
+                                                                    : record->calibration.best();
+    access = report::accessModel(record->calibration, judged.form);
+  }
+  const auto verdict = feasibility::judge(
+      point, feasibility::programDistances(list.points, point.pointsPerLoop), access);
   if (!verdict) {
     return verdict.error();
   }
-  feasible = verdict->feasible;
-  if (feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
+  judged.feasible = verdict->feasible;
+  judged.verdict = *verdict;
+  if (judged.feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
     return std::nullopt;
   }
   return base::makeError(
@@ -177,7 +194,8 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
 }
 
-void print(const streaming::RunReport& report, bool feasible) {
+void print(const streaming::RunReport& report, const CalibrationChoice& calibrated,
+           const Judgement& judged) {
   fmt::print("{}: {} of {} points executed", streaming::outcomeName(report.outcome),
              report.counters.executed, report.counters.total);
   if (report.integrity.judged) {
@@ -205,7 +223,10 @@ void print(const streaming::RunReport& report, bool feasible) {
              base::toMilliseconds(report.access.perNode.mean),
              base::toMilliseconds(report.access.perNode.p99),
              base::toMilliseconds(report.access.perNode.max));
-  if (!feasible) {
+  if (judged.verdict) {
+    fmt::print("{}\n", accessSourceText(calibrated, judged.form, *judged.verdict));
+  }
+  if (!judged.feasible) {
     fmt::print("The settings were outside the feasible region.\n");
   }
   if (report.error.code) {
@@ -335,8 +356,19 @@ Exit stream(const StreamOptions& options) {
     }
     settings.isCommissioned = true;
   }
-  bool feasible = false;
-  if (const auto error = objection(options, *connection, *program, settings, feasible)) {
+  CalibrationChoice calibrated;
+  if (!options.simulate) {
+    auto choice = calibrationOf(*connection);
+    if (!choice) {
+      return reportError(choice.error(), options.json);
+    }
+    calibrated = std::move(*choice);
+    if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+      settings.calibration = std::make_shared<const streaming::Calibration>(record->calibration);
+    }
+  }
+  Judgement judged;
+  if (const auto error = objection(options, *connection, *program, settings, calibrated, judged)) {
     return reportError(*error, options.json);
   }
 
@@ -386,14 +418,17 @@ Exit stream(const StreamOptions& options) {
   const bool recorded = !writer || writer->ok();
   if (options.json) {
     nlohmann::ordered_json json = report::runJson(report);
-    json["feasible"] = feasible;
+    json["feasible"] = judged.feasible;
+    if (judged.verdict) {
+      json["access_time"] = accessSourceJson(calibrated, judged.form, *judged.verdict);
+    }
     json["endpoint"] = connection->name;
     if (!options.record.empty()) {
       json["recording"] = options.record;
     }
     printJson(json);
   } else {
-    print(report, feasible);
+    print(report, calibrated, judged);
   }
   if (!recorded) {
     fmt::print(stderr, "rivulet-cli: {}: The recording is incomplete: the disk took no more.\n",

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "streaming/calibration.h"
+
 namespace rivulet::streaming {
 
 namespace {
@@ -33,6 +35,21 @@ constexpr Duration kStoreDeadline = std::chrono::seconds{10};
 
 constexpr double kChannelReset = 0.0;
 
+/// Cells of the longest request the method makes while it streams.
+int longestWrite(const templates::TemplateParameters& parameters) {
+  constexpr int kWindowHeader = 3;  // count, feed, check
+  int axes = static_cast<int>(std::count(parameters.axes.begin(), parameters.axes.end(), true));
+  axes += static_cast<int>(
+      std::count(parameters.rotaryAxes.begin(), parameters.rotaryAxes.end(), true));
+  if (parameters.method == base::MethodKind::Position) {
+    return axes;
+  }
+  if (parameters.method == base::MethodKind::Signal) {
+    return axes * (parameters.pointsPerLoop / 2) + 1;
+  }
+  return axes * parameters.pointsPerLoop + kWindowHeader;
+}
+
 }  // namespace
 
 Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
@@ -49,6 +66,14 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
   m_display.push_back({opcua::VariableKind::PathFeed, 0});
   m_status.push_back({opcua::VariableKind::ChannelStatus, 0});
   m_status.push_back({opcua::VariableKind::Alarm, 0});
+  if (settings.calibration) {
+    const int nodes = longestWrite(settings.parameters);
+    m_calibratedTail = settings.calibration->tail(true, settings.grouping, nodes);
+    if (!m_calibratedTail) {
+      // A form that was not measured: lists always are.
+      m_calibratedTail = settings.calibration->tail(true, opcua::Grouping::List, nodes);
+    }
+  }
 }
 
 void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
@@ -118,8 +143,28 @@ void Driver::checkOrders() {
 }
 
 bool Driver::hasSlackFor(int nodes) const {
-  const Duration needed = kSlackFactor * (m_settings.accessTime * (nodes + 1));
+  const Duration needed = kSlackFactor * expectedRead(nodes + 1);
   return m_link.now() + needed < m_method.progress().nextEarliest;
+}
+
+Duration Driver::expectedRead(int nodes) const {
+  const AccessFit* fit =
+      m_settings.calibration ? m_settings.calibration->fit(false, opcua::Grouping::List) : nullptr;
+  return fit == nullptr ? m_settings.accessTime * nodes : fit->at(nodes);
+}
+
+std::optional<Duration> Driver::slowAccess() const {
+  std::optional<Duration> slow;
+  if (!m_recentAccess.empty()) {
+    std::vector<Duration> sorted(m_recentAccess.begin(), m_recentAccess.end());
+    std::sort(sorted.begin(), sorted.end());
+    slow = trace::quantile(sorted, 99);
+  }
+  // A hundredth is seen among a hundred; until then what was measured before speaks too.
+  if (m_recentAccess.size() < kRecentMax && m_calibratedTail) {
+    slow = std::max(slow.value_or(*m_calibratedTail), *m_calibratedTail);
+  }
+  return slow;
 }
 
 bool Driver::wantsStatus() const {
@@ -411,10 +456,9 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
   update.counters = m_counters;
   update.sample = std::move(sample);
   const Progress& progress = m_method.progress();
-  if (!m_recentAccess.empty() && progress.lastProgress != Instant{} && !progress.allSent) {
-    std::vector<Duration> sorted(m_recentAccess.begin(), m_recentAccess.end());
-    std::sort(sorted.begin(), sorted.end());
-    update.margin = progress.nextEarliest - update.at - trace::quantile(sorted, 99);
+  const std::optional<Duration> slow = slowAccess();
+  if (slow && progress.lastProgress != Instant{} && !progress.allSent) {
+    update.margin = progress.nextEarliest - update.at - *slow;
   }
   m_lastPublished = update.at;
   m_sink.update(update);

@@ -83,6 +83,10 @@ class Driver {
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
   [[nodiscard]] bool hasSlackFor(int nodes) const;
+  /// Of one read of so many variables.
+  [[nodiscard]] base::Duration expectedRead(int nodes) const;
+  /// The 99th percentile of the accesses of late.
+  [[nodiscard]] std::optional<base::Duration> slowAccess() const;
   [[nodiscard]] bool wantsStatus() const;
   void publish(std::optional<trace::LiveSample> sample = std::nullopt);
   void publishPause(const trace::Pause& pause);
@@ -119,6 +123,7 @@ class Driver {
   std::size_t m_stopsSeen = 0;
   std::size_t m_brokenSeen = 0;
   std::deque<base::Duration> m_recentAccess;
+  std::optional<base::Duration> m_calibratedTail;  // of the longest request of the method
   StreamEnd m_end;
   bool m_done = false;
 };

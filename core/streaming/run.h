@@ -31,6 +31,8 @@
 
 namespace rivulet::streaming {
 
+struct Calibration;
+
 enum class StreamError {
   ProgramNotStreamable = 1,  ///< findings of severity error, or fewer than one point
   WrongProgram,              ///< the control does not run the expected template
@@ -98,6 +100,10 @@ struct RunSettings {
   base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
+  /// What access to this control was measured to cost, of this version of its server; null: it was
+  /// not. Takes the place of `accessTime`, and of the 99th percentile of the live margin while the
+  /// run has too few accesses of its own.
+  std::shared_ptr<const Calibration> calibration;
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
   /// Method credit: this control has passed the commissioning test. Nothing starts without.
   bool isCommissioned = false;
