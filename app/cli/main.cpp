@@ -39,7 +39,7 @@ CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
 
 void addPoint(CLI::App* command, OperatingOptions& point) {
   command->add_option("--method", point.method, "Streaming method")
-      ->check(CLI::IsMember({"window", "position", "signal", "credit"}))
+      ->check(CLI::IsMember({"window", "position", "signal", "credit", "file"}))
       ->capture_default_str();
   command
       ->add_option("--points", point.pointsPerLoop,

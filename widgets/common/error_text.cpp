@@ -54,6 +54,8 @@ struct ErrorTexts {
         return tr("The feed F must be greater than zero.");
       case FeasibilityError::DeltaNotPositive:
         return tr("The distance δ must be greater than zero.");
+      case FeasibilityError::NothingKnown:
+        return tr("Nothing can be said of this method beforehand.");
       case FeasibilityError::TooFewPointsPerLoop:
         return tr("N is too small. Choose at least 2 points per loop.");
     }
