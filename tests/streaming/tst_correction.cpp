@@ -551,7 +551,7 @@ class TestCorrection : public QObject {
     machine::MachineConfig config = *machine::loadPreset("dmu75");
     config.overlayMode = mode;
     World world(config);
-    const auto program = straight(100, 5.0);
+    const auto program = straight(60, 5.0);
     const Vec3 correctionMm{x, std::min(y, 0.1), 0.0};
     world.orders.wanted = [correctionMm](Instant) { return correctionMm; };
     bool isReset = false;
@@ -584,7 +584,7 @@ class TestCorrection : public QObject {
     rest.resume = *resume;
     const RunReport second = world.run(*program, rest);
     QVERIFY2(second.isFaultless(), about(second).c_str());
-    QCOMPARE(second.integrity.executed + resume->point, std::size_t{100});
+    QCOMPARE(second.integrity.executed + resume->point, std::size_t{60});
   }
 
   /// A correction along a path of close points: the tool may have passed points it has not, or not

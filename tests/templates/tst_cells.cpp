@@ -398,7 +398,7 @@ class TestCells : public QObject {
 
  private:
   static constexpr int kWindowLayoutNumber = 179345;
-  static constexpr int kCorrectedLayoutNumber = 1603532;
+  static constexpr int kCorrectedLayoutNumber = 2125029;
   static constexpr int kDefaultLayoutNumber = 149451;
 };
 
