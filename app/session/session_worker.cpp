@@ -51,6 +51,10 @@ class SessionWorker::Orders final : public streaming::RunOrders {
   bool stopRequested(base::Instant) override {
     return m_worker.m_stopRun.load() || m_worker.m_quit.load();
   }
+  base::Vec3 correctionMm(base::Instant) override {
+    const std::lock_guard lock(m_worker.m_correctionMutex);
+    return m_worker.m_correctionMm;
+  }
 
  private:
   SessionWorker& m_worker;
@@ -68,6 +72,7 @@ SessionWorker::~SessionWorker() {
 bool SessionWorker::order(SessionOrder order) {
   if (std::holds_alternative<StartOrder>(order) || std::holds_alternative<CalibrateOrder>(order)) {
     m_stopRun.store(false);
+    correct({});
   }
   if (!m_orders.tryPush(std::move(order))) {
     return false;
@@ -78,6 +83,11 @@ bool SessionWorker::order(SessionOrder order) {
 
 void SessionWorker::stopRun() {
   m_stopRun.store(true);
+}
+
+void SessionWorker::correct(base::Vec3 valueMm) {
+  const std::lock_guard lock(m_correctionMutex);
+  m_correctionMm = valueMm;
 }
 
 std::optional<SessionEvent> SessionWorker::take() {

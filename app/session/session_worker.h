@@ -4,11 +4,13 @@
 /// @file
 /// The streaming thread: owns the link and, during a run, driver and method. Orders come in and
 /// events go out through bounded rings; nothing on this side waits for the GUI.
-/// @threadsafety constructor, destructor, `order`, `stopRun` and `take` belong to the GUI thread.
+/// @threadsafety constructor, destructor, `order`, `stopRun`, `correct` and `take` belong to the
+/// GUI thread.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <semaphore>
 #include <thread>
@@ -37,6 +39,8 @@ class SessionWorker {
   /// Takes effect within a driver's look at its orders, 20 ms; cancels a calibration behind the
   /// request under way.
   void stopRun();
+  /// Online correction of the run that lasts, mm; a run begins with none.
+  void correct(base::Vec3 valueMm);
   /// The oldest event not taken yet.
   std::optional<SessionEvent> take();
   /// Live updates that were dropped because nobody took them.
@@ -62,6 +66,8 @@ class SessionWorker {
   std::atomic<bool> m_quit{false};
   std::atomic<bool> m_stopRun{false};
   std::atomic<std::size_t> m_lost{0};
+  std::mutex m_correctionMutex;  // held for a copy
+  base::Vec3 m_correctionMm;
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
   std::string m_endpoint;                 // of `m_link`
   opcua::ServerIdentity m_server;

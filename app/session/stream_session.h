@@ -31,6 +31,8 @@ class StreamSession final : public QObject {
   void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
              const QString& recordingPath);
   void stop();
+  /// Online correction of the run that lasts, X Y Z, mm; every run begins with none.
+  void correct(base::Vec3 valueMm);
   /// Measures what access costs, on cells the operator has confirmed. `stop` cancels.
   void calibrate(const streaming::CalibrationPlan& plan);
 
