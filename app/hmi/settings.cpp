@@ -72,6 +72,12 @@ Settings loadSettings() {
   if (points >= 2) {
     stream.parameters.pointsPerLoop = points;
   }
+  const double correctionMm =
+      positive(store.value(QStringLiteral("stream/correctionLimitMm")), 0.0);
+  if (correctionMm <= templates::kCorrectionLimitMmMax &&
+      stream.parameters.method == base::MethodKind::Window) {
+    stream.parameters.correctionLimitMm = correctionMm;
+  }
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
   stream.feedMmPerS =
       base::mmPerSFromMmPerMin(positive(store.value(QStringLiteral("stream/feedMmPerMin")),
@@ -92,6 +98,7 @@ void saveSettings(const Settings& settings) {
                  text(templates::layoutName(stream.parameters.layout)));
   store.setValue(QStringLiteral("stream/points"), stream.parameters.pointsPerLoop);
   store.setValue(QStringLiteral("stream/deltaMm"), stream.deltaMm);
+  store.setValue(QStringLiteral("stream/correctionLimitMm"), stream.parameters.correctionLimitMm);
   store.setValue(QStringLiteral("stream/feedMmPerMin"),
                  base::mmPerMinFromMmPerS(stream.feedMmPerS));
 }

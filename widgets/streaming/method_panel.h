@@ -75,6 +75,8 @@ class MethodPanel final : public Page {
   QDoubleSpinBox* m_feed;
   QLabel* m_layoutLabel;
   QComboBox* m_layout;
+  QLabel* m_correctionLabel;
+  QDoubleSpinBox* m_correction;
 
   QGroupBox* m_verdictGroup;
   StatusLabel* m_headline;
