@@ -191,10 +191,6 @@
         <translation>%1 fährt in Maschinenkoordinaten, deren Lage im Werkstück unbekannt ist: Die Bewegung wird ausgelassen.</translation>
     </message>
     <message>
-        <source>%1 turns on the path: the points carry it, but no streaming method sends more than X, Y and Z.</source>
-        <translation>%1 dreht auf der Bahn: Die Punkte tragen es, aber kein Verfahren sendet mehr als X, Y und Z.</translation>
-    </message>
-    <message>
         <source>The file holds bytes that no NC text has: choose a text file, not an archive or a picture.</source>
         <translation>Die Datei enthält Bytes, die kein NC-Text hat: eine Textdatei wählen, kein Archiv oder Bild.</translation>
     </message>
@@ -209,6 +205,18 @@
     <message>
         <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
         <translation>Das Programm bewegt keine Achse: Es gibt nichts zu streamen. Ein Programm mit G0, G1, G2 oder G3 und X, Y oder Z wählen.</translation>
+    </message>
+    <message>
+        <source>%1 turns on the path: only method window streams it, with this axis among those chosen.</source>
+        <translation>%1 dreht auf der Bahn: nur die Methode window streamt das, mit dieser Achse unter den gewählten.</translation>
+    </message>
+    <message>
+        <source>%1 makes X, Y and Z those of the tool&apos;s tip while rotary axes turn, and no method switches it on at the control. Have the program written for the axes.</source>
+        <translation>%1 macht X, Y und Z zu denen der Werkzeugspitze, während Rundachsen drehen, und keine Methode schaltet das an der Steuerung ein. Das Programm für die Achsen ausgeben lassen.</translation>
+    </message>
+    <message>
+        <source>%1 give the direction of the tool: the points carry it, but only the control could make rotary axes of it. Have the program written with A, B or C.</source>
+        <translation>%1 geben die Richtung des Werkzeugs an: die Punkte tragen sie, aber nur die Steuerung könnte daraus Rundachsen machen. Das Programm mit A, B oder C ausgeben lassen.</translation>
     </message>
 </context>
 <context>
@@ -412,6 +420,26 @@
     <message>
         <source>The cells could not be put back and may hold test values. Set them at the control.</source>
         <translation>Die Zellen konnten nicht zurückgesetzt werden und enthalten vielleicht Testwerte. Setzen Sie sie an der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Only method window streams rotary axes. Choose it.</source>
+        <translation>Nur die Methode window streamt Rundachsen. Diese wählen.</translation>
+    </message>
+    <message>
+        <source>Too many axes. Choose at most five.</source>
+        <translation>Zu viele Achsen. Höchstens fünf wählen.</translation>
+    </message>
+    <message>
+        <source>These are no axes. Choose from X, Y, Z, A, B and C.</source>
+        <translation>Das sind keine Achsen. Aus X, Y, Z, A, B und C wählen.</translation>
+    </message>
+    <message>
+        <source>The program needs an axis that is not streamed. Bring it to where the program wants it, or choose it.</source>
+        <translation>Das Programm braucht eine Achse, die nicht gestreamt wird. Sie dorthin bringen, wo das Programm sie haben will, oder sie wählen.</translation>
+    </message>
+    <message>
+        <source>The control lacks an axis the program turns. Use a program for its axes.</source>
+        <translation>Der Steuerung fehlt eine Achse, die das Programm dreht. Ein Programm für ihre Achsen verwenden.</translation>
     </message>
 </context>
 <context>
@@ -687,14 +715,6 @@ GPL-3.0-or-later</translation>
         <translation>Programm: %1, Fassung %2</translation>
     </message>
     <message>
-        <source>%1 turns rotary axes on the path. No method streams them.</source>
-        <translation>%1 dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
-    </message>
-    <message>
-        <source>The program turns rotary axes on the path. No method streams them.</source>
-        <translation>Das Programm dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
-    </message>
-    <message>
         <source>%1 moves no axis: there is nothing to stream.</source>
         <translation>%1 bewegt keine Achse: Es gibt nichts zu streamen.</translation>
     </message>
@@ -721,6 +741,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The calibration is of another version of the server and not used.</source>
         <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 needs a transformation of the control. No method streams it.</source>
+        <translation>%1 braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+    </message>
+    <message>
+        <source>The program needs a transformation of the control. No method streams it.</source>
+        <translation>Das Programm braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+    </message>
+    <message>
+        <source>The program turns rotary axes: choose method window.</source>
+        <translation>Das Programm dreht Rundachsen: Methode window wählen.</translation>
+    </message>
+    <message>
+        <source>The program turns %1, and the control does not have all of these axes.</source>
+        <translation>Das Programm dreht %1, und die Steuerung hat nicht alle diese Achsen.</translation>
     </message>
 </context>
 <context>
@@ -1896,10 +1932,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Berechnet mit den Achsen von %1</translation>
     </message>
     <message>
-        <source>Cannot be streamed: rotary axes turn on the path.</source>
-        <translation>Nicht streambar: Rundachsen drehen auf der Bahn.</translation>
-    </message>
-    <message>
         <source>I, J, K are read as the centre itself</source>
         <translation>I, J, K gelten als Mittelpunkt selbst</translation>
     </message>
@@ -1918,6 +1950,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Cannot be streamed: no axis moves.</source>
         <translation>Nicht streambar: Keine Achse bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: it needs a transformation of the control.</source>
+        <translation>Kann nicht gestreamt werden: braucht eine Transformation der Steuerung.</translation>
     </message>
 </context>
 <context>

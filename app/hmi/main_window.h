@@ -69,6 +69,8 @@ class MainWindow final : public QMainWindow {
   bool start();
   void stop();
 
+  /// The settings with the rotary axes the program turns.
+  [[nodiscard]] templates::TemplateParameters parameters() const;
   [[nodiscard]] QString startBlockedReason() const;
   [[nodiscard]] bool isRunning() const { return m_session.isRunning(); }
   [[nodiscard]] const std::optional<feasibility::Verdict>& verdict() const { return m_verdict; }

@@ -3,9 +3,9 @@
 
 #include "session/session_worker.h"
 
-#include <array>
 #include <chrono>
 #include <cstdio>
+#include <vector>
 
 #include "base/units.h"
 #include "opcua/open62541/ua_link.h"
@@ -133,6 +133,8 @@ void SessionWorker::connect(const ConnectOrder& order) {
     return;
   }
   m_link = std::move(*link);
+  // A control that does not say has none; one that is gone again is noticed by the next look.
+  m_axes = streaming::readControlAxes(*m_link, kWatchDeadline).value_or(streaming::ControlAxes{});
   m_endpoint = order.endpoint;
   // A server that does not say who it is can be worked with all the same.
   m_server = m_link->identity().value_or(opcua::ServerIdentity{});
@@ -149,18 +151,20 @@ void SessionWorker::watch() {
     return;
   }
   using opcua::VariableKind;
-  static constexpr std::array<opcua::Variable, 9> kWatched{{
-      {VariableKind::ChannelStatus, 0},
-      {VariableKind::ProgramStatus, 0},
-      {VariableKind::Alarm, 0},
-      {VariableKind::ProgramName, 0},
-      {VariableKind::Message, 0},
-      {VariableKind::ActualPosition, 0},
-      {VariableKind::ActualPosition, 1},
-      {VariableKind::ActualPosition, 2},
+  std::vector<opcua::Variable> watched{
+      {VariableKind::ChannelStatus, 0},  {VariableKind::ProgramStatus, 0},
+      {VariableKind::Alarm, 0},          {VariableKind::ProgramName, 0},
+      {VariableKind::Message, 0},        {VariableKind::ActualPosition, 0},
+      {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2},
       {VariableKind::PathFeed, 0},
-  }};
-  const auto readings = streaming::readNow(*m_link, kWatched, kWatchDeadline);
+  };
+  const std::size_t firstRotary = watched.size();
+  for (const int axis : m_axes.index) {
+    if (axis >= 0) {
+      watched.push_back({VariableKind::ActualPosition, axis});
+    }
+  }
+  const auto readings = streaming::readNow(*m_link, watched, kWatchDeadline);
   if (!readings) {
     if (readings.error().code == opcua::LinkError::ConnectionLost) {
       m_link.reset();
@@ -176,6 +180,11 @@ void SessionWorker::watch() {
   seen.message = (*readings)[4].text;
   seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
   seen.feedMmPerS = base::mmPerSFromMmPerMin((*readings)[8].number);
+  seen.rotaryAxes = m_axes.set();
+  std::size_t next = firstRotary;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    seen.rotaryDeg[axis] = seen.rotaryAxes[axis] ? (*readings)[next++].number : 0.0;
+  }
   tellIfRoom(seen);
 }
 

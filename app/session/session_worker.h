@@ -16,6 +16,7 @@
 #include "base/spsc_ring.h"
 #include "opcua/link.h"
 #include "session/session_event.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 
 namespace rivulet::opcua {
@@ -63,6 +64,7 @@ class SessionWorker {
   std::atomic<bool> m_stopRun{false};
   std::atomic<std::size_t> m_lost{0};
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
+  streaming::ControlAxes m_axes;          // of the control at the other end
   std::string m_endpoint;                 // of `m_link`
   opcua::ServerIdentity m_server;
   std::thread m_thread;

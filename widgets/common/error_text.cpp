@@ -77,6 +77,12 @@ struct ErrorTexts {
         return tr("The cells of method window are out of range. See base, stride and windows.");
       case TemplateError::FileNotWritable:
         return tr("The file cannot be written. Choose another folder.");
+      case TemplateError::RotaryNeedsWindow:
+        return tr("Only method window streams rotary axes. Choose it.");
+      case TemplateError::TooManyAxes:
+        return tr("Too many axes. Choose at most five.");
+      case TemplateError::BadAxes:
+        return tr("These are no axes. Choose from X, Y, Z, A, B and C.");
     }
     return {};
   }
@@ -194,6 +200,12 @@ struct ErrorTexts {
             "these rights, or bring the template there by hand.");
       case StreamError::CannotResume:
         return tr("Where the run was left is not known for certain. Start from the beginning.");
+      case StreamError::AxesNotChosen:
+        return tr(
+            "The program needs an axis that is not streamed. Bring it to where the program wants "
+            "it, or choose it.");
+      case StreamError::AxisMissing:
+        return tr("The control lacks an axis the program turns. Use a program for its axes.");
     }
     return {};
   }
