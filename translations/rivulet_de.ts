@@ -350,6 +350,10 @@
         <source>Where the run was left is not known for certain. Start from the beginning.</source>
         <translation>Wo der Lauf abgebrochen wurde, ist nicht sicher bekannt. Beginnen Sie von vorn.</translation>
     </message>
+    <message>
+        <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or bring the template there by hand.</source>
+        <translation>Die Steuerung lässt Rivulet keine Teileprogramme schreiben und lesen. Geben Sie dem OPC-UA-Benutzer diese Rechte, oder bringen Sie das Programm von Hand dorthin.</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -1911,6 +1915,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>(too late)</source>
         <translation>(zu spät)</translation>
+    </message>
+    <message>
+        <source>selection of the template and cycle start at the control</source>
+        <translation>Anwahl des Programms und NC-Start an der Steuerung</translation>
     </message>
 </context>
 <context>

@@ -207,6 +207,17 @@ int main(int argc, char** argv) {
                    "How several R-parameters travel; auto: the best form the control understands")
       ->check(CLI::IsMember({"auto", "single", "list", "array"}))
       ->capture_default_str();
+  auto* byHand =
+      streamCommand
+          ->add_option("--transfer", stream.transfer,
+                       "Who brings the flexible program onto the control; auto: Rivulet, through "
+                       "the server's file methods; by-hand: you, the steps are printed")
+          ->check(CLI::IsMember({"auto", "by-hand"}))
+          ->capture_default_str();
+  streamCommand
+      ->add_option("--program-file", stream.programFile,
+                   "by-hand: file for the flexible program (default: its name, in this folder)")
+      ->needs(byHand);
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
   streamCommand->add_flag("--even-pauses", stream.evenPauses,
                           "Method window: windows of M points each, wherever they end");

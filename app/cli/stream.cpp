@@ -185,6 +185,11 @@ void print(const streaming::RunReport& report, bool feasible) {
              report.pauses.empty()
                  ? 0.0
                  : base::toMilliseconds(paused) / static_cast<double>(report.pauses.size()));
+  if (report.transfer) {
+    fmt::print("program on the control: {}, {}\n",
+               report.transfer->written ? "written" : "was there",
+               report.transfer->compared ? "read back and the same" : "could not be read back");
+  }
   fmt::print("access form: {}\n", accessText(report.settings.grouping, report.accessForms));
   fmt::print("access per variable: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
              base::toMilliseconds(report.access.perNode.mean),
@@ -196,6 +201,31 @@ void print(const streaming::RunReport& report, bool feasible) {
   if (report.error.code) {
     fmt::print(stderr, "rivulet-cli: {}\n", report.error.text());
   }
+}
+
+/// Writes the flexible program to a file and says what to do with it.
+base::Result<void> printSteps(const StreamOptions& options,
+                              const templates::TemplateParameters& parameters) {
+  const auto text = templates::generateTemplate(parameters);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  const std::string name = templates::templateFileName(parameters);
+  const std::string path = options.programFile.empty() ? name : options.programFile;
+  if (const auto written = trace::writeFile(path, *text); !written) {
+    return base::fail(written.error());
+  }
+  fmt::print(stderr,
+             "The program is in {}.\n"
+             "1. Copy it to the part programs of the control as {}. Do not change it.\n"
+             "2. Select it in channel 1.\n"
+             "3. Press cycle start. It waits; the axes move only once Rivulet has found the\n"
+             "   layout number {} in R{}.\n"
+             "Rivulet waits up to {:.0f} s from now on.\n",
+             path, name, templates::layoutNumber(parameters),
+             templates::planCells(parameters)->layout,
+             base::toSeconds(streaming::RunSettings{}.startDeadline));
+  return {};
 }
 
 /// What goes to a real control has run on the virtual one first.
@@ -268,6 +298,9 @@ Exit stream(const StreamOptions& options) {
     settings.access = streaming::AccessChoice::Best;
   }
   settings.monitor = !options.noMonitor;
+  if (options.transfer == "by-hand") {
+    settings.transfer = streaming::TransferWay::ByHand;
+  }
   settings.placePauses = !options.evenPauses;
 
   if (const auto cells = templates::planCells(settings.parameters); !cells) {
@@ -324,6 +357,11 @@ Exit stream(const StreamOptions& options) {
   recorder.start.endpoint = connection->name;
   recorder.start.startedAtUtc = utcNow();
 
+  if (settings.transfer == streaming::TransferWay::ByHand) {
+    if (const auto printed = printSteps(options, settings.parameters); !printed) {
+      return reportError(printed.error(), options.json);
+    }
+  }
   watchForInterrupt();
   ConsoleOrders orders(options.stopAfterS);
   streaming::RunReport report;

@@ -122,6 +122,11 @@ ordered_json runJson(const streaming::RunReport& report) {
       {"requests", report.access.requests},
       {"settings", settingsJson(report.settings)},
   };
+  if (report.transfer) {
+    json["transfer"] = {{"written", report.transfer->written},
+                        {"compared", report.transfer->compared},
+                        {"selected", report.transfer->selected}};
+  }
   if (report.accessForms) {
     json["access_forms"] = accessFormsJson(*report.accessForms);
   }

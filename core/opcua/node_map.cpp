@@ -42,6 +42,7 @@ constexpr std::array kRows{
     Row{VariableKind::ProgramName, "/Channel/ProgramInfo/selectedWorkPProg", Indexing::None},
     Row{VariableKind::Message, "/Channel/ProgramInfo/msg", Indexing::None},
     Row{VariableKind::Alarm, "/Channel/State/chanAlarm", Indexing::None},
+    Row{VariableKind::AxisName, "/Channel/GeometricAxis/name", Indexing::FromOne},
 };
 
 /// The longest name a SINUMERIK program can have, extension included.

@@ -133,21 +133,8 @@ class Test {
     }
     const std::string name = commissioningFileName();
     const std::string text = commissioningProgram(m_plan.firstCell);
-    if (Result<void> done = m_control.uploadProgram(name, text, true); !done) {
-      return done;
-    }
-    const Result<std::string> there = m_control.downloadProgram(name);
-    if (!there) {
+    if (const auto there = transferProgram(m_control, name, text, m_plan.transfer); !there) {
       return base::fail(there.error());
-    }
-    if (*there != text) {
-      return base::fail(StreamError::WrongProgram,
-                        "The program on the control differs from the one transferred. Delete it "
-                        "there and start again.",
-                        name);
-    }
-    if (Result<void> done = m_control.selectProgram(name); !done) {
-      return done;
     }
     // A number left from an earlier test must not pass for the program's own.
     return set(Layout, 0.0);

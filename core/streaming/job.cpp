@@ -245,22 +245,16 @@ class Job {
     }
     const std::string name = templates::templateFileName(m_settings.parameters);
     publish(RunState::Armed, "transfer");
-    if (Result<void> done = m_control.uploadProgram(name, *text, true); !done) {
-      return done;
+    const Result<ProgramTransfer> transfer =
+        transferProgram(m_control, name, *text, m_settings.transfer);
+    if (!transfer) {
+      return base::fail(transfer.error());
     }
-    const Result<std::string> there = m_control.downloadProgram(name);
-    if (!there) {
-      return base::fail(there.error());
-    }
-    if (*there != *text) {
-      return base::fail(StreamError::WrongProgram,
-                        "The program on the control differs from the one transferred. Delete it "
-                        "there and start again.",
-                        name);
-    }
-    if (Result<void> done = m_control.selectProgram(name); !done) {
-      return done;
-    }
+    m_report.transfer = *transfer;
+    m_ledger.note({m_link.now(), fmt::format("program {}: {}, {}, {}", name,
+                                             transfer->written ? "written" : "was there",
+                                             transfer->compared ? "compared" : "not compared",
+                                             transfer->selected ? "selected" : "to be selected")});
     // A number left from an earlier run must not pass for the program's own.
     const std::array<opcua::Assignment, 3> clear{{{opcua::rParameter(m_cells.layout), 0.0},
                                                   {opcua::rParameter(m_cells.run), 0.0},
@@ -271,7 +265,7 @@ class Job {
         !done) {
       return done;
     }
-    publish(RunState::Armed, "cycle-start");
+    publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
     if (m_control.isVirtualMachine()) {
       if (Result<void> done = m_control.cycleStart(); !done) {
         return done;

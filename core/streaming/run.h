@@ -20,6 +20,7 @@
 #include "gcode/program.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
+#include "streaming/program_transfer.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
 #include "trace/analysis/statistics.h"
@@ -44,6 +45,7 @@ enum class StreamError {
   ClientSilent,     ///< the control gave up waiting for the client (method window)
   CannotResume,     ///< where the run was left cannot be told for certain
   Cancelled,        ///< by whoever waits for it
+  TransferRefused,  ///< no right to write part programs through the server
   NotCommissioned,  ///< method credit on a control that has not passed its test
 };
 
@@ -98,6 +100,7 @@ struct RunSettings {
   /// made from the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
+  TransferWay transfer = TransferWay::Link;
   /// Method window: end windows where the path stands or turns. Method credit has no pauses there.
   bool placePauses = true;
   bool monitor = true;  ///< read position and feed for the display where the stream has slack
@@ -151,6 +154,7 @@ struct RunReport {
   std::string programName;
   RunSettings settings;                    ///< with the grouping that was used
   std::optional<AccessForms> accessForms;  ///< what was tried; nothing if nothing was
+  std::optional<ProgramTransfer> transfer;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
 
   /// True if the run did what was ordered: completed (or stopped), nothing repeated or skipped.

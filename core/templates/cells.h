@@ -8,9 +8,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/method_kind.h"
 #include "base/result.h"
 #include "base/vec3.h"
@@ -23,6 +27,9 @@ enum class TemplateError {
   NoAxis,                   ///< no axis chosen
   BadCells,                 ///< base, stride or number of windows out of range
   FileNotWritable,
+  RotaryNeedsWindow,  ///< rotary axes with a method of [P1], which moves X, Y and Z
+  TooManyAxes,        ///< more than `base::kStreamedAxesMax`
+  BadAxes,            ///< letters that are no axes
 };
 
 [[nodiscard]] std::error_code make_error_code(TemplateError code);
@@ -55,7 +62,8 @@ struct TemplateParameters {
   Layout layout = Layout::Paper;
   SignalStop signalStop = SignalStop::EachSignal;
   std::array<bool, base::kAxisCount> axes{true, true, true};
-  int rParameterCount = 100;  ///< MD28050: R0 to R(count-1) exist
+  base::RotarySet rotaryAxes{};  ///< method window: A, B, C, in degrees
+  int rParameterCount = 100;     ///< MD28050: R0 to R(count-1) exist
 };
 
 /// R-parameter numbers by role.
@@ -69,6 +77,7 @@ struct CellMap {
   int slotStride = 10;
   int pointsPerLoop = 7;
   std::array<bool, base::kAxisCount> axes{true, true, true};
+  base::RotarySet rotaryAxes{};
 
   // Methods window and credit only. `run` is 0 hold, 1 run, 2 end before the next window; `signal`,
   // `stop` and `feed` are not used there, and `firstSlot` is the first slot of window 0.
@@ -82,7 +91,7 @@ struct CellMap {
   int windows = 0;       ///< k; 0: another method
   int windowStride = 0;  ///< from a cell of a window to that of the next
 
-  /// Cells of one slot in axis order, only the chosen axes.
+  /// Cells of one slot in the order X Y Z A B C, only the chosen axes.
   /// @param slot from 0; method window: window · N + place in the window
   [[nodiscard]] std::vector<int> slotCells(int slot) const;
   /// Slots there are. Method window: N per window.
@@ -117,8 +126,15 @@ inline constexpr double kCheckFeed = 0.917;
 /// Method credit: path override, in percent, while nothing is left behind the window in motion.
 inline constexpr int kCreditSlowPercent = 40;
 
+/// Letters of the chosen axes, e.g. "XYZAC".
+[[nodiscard]] std::string axisLetters(const TemplateParameters& parameters);
+/// Chooses the axes by their letters, in any order. @return BadAxes for anything but X Y Z A B C,
+/// each once
+[[nodiscard]] base::Result<void> chooseAxes(TemplateParameters& parameters,
+                                            std::string_view letters);
+
 /// Where everything lies. @return DoesNotFit (the message names the MD28050 value that would
-/// do), TooFewPointsPerLoop, NoAxis
+/// do), TooFewPointsPerLoop, NoAxis, TooManyAxes, RotaryNeedsWindow
 [[nodiscard]] base::Result<CellMap> planCells(const TemplateParameters& parameters);
 
 /// Largest N that fits. 0 if none does.

@@ -38,17 +38,22 @@ struct SlotText {
   std::string cells;
 };
 
+/// In the order of a slot's cells.
+std::string lettersOf(const CellMap& cells) {
+  TemplateParameters chosen;
+  chosen.axes = cells.axes;
+  chosen.rotaryAxes = cells.rotaryAxes;
+  return axisLetters(chosen);
+}
+
 SlotText slotText(const CellMap& cells, int slot) {
   SlotText text;
   const std::vector<int> numbers = cells.slotCells(slot);
   std::size_t next = 0;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!cells.axes[axis]) {
-      continue;
-    }
+  for (const char letter : lettersOf(cells)) {
     const std::string_view blank = next == 0 ? "" : " ";
-    text.axes += fmt::format("{}{}", blank, base::kAxisNames[axis]);
-    text.words += fmt::format("{}{}=R{}", blank, base::kAxisNames[axis], numbers[next]);
+    text.axes += fmt::format("{}{}", blank, letter);
+    text.words += fmt::format("{}{}=R{}", blank, letter, numbers[next]);
     text.cells += fmt::format("{}R{}", blank, numbers[next]);
     ++next;
   }
@@ -154,6 +159,9 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
   out.line("; Method {}, {} point{} per window, {} window{}, axes {}",
            base::methodName(parameters.method), count, count == 1 ? "" : "s", cells.windows,
            cells.windows == 1 ? "" : "s", axes);
+  if (base::any(cells.rotaryAxes)) {
+    out.line("; Rotary axes in degrees; where only they turn, the feed is in deg/min.");
+  }
   out.line("; A window is executed only once its number has been delivered and its check number");
   out.line("; fits: where the client is late, the axes wait.");
   if (parameters.method == base::MethodKind::Credit) {
@@ -192,10 +200,8 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
 void writeCopiedPoint(Listing& out, const CellMap& cells, int place, int axisCount) {
   std::string words;
   int next = place * axisCount;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (cells.axes[axis]) {
-      words += fmt::format("{}=RIV_C[{}] ", base::kAxisNames[axis], next++);
-    }
+  for (const char letter : lettersOf(cells)) {
+    words += fmt::format("{}=RIV_C[{}] ", letter, next++);
   }
   out.line("G1 {}F=RIV_F", words);
 }
@@ -387,12 +393,8 @@ std::string templateFileName(const TemplateParameters& parameters) {
   const bool once = parameters.method == base::MethodKind::Signal &&
                     parameters.signalStop == SignalStop::OncePerLoop;
   name += once ? "L" : "";
-  if (parameters.axes != TemplateParameters{}.axes) {
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (parameters.axes[axis]) {
-        name += base::kAxisNames[axis];
-      }
-    }
+  if (parameters.axes != TemplateParameters{}.axes || base::any(parameters.rotaryAxes)) {
+    name += axisLetters(parameters);
   }
   if (name.size() > kLongest) {
     name = fmt::format("RIVULET_{}", layoutNumber(parameters));

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/result.h"
 #include "base/vec3.h"
@@ -29,6 +30,7 @@ struct RunStart {
   std::string method;  ///< `base::methodName`
   int pointsPerLoop = 0;
   std::string layout;
+  std::string axes;  ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
   double deltaMm = 0.0;
   double feedMmPerS = 0.0;
   std::string programName;
@@ -42,6 +44,8 @@ struct LiveSample {
   base::Instant at{};
   std::optional<base::Vec3> positionMm;
   std::optional<double> feedMmPerS;
+  /// Angles of the rotary axes of the run, together with `positionMm`.
+  std::optional<base::RotaryDeg> rotaryDeg{};
 };
 
 /// One request to the control.
@@ -116,6 +120,7 @@ class RecordingWriter {
   bool flushIfLarge();
 
   RecordingSink m_sink;
+  base::RotarySet m_rotaryAxes{};  ///< of the run
   std::string m_lines;
   bool m_ok = true;
 };

@@ -167,6 +167,10 @@ struct ErrorTexts {
         return tr(
             "The control ended its program because nothing came from here for too long. Check "
             "the network, then resume.");
+      case StreamError::TransferRefused:
+        return tr(
+            "The control does not let Rivulet write and read part programs. Grant the OPC UA user "
+            "these rights, or bring the template there by hand.");
       case StreamError::CannotResume:
         return tr("Where the run was left is not known for certain. Start from the beginning.");
     }

@@ -139,7 +139,7 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   if (auto built = m_addressSpace->build(); !built) {
     return built;
   }
-  m_methods = std::make_unique<Methods>(m_server, m_service);
+  m_methods = std::make_unique<Methods>(m_server, m_service, options.fileRights);
   if (auto built = m_methods->build(m_addressSpace->namespaceIndex()); !built) {
     return built;
   }

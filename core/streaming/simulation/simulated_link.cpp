@@ -201,8 +201,11 @@ opcua::Reading SimulatedLink::readVariable(const opcua::Variable& variable) cons
     return reading;
   }
   const bool isAxis = variable.kind == opcua::VariableKind::ActualPosition ||
-                      variable.kind == opcua::VariableKind::DistanceToGo;
-  if (isAxis && (variable.index < 0 || variable.index >= static_cast<int>(base::kAxisCount))) {
+                      variable.kind == opcua::VariableKind::DistanceToGo ||
+                      variable.kind == opcua::VariableKind::AxisName;
+  const std::optional<std::size_t> rotary = m_machine.config().rotaryAt(variable.index);
+  const bool isLinear = variable.index >= 0 && variable.index < static_cast<int>(base::kAxisCount);
+  if (isAxis && !isLinear && !rotary) {
     reading.status = LinkError::VariableMissing;
     return reading;
   }
@@ -212,10 +215,10 @@ opcua::Reading SimulatedLink::readVariable(const opcua::Variable& variable) cons
     case opcua::VariableKind::RParameter:
       break;
     case opcua::VariableKind::ActualPosition:
-      reading.number = state.actualMm[axis];
+      reading.number = rotary ? state.actualDeg[*rotary] : state.actualMm[axis];
       break;
     case opcua::VariableKind::DistanceToGo:
-      reading.number = state.distanceToGoMm[axis];
+      reading.number = rotary ? state.distanceToGoDeg[*rotary] : state.distanceToGoMm[axis];
       break;
     case opcua::VariableKind::PathFeed:
       reading.number = base::mmPerMinFromMmPerS(state.feedMmPerS);
@@ -237,6 +240,9 @@ opcua::Reading SimulatedLink::readVariable(const opcua::Variable& variable) cons
       break;
     case opcua::VariableKind::Alarm:
       reading.number = state.alarm;
+      break;
+    case opcua::VariableKind::AxisName:
+      reading.text = rotary ? base::kRotaryAxisNames[*rotary] : base::kAxisNames[axis];
       break;
   }
   return reading;
