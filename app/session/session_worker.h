@@ -49,6 +49,8 @@ class SessionWorker {
   void connect(const ConnectOrder& order);
   void disconnect();
   void start(const StartOrder& order);
+  /// As the profile of the machine says.
+  [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
@@ -61,6 +63,7 @@ class SessionWorker {
   std::atomic<bool> m_stopRun{false};
   std::atomic<std::size_t> m_lost{0};
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
+  std::string m_endpoint;                 // of the link
   std::thread m_thread;
 };
 
