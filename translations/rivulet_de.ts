@@ -441,6 +441,18 @@
         <source>The control lacks an axis the program turns. Use a program for its axes.</source>
         <translation>Der Steuerung fehlt eine Achse, die das Programm dreht. Ein Programm für ihre Achsen verwenden.</translation>
     </message>
+    <message>
+        <source>Nothing can be said of this method beforehand.</source>
+        <translation>Über dieses Verfahren lässt sich vorher nichts sagen.</translation>
+    </message>
+    <message>
+        <source>The test was broken off. Reset the control if its program still runs.</source>
+        <translation>Der Test wurde abgebrochen. Setzen Sie die Steuerung zurück, falls ihr Programm noch läuft.</translation>
+    </message>
+    <message>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
+        <translation>Die Methode Kredit ist experimentell und startet nur an einer Steuerung, die ihren Test bestanden hat. Führen Sie rivulet-cli commission für diese Steuerung aus, oder wählen Sie die Methode Fenster.</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -1520,16 +1532,8 @@ GPL-3.0-or-later</translation>
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced.</source>
-        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf.</translation>
-    </message>
-    <message>
         <source>N (points per window)</source>
         <translation>N (Punkte je Fenster)</translation>
-    </message>
-    <message>
-        <source>Method window has a layout of its own</source>
-        <translation>Die Methode Fenster hat eine eigene Belegung</translation>
     </message>
     <message>
         <source>This method does not use δ: it watches a cell, not the tool</source>
@@ -1554,6 +1558,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 × (waits below 1)</source>
         <translation>%1 × (wartet unter 1)</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Kredit (experimentell)</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: as window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
+        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test von rivulet-cli commission bestanden hat.</translation>
+    </message>
+    <message>
+        <source>Windows have a layout of their own</source>
+        <translation>Fenster haben eine eigene Belegung</translation>
     </message>
 </context>
 <context>
@@ -2127,6 +2143,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Kredit (experimentell)</translation>
     </message>
 </context>
 <context>

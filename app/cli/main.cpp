@@ -310,6 +310,11 @@ int main(int argc, char** argv) {
       ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters nobody uses")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
+  commissionCommand
+      ->add_option("--transfer", commission.transfer,
+                   "How the program of the test comes onto the control; by-hand: you, with --print")
+      ->check(CLI::IsMember({"auto", "by-hand"}))
+      ->capture_default_str();
   commissionCommand->add_flag("--print", commission.printProgram,
                               "Print the program of the test, and do nothing else");
   addJson(commissionCommand, commission.json);

@@ -7,6 +7,7 @@
 #include <QPointer>
 #include <QThreadPool>
 #include <algorithm>
+#include <limits>
 
 #include "experiments/path_time.h"
 
@@ -43,10 +44,12 @@ bool reckonStreamed(const widgets::ProgramView& view, const machine::MachineConf
   options.feedMmPerS = settings.feedMmPerS;
   options.pauseS = base::toSeconds(machine.standstillMean);
   // A loop of N points has one STOPRE with the method position and two with signal; a window has
-  // one.
+  // one; method credit has none.
   const int perPause = settings.method == base::MethodKind::Signal ? settings.pointsPerLoop / 2
                                                                    : settings.pointsPerLoop;
-  options.pointsPerPause = static_cast<std::size_t>(std::max(1, perPause));
+  options.pointsPerPause = settings.method == base::MethodKind::Credit
+                               ? std::numeric_limits<std::size_t>::max()
+                               : static_cast<std::size_t>(std::max(1, perPause));
   options.progress = progress;
   const auto time = experiments::pathTime(view.program->trajectory, view.startMm, machine, options);
   if (!time) {

@@ -9,6 +9,7 @@
 
 #include "base/units.h"
 #include "opcua/open62541/ua_link.h"
+#include "report/machine_profile.h"
 #include "trace/recording.h"
 
 namespace rivulet::session {
@@ -188,6 +189,15 @@ void SessionWorker::watch() {
   tellIfRoom(seen);
 }
 
+bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) const {
+  if (settings.parameters.method != base::MethodKind::Credit) {
+    return false;
+  }
+  const auto identity = m_link->identity();
+  return identity &&
+         report::requireCreditTest(report::profileFolder(), m_endpoint, *identity).has_value();
+}
+
 void SessionWorker::start(const StartOrder& order) {
   if (!m_link) {
     auto report = std::make_shared<streaming::RunReport>();
@@ -213,8 +223,10 @@ void SessionWorker::start(const StartOrder& order) {
   recorder.writer = writer.get();
   recorder.start.toolVersion = RIVULET_VERSION;
   recorder.start.startedAtUtc = order.startedAtUtc;
+  streaming::RunSettings settings = order.settings;
+  settings.isCommissioned = hasPassedCreditTest(settings);
   auto report = std::make_shared<streaming::RunReport>(streaming::runJob(
-      *m_link, *m_link, *order.program, order.settings, orders, sink, std::move(recorder)));
+      *m_link, *m_link, *order.program, settings, orders, sink, std::move(recorder)));
   const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;

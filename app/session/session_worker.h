@@ -52,6 +52,8 @@ class SessionWorker {
   void disconnect();
   void start(const StartOrder& order);
   void calibrate(const CalibrateOrder& order);
+  /// As the profile of the machine says.
+  [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);

@@ -198,6 +198,12 @@ struct ErrorTexts {
         return tr(
             "The control does not let Rivulet write and read part programs. Grant the OPC UA user "
             "these rights, or bring the template there by hand.");
+      case StreamError::Cancelled:
+        return tr("The test was broken off. Reset the control if its program still runs.");
+      case StreamError::NotCommissioned:
+        return tr(
+            "Method credit is experimental and starts only on a control that has passed its test. "
+            "Run rivulet-cli commission for this control, or choose method window.");
       case StreamError::CannotResume:
         return tr("Where the run was left is not known for certain. Start from the beginning.");
       case StreamError::AxesNotChosen:

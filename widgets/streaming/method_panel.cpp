@@ -175,11 +175,14 @@ void MethodPanel::retranslate() {
   m_method->setItemText(0, tr("Window"));
   m_method->setItemText(1, tr("Position"));
   m_method->setItemText(2, tr("Signal"));
+  m_method->setItemText(3, tr("Credit (experimental)"));
   m_method->setToolTip(
       tr("Window: the machine waits when the client is late; it never executes a point twice. "
          "Position: the client watches the tool and replaces points it has "
          "passed. Signal: the client watches a cell in which the program says "
-         "which half of the loop may be replaced."));
+         "which half of the loop may be replaced. Credit: as window, without a stop between "
+         "windows; it starts only on a control that has passed the test of rivulet-cli "
+         "commission."));
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
@@ -208,7 +211,7 @@ bool MethodPanel::usesDelta() const {
 }
 
 bool MethodPanel::isWindow() const {
-  return m_settings.parameters.method == base::MethodKind::Window;
+  return base::hasWindows(m_settings.parameters.method);
 }
 
 void MethodPanel::showSettings() {
@@ -225,7 +228,7 @@ void MethodPanel::showSettings() {
   const bool window = isWindow();
   m_pointsLabel->setText(window ? tr("N (points per window)") : tr("N (points per loop)"));
   m_layout->setEnabled(m_editable && !window);
-  m_layout->setToolTip(window ? tr("Method window has a layout of its own") : QString());
+  m_layout->setToolTip(window ? tr("Windows have a layout of their own") : QString());
   m_delta->setEnabled(m_editable && usesDelta());
   m_delta->setToolTip(usesDelta()
                           ? tr("Distance from the tool at which a point counts as reached")
