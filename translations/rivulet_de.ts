@@ -2220,7 +2220,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Shots</source>
-        <translation>Messungen</translation>
+        <translation>Anzahl</translation>
     </message>
     <message>
         <source>Mean</source>
