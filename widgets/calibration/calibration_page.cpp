@@ -92,10 +92,10 @@ CalibrationPage::CalibrationPage(QWidget* parent)
                           static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_lastCell)}) {
     choices->addWidget(widget);
   }
-  choices->addSpacing(16);
+  choices->addSpacing(8);
   choices->addWidget(m_shotsName);
   choices->addWidget(m_shots);
-  choices->addSpacing(16);
+  choices->addSpacing(8);
   choices->addWidget(m_budgetName);
   choices->addWidget(m_budget);
   choices->addStretch();
@@ -223,7 +223,7 @@ void CalibrationPage::retranslate() {
   m_cellsName->setText(tr("Cells"));
   m_to->setText(tr("to"));
   m_shotsName->setText(tr("Shots of each kind"));
-  m_budgetName->setText(tr("Time at most"));
+  m_budgetName->setText(tr("At most"));
   m_budget->setSuffix(QStringLiteral(" min"));
   m_budget->setSpecialValueText(tr("any"));
   m_arrays->setText(tr("Arrays too: to prove them, other values are in the cells for a moment"));
