@@ -786,8 +786,8 @@ GPL-3.0-or-later</translation>
         <translation>Messungen je Art</translation>
     </message>
     <message>
-        <source>Time at most</source>
-        <translation>Dauer höchstens</translation>
+        <source>At most</source>
+        <translation>Höchstens</translation>
     </message>
     <message>
         <source>any</source>
@@ -799,7 +799,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
-        <translation>Kein Programm, Zyklus oder anderer Client nutzt R%1 bis R%2: Sie dürfen beschrieben werden</translation>
+        <translation>Kein Programm, Zyklus oder Client nutzt R%1 bis R%2: Schreiben ist erlaubt</translation>
     </message>
     <message>
         <source>Calibrate</source>
@@ -2276,7 +2276,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Shots</source>
-        <translation>Messungen</translation>
+        <translation>Anzahl</translation>
     </message>
     <message>
         <source>Mean</source>
