@@ -198,10 +198,10 @@ class TestCli : public QObject {
     QCOMPARE(judged.exit, 0);
     QVERIFY(judged.parsed()["feasible"].get<bool>());
     QVERIFY(judged.parsed()["waits"].get<bool>());
-    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 45);
-    QCOMPARE(judged.parsed()["planned_pauses_in_cut"].get<int>(), 3);
+    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 46);
+    QCOMPARE(judged.parsed()["planned_pauses_in_cut"].get<int>(), 12);
     QCOMPARE(judged.parsed()["even_pauses"].get<int>(), 38);
-    QCOMPARE(judged.parsed()["even_pauses_in_cut"].get<int>(), 15);
+    QCOMPARE(judged.parsed()["even_pauses_in_cut"].get<int>(), 28);
     const json made = run(words("template --windows 3 --base-cell 5 --points 5 --json")).parsed();
     QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_5X3B5.MPF"));
     QCOMPARE(made["cells"]["run"].get<int>(), 5);
