@@ -61,6 +61,7 @@ struct FeasibilityOptions {
   double accessTimeMs = 4.3;
   std::string calibration;  ///< file whose time per node takes its place; empty: none
   double deltaSafety = 1.5;
+  std::string preset = "dmu75";  ///< machine whose axes tell what pauses cost
   bool json = false;
 };
 [[nodiscard]] Exit feasibility(const FeasibilityOptions& options);
