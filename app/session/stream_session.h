@@ -28,11 +28,16 @@ class StreamSession final : public QObject {
   void connectTo(const QString& endpoint);
   void disconnectFrom();
   /// @param recordingPath  file to write; empty: none
+  /// @param resumes        the run that is resumed, if one is
   void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
-             const QString& recordingPath);
+             const QString& recordingPath, std::optional<ResumeQuestion> resumes = {});
   void stop();
+  void hold(bool hold);
+  /// Answered by `resumeFound`. Nothing while a run lasts.
+  void askResume(ResumeQuestion question);
 
   [[nodiscard]] bool isRunning() const { return m_running; }
+  [[nodiscard]] bool isAsking() const { return m_asking; }
 
  Q_SIGNALS:
   void linkChanged(const rivulet::session::LinkChanged& change);
@@ -40,6 +45,7 @@ class StreamSession final : public QObject {
   void updateArrived(const rivulet::streaming::LiveUpdate& update);
   void noteArrived(const rivulet::trace::Note& note);
   void runFinished(const rivulet::session::RunFinished& finished);
+  void resumeFound(const rivulet::session::ResumeFound& found);
 
  private:
   void drain();
@@ -47,6 +53,7 @@ class StreamSession final : public QObject {
   std::unique_ptr<SessionWorker> m_worker;
   QTimer m_timer;
   bool m_running = false;
+  bool m_asking = false;
 };
 
 }  // namespace rivulet::session

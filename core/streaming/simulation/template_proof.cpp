@@ -11,6 +11,7 @@
 #include "streaming/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/scenario.h"
+#include "templates/generator.h"
 #include "trace/analysis/integrity.h"
 
 namespace rivulet::streaming {
@@ -303,6 +304,24 @@ base::Result<TemplateProof> proveTemplate(std::string_view text,
     proof.cases = Prover(text, parameters, machine).run();
   }
   return proof;
+}
+
+base::Result<void> requireProven(const templates::TemplateParameters& parameters) {
+  const auto text = templates::generateTemplate(parameters);
+  const auto machine = machine::loadPreset("dmu75");
+  if (!text || !machine) {
+    return base::fail(text ? machine.error() : text.error());
+  }
+  const auto proof = proveTemplate(*text, parameters, *machine);
+  if (!proof) {
+    return base::fail(proof.error());
+  }
+  if (!proof->holds()) {
+    return base::fail(templates::LintError::Rejected,
+                      "The flexible program of these settings did not hold on the virtual machine "
+                      "and is not written to the control. See template --verify.");
+  }
+  return {};
 }
 
 }  // namespace rivulet::streaming
