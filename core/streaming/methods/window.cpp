@@ -192,6 +192,9 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       }
       m_delivered = m_filled;
       m_renumber = false;
+      if (m_filled == m_windowCount || m_filled >= m_latched + m_slots) {
+        m_progress.nextEarliest = m_windowEnds;  // until then there is nothing to be brought
+      }
       break;
     case Step::Run:
       m_run = m_runAsked;
@@ -240,7 +243,8 @@ void WindowMethod::observe(double latched, const Answer& answer, Instant now) {
   m_progress.stopsPassed = m_latched - 1;
   const Duration travel = windowTime(m_latched - 1);
   const bool moreToBring = m_filled < m_windowCount;
-  m_progress.nextEarliest = moreToBring ? now : answer.sent + travel;
+  m_windowEnds = answer.sent + travel;
+  m_progress.nextEarliest = moreToBring ? now : m_windowEnds;
   m_progress.nextLatest =
       moreToBring && m_delivered == m_latched ? now + kOurTurn : now + travel + kSlowerThanPlanned;
 }
