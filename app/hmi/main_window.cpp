@@ -593,7 +593,8 @@ void MainWindow::showMachine(const session::MachineSeen& seen) {
   m_machine.isStale = false;
   m_connection->setMachineState(m_machine);
   m_path->setToolPosition(seen.positionMm);
-  if (!m_session.isRunning()) {
+  // A run that was left has the points it began with.
+  if (!m_session.isRunning() && !m_left) {
     followTool();
   }
   refreshStart();
@@ -873,7 +874,9 @@ bool MainWindow::startRun(std::optional<streaming::Resume> resume) {
   settings.resume = resume;
   m_firstPoint = resume ? resume->point : 0;
   forgetResume();
-  followTool();
+  if (!resume) {
+    followTool();
+  }
   m_timer.cancel();
   m_path->setExecuted(m_firstPoint);
   m_trace->clear();

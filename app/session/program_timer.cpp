@@ -121,12 +121,13 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
         Q_EMIT timer.reckoned(times, of);
       });
     }
-    if (!unpaused || unpaused->feedMmPerS != settings.feedMmPerS) {
+    if (!unpaused || unpaused->feedMmPerS != settings.feedMmPerS ||
+        !(unpaused->startMm == view->startMm)) {
       const auto time = reckonStreamed(*view, *machine, settings.feedMmPerS, {}, progress);
       if (!time) {
         return;
       }
-      unpaused = Unpaused{settings.feedMmPerS, time->totalS};
+      unpaused = Unpaused{settings.feedMmPerS, view->startMm, time->totalS};
     }
     const auto time = reckonStreamed(*view, *machine, settings.feedMmPerS, *pauses, progress);
     if (!time) {

@@ -51,9 +51,10 @@ class ProgramTimer final : public QObject {
   std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work under way; null: none
   std::shared_ptr<const gcode::Program> m_program;
   std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< of that program
-  /// What it takes without pauses, with a feed of a run.
+  /// What it takes without pauses, with a feed of a run, from a place of the tool.
   struct Unpaused {
     double feedMmPerS = 0.0;
+    base::Vec3 startMm;
     double totalS = 0.0;
   };
   std::optional<Unpaused> m_unpaused;

@@ -187,6 +187,7 @@ void RunPanel::restyle() {
   m_start->setIcon(themedIcon(QStringLiteral("play"), color));
   m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
   m_resume->setIcon(themedIcon(QStringLiteral("resume"), color));
+  showHoldIcon();
   for (QLabel* label : m_counterNames) {
     setMuted(label, palette());
   }
@@ -223,6 +224,12 @@ QString RunPanel::waitingText() const {
   return key;
 }
 
+void RunPanel::showHoldIcon() {
+  m_hold->setIcon(themedIcon(
+      m_update.state == RunState::Holding ? QStringLiteral("play") : QStringLiteral("hold"),
+      themeColors(palette()).text));
+}
+
 void RunPanel::showAll() {
   const bool active = isActive();
   m_strip->setState(m_update.state);
@@ -233,8 +240,7 @@ void RunPanel::showAll() {
   // is held.
   const bool isHolding = m_update.state == RunState::Holding;
   m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
-  m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
-                             themeColors(palette()).text));
+  showHoldIcon();
   m_hold->setEnabled(m_canHold && (isHolding || m_update.state == RunState::Running));
   m_hold->setToolTip(m_canHold
                          ? tr("The machine stands in front of the next window until Continue.")
@@ -279,7 +285,7 @@ void RunPanel::showAll() {
                                                 static_cast<double>(counters.total);
   m_progress->setValue(static_cast<int>(done * kProgressSteps));
   m_progress->setFormat(QStringLiteral("%1 %").arg(numberText(done * 100.0, 1)));
-  if (m_update.margin && active) {
+  if (m_update.margin && active && m_update.state != RunState::Holding) {
     const bool late = m_update.margin->count() < 0;
     m_margin->setStatus(late ? Status::Attention : Status::Good,
                         millisecondsText(*m_update.margin) +

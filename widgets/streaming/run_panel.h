@@ -59,6 +59,7 @@ class RunPanel final : public Page {
   enum class StopState { None, Requested, Confirmed, Unconfirmed };
 
   void showAll();
+  void showHoldIcon();
   [[nodiscard]] bool isActive() const;
   [[nodiscard]] QString waitingText() const;
 
