@@ -59,7 +59,8 @@ struct FeasibilityOptions {
   ResamplingOptions resampling;
   std::optional<double> pointDistanceMm;  ///< d_min where no program is given
   double accessTimeMs = 4.3;
-  std::string calibration;  ///< file whose time per node takes its place; empty: none
+  std::string calibration;  ///< file of `calibrate` that takes its place; empty: none
+  std::string endpoint;     ///< machine whose calibration takes its place; empty: none
   double deltaSafety = 1.5;
   std::string preset = "dmu75";  ///< machine whose axes tell what pauses cost
   bool json = false;
@@ -87,9 +88,11 @@ struct StreamOptions {
   std::string preset = "dmu75";
   std::uint64_t seed = 1;
   std::string record;
-  double stopAfterS = 0.0;      ///< 0: not
-  std::string resume;           ///< report of an earlier run; empty: from the beginning
-  std::string access = "auto";  ///< auto, single, list, array
+  double stopAfterS = 0.0;        ///< 0: not
+  std::string resume;             ///< report of an earlier run; empty: from the beginning
+  std::string access = "auto";    ///< auto, single, list, array
+  std::string transfer = "auto";  ///< auto, by-hand
+  std::string programFile;        ///< by-hand: where the program is written; empty: its name
   bool noMonitor = false;
   bool evenPauses = false;
   bool acceptInfeasible = false;
@@ -110,15 +113,26 @@ struct CalibrateOptions {
   std::uint64_t seed = 1;
   int firstCell = 0;
   int lastCell = 0;
-  int shots = 50;
+  int shots = 500;
+  double budgetS = 900.0;  ///< 0: as long as it takes
+  bool confirmed = false;  ///< the cells of a real control are free
   bool noArrays = false;
   std::string output;
   bool json = false;
 };
 [[nodiscard]] Exit calibrate(const CalibrateOptions& options);
 
-/// The larger time per node of a file of `calibrate`, ms. @return NotATrace
-[[nodiscard]] base::Result<double> measuredAccessMs(const std::string& path);
+struct CommissionOptions {
+  std::string endpoint;
+  bool simulate = false;
+  std::string preset = "dmu75";
+  std::uint64_t seed = 1;
+  int baseCell = 0;
+  bool printProgram = false;
+  bool json = false;
+};
+/// Whether method credit may run on this machine; its profile remembers the answer.
+[[nodiscard]] Exit commission(const CommissionOptions& options);
 
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"

@@ -8,10 +8,12 @@
 #include <algorithm>
 
 #include "base/units.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "experiments/path_time.h"
 #include "gcode/program.h"
 #include "machine/config.h"
+#include "report/calibration_json.h"
 #include "report/report_json.h"
 #include "streaming/pause_placement.h"
 
@@ -122,15 +124,30 @@ Exit feasibility(const FeasibilityOptions& options) {
   point.deltaMm = options.point.deltaMm;
   point.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   feasibility::AccessModel access;
-  double accessTimeMs = options.accessTimeMs;
+  access.accessTime = base::fromMilliseconds(options.accessTimeMs);
+  CalibrationChoice calibrated;
   if (!options.calibration.empty()) {
-    const base::Result<double> measured = measuredAccessMs(options.calibration);
-    if (!measured) {
-      return reportError(measured.error(), options.json);
+    auto record = report::readCalibration(options.calibration);
+    if (!record) {
+      return reportError(record.error(), options.json);
     }
-    accessTimeMs = *measured;
+    calibrated.record = std::move(*record);
+  } else if (!options.endpoint.empty()) {
+    auto connection = connectTo(options.endpoint);
+    if (!connection) {
+      return reportError(connection.error(), options.json);
+    }
+    auto choice = calibrationOf(*connection);
+    if (!choice) {
+      return reportError(choice.error(), options.json);
+    }
+    calibrated = std::move(*choice);
   }
-  access.accessTime = base::fromMilliseconds(accessTimeMs);
+  opcua::Grouping form = opcua::Grouping::List;
+  if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+    form = formOf(point.method, record->calibration);
+    access = report::accessModel(record->calibration, form);
+  }
   feasibility::SafetyFactors safety;
   safety.delta = options.deltaSafety;
 
@@ -171,7 +188,7 @@ Exit feasibility(const FeasibilityOptions& options) {
       json["planned_pauses_in_cut"] = pauses->inCut;
       json["time_without_pauses_s"] = pauses->withoutS;
       json["pauses_cost_s"] = pauses->priceS;
-      if (point.method == base::MethodKind::Window) {
+      if (base::hasWindows(point.method) && !planned.empty()) {
         const auto even = streaming::plannedPauses(list.points, point.method, perLoop, false);
         pauses->even = {even.size(), streaming::pausesInCut(even), price.priceS(even)};
         json["even_pauses"] = pauses->even->count;
@@ -194,6 +211,7 @@ Exit feasibility(const FeasibilityOptions& options) {
     json["points_per_loop"] = point.pointsPerLoop;
     json["delta_mm"] = point.deltaMm;
     json["feed_mm_per_min"] = options.point.feedMmPerMin;
+    json["access_time"] = accessSourceJson(calibrated, form, *verdict);
     printJson(json);
   } else {
     if (distances.windowSteps > 0) {
@@ -206,6 +224,7 @@ Exit feasibility(const FeasibilityOptions& options) {
           distances.windowPlace.lastLine.value);
     }
     print(*verdict);
+    fmt::print("{}\n", accessSourceText(calibrated, form, *verdict));
     if (pauses) {
       print(*pauses, options.preset);
     }

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "experiments/catalogue.h"
+#include "templates/cells.h"
 
 namespace {
 
@@ -23,16 +24,26 @@ const CLI::Validator kPositive(
     },
     "POSITIVE");
 
+/// Letters of axes.
+const CLI::Validator kAxes(
+    [](std::string& text) {
+      rivulet::templates::TemplateParameters parameters;
+      const auto chosen = rivulet::templates::chooseAxes(parameters, text);
+      return chosen ? std::string() : chosen.error().message;
+    },
+    "AXES");
+
 CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
   return command->add_option("--feed", point.feedMmPerMin, "Feed F, mm/min")->check(kPositive);
 }
 
 void addPoint(CLI::App* command, OperatingOptions& point) {
   command->add_option("--method", point.method, "Streaming method")
-      ->check(CLI::IsMember({"window", "position", "signal"}))
+      ->check(CLI::IsMember({"window", "position", "signal", "credit"}))
       ->capture_default_str();
   command
-      ->add_option("--points", point.pointsPerLoop, "Points per loop N; method window: per window")
+      ->add_option("--points", point.pointsPerLoop,
+                   "Points per loop N; methods window and credit: per window")
       ->capture_default_str();
 }
 
@@ -48,9 +59,24 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
                    "How slots lie in the R-parameters (methods position and signal)")
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
-  command->add_option("--windows", point.windows, "Windows (method window)")->capture_default_str();
-  command->add_option("--base-cell", point.baseCell, "First R-parameter (method window)")
+  command
+      ->add_option(
+          "--axes", point.axes,
+          "Axes to move, of XYZABC; rotary ones in degrees (method window). Without it XYZ "
+          "and, in a run, the rotary axes the program turns")
+      ->check(kAxes);
+  command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
+  command
+      ->add_option("--base-cell", point.baseCell, "First R-parameter (methods window and credit)")
+      ->capture_default_str();
+  command
+      ->add_option("--windows-ahead", point.windowsAhead,
+                   "Method credit: windows copied and not executed, at most")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command->add_flag("--no-slow-down", point.noSlowDown,
+                    "Method credit: full feed until nothing is left, then stand");
 }
 
 void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
@@ -134,8 +160,12 @@ int main(int argc, char** argv) {
       ->add_option("--access-time", feasibility.accessTimeMs, "OPC UA access time per node, ms")
       ->check(kPositive)
       ->capture_default_str();
-  feasibilityCommand->add_option("--calibration", feasibility.calibration,
-                                 "Measured access time: file of calibrate --output");
+  auto* calibrationFile = feasibilityCommand->add_option(
+      "--calibration", feasibility.calibration, "Measured access time: file of calibrate --output");
+  feasibilityCommand
+      ->add_option("--endpoint", feasibility.endpoint,
+                   "Measured access time: what calibrate has kept of this OPC UA server")
+      ->excludes(calibrationFile);
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
@@ -193,13 +223,25 @@ int main(int argc, char** argv) {
   streamCommand->add_option("--record", stream.record, "File for the recording of the run");
   streamCommand->add_option("--stop-after", stream.stopAfterS, "Order a stop after so many seconds")
       ->check(kPositive);
-  streamCommand->add_option("--resume", stream.resume,
-                            "Take up again the run of this JSON report (method window)");
+  streamCommand->add_option(
+      "--resume", stream.resume,
+      "Take up again the run of this JSON report (methods window and credit)");
   streamCommand
       ->add_option("--access", stream.access,
                    "How several R-parameters travel; auto: the best form the control understands")
       ->check(CLI::IsMember({"auto", "single", "list", "array"}))
       ->capture_default_str();
+  auto* byHand =
+      streamCommand
+          ->add_option("--transfer", stream.transfer,
+                       "Who brings the flexible program onto the control; auto: Rivulet, through "
+                       "the server's file methods; by-hand: you, the steps are printed")
+          ->check(CLI::IsMember({"auto", "by-hand"}))
+          ->capture_default_str();
+  streamCommand
+      ->add_option("--program-file", stream.programFile,
+                   "by-hand: file for the flexible program (default: its name, in this folder)")
+      ->needs(byHand);
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
   streamCommand->add_flag("--even-pauses", stream.evenPauses,
                           "Method window: windows of M points each, wherever they end");
@@ -240,6 +282,13 @@ int main(int argc, char** argv) {
   calibrateCommand->add_option("--shots", calibrate.shots, "Requests of each kind")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
+  calibrateCommand
+      ->add_option("--budget", calibrate.budgetS,
+                   "Seconds for all of it; the longest kinds get fewer shots to keep it; 0: any")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  calibrateCommand->add_flag("--yes", calibrate.confirmed,
+                             "The cells of the real control are free to be written");
   calibrateCommand->add_option("-o,--output", calibrate.output,
                                "File for feasibility --calibration");
   addJson(calibrateCommand, calibrate.json);
@@ -248,6 +297,31 @@ int main(int argc, char** argv) {
       throw CLI::RequiredError("--endpoint or --simulate");
     }
     exit = rivulet::cli::calibrate(calibrate);
+  });
+
+  rivulet::cli::CommissionOptions commission;
+  CLI::App* commissionCommand = app.add_subcommand(
+      "commission", "Test whether method credit may run on a control; moves no axis");
+  auto* tested = commissionCommand->add_option("--endpoint", commission.endpoint, "OPC UA server");
+  auto* pretended =
+      commissionCommand->add_flag("--simulate", commission.simulate, "Virtual machine");
+  tested->excludes(pretended);
+  commissionCommand->add_option("--preset", commission.preset, "Machine of --simulate")
+      ->capture_default_str();
+  commissionCommand->add_option("--seed", commission.seed, "Seed of --simulate")
+      ->capture_default_str();
+  commissionCommand
+      ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters nobody uses")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  commissionCommand->add_flag("--print", commission.printProgram,
+                              "Print the program of the test, and do nothing else");
+  addJson(commissionCommand, commission.json);
+  commissionCommand->callback([&] {
+    if (!commission.simulate && commission.endpoint.empty() && !commission.printProgram) {
+      throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    exit = rivulet::cli::commission(commission);
   });
 
   rivulet::cli::ExperimentCommandOptions experiment;

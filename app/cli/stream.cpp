@@ -5,17 +5,21 @@
 
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 
 #include "base/units.h"
 #include "cli/access_text.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "machine/config.h"
+#include "report/calibration_json.h"
+#include "report/machine_profile.h"
 #include "report/report_json.h"
+#include "streaming/commissioning.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -83,19 +87,18 @@ class ConsoleSink final : public streaming::RunSink {
   streaming::RunState m_state = streaming::RunState::Idle;
 };
 
-std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
+/// What was said before anything moved.
+struct Judgement {
+  bool feasible = false;
+  opcua::Grouping form = opcua::Grouping::List;  ///< the run is expected to use
+  std::optional<feasibility::Verdict> verdict;   ///< nothing for a single point
+};
 
 /// Judged before anything moves. @return why the run must not start; nothing if it may
 std::optional<base::Error> objection(const StreamOptions& options, const Connection& connection,
                                      const gcode::Program& program,
-                                     const streaming::RunSettings& settings, bool& feasible) {
+                                     const streaming::RunSettings& settings,
+                                     const CalibrationChoice& calibrated, Judgement& judged) {
   feasibility::OperatingPoint point;
   point.method = settings.parameters.method;
   point.pointsPerLoop = settings.parameters.pointsPerLoop;
@@ -103,16 +106,23 @@ std::optional<base::Error> objection(const StreamOptions& options, const Connect
   point.feedMmPerS = settings.feedMmPerS;
   const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
   if (list.points.size() < 2) {
-    feasible = true;  // a single point needs no refill
+    judged.feasible = true;  // a single point needs no refill
     return std::nullopt;
   }
-  const auto verdict =
-      feasibility::judge(point, feasibility::programDistances(list.points, point.pointsPerLoop));
+  feasibility::AccessModel access;
+  if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+    judged.form = settings.access == streaming::AccessChoice::Fixed ? settings.grouping
+                                                                    : record->calibration.best();
+    access = report::accessModel(record->calibration, judged.form);
+  }
+  const auto verdict = feasibility::judge(
+      point, feasibility::programDistances(list.points, point.pointsPerLoop), access);
   if (!verdict) {
     return verdict.error();
   }
-  feasible = verdict->feasible;
-  if (feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
+  judged.feasible = verdict->feasible;
+  judged.verdict = *verdict;
+  if (judged.feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
     return std::nullopt;
   }
   return base::makeError(
@@ -142,22 +152,34 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   const auto first = number("/checkpoint/first_point");
   const auto points = number("/settings/points_per_loop");
   const auto windows = number("/settings/windows");
-  const auto base = number("/settings/base_cell");
+  const auto baseCell = number("/settings/base_cell");
   const std::array<std::optional<double>, 3> start{number("/checkpoint/start_mm/0"),
                                                    number("/checkpoint/start_mm/1"),
                                                    number("/checkpoint/start_mm/2")};
-  if (!run || !first || *first < 0.0 || !points || !windows || !base || !start[0] || !start[1] ||
-      !start[2]) {
+  if (!run || !first || *first < 0.0 || !points || !windows || !baseCell || !start[0] ||
+      !start[1] || !start[2]) {
     return base::fail(streaming::StreamError::CannotResume,
-                      "This is no report of a run of method window. Give the output of stream "
-                      "--json of the run to be resumed.",
+                      "This is no report of a run of method window or credit. Give the output of "
+                      "stream --json of the run to be resumed.",
                       path);
   }
   streaming::RunSettings earlier = settings;
-  earlier.parameters.method = base::MethodKind::Window;
+  const auto method = base::methodFromName(
+      json.value(nlohmann::json::json_pointer("/settings/method"), std::string("window")));
+  earlier.parameters.method =
+      method && base::hasWindows(*method) ? *method : base::MethodKind::Window;
+  earlier.parameters.windowsAhead =
+      static_cast<int>(number("/settings/windows_ahead").value_or(earlier.parameters.windowsAhead));
+  earlier.parameters.slowDown =
+      json.value(nlohmann::json::json_pointer("/settings/slow_down"), earlier.parameters.slowDown);
   earlier.parameters.pointsPerLoop = static_cast<int>(*points);
   earlier.parameters.windows = static_cast<int>(*windows);
-  earlier.parameters.baseCell = static_cast<int>(*base);
+  earlier.parameters.baseCell = static_cast<int>(*baseCell);
+  const std::string axes =
+      json.value(nlohmann::json::json_pointer("/settings/axes"), std::string("XYZ"));
+  if (const auto chosen = templates::chooseAxes(earlier.parameters, axes); !chosen) {
+    return base::fail(chosen.error());
+  }
   streaming::Checkpoint checkpoint;
   checkpoint.runNumber = static_cast<int>(*run);
   checkpoint.firstPoint = static_cast<std::size_t>(*first);
@@ -165,10 +187,15 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   checkpoint.pausesPlaced =
       json.value(nlohmann::json::json_pointer("/checkpoint/pauses_placed"), true);
   checkpoint.startMm = {*start[0], *start[1], *start[2]};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    checkpoint.startDeg[axis] =
+        number(fmt::format("/checkpoint/start_deg/{}", axis).c_str()).value_or(0.0);
+  }
   return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
 }
 
-void print(const streaming::RunReport& report, bool feasible) {
+void print(const streaming::RunReport& report, const CalibrationChoice& calibrated,
+           const Judgement& judged) {
   fmt::print("{}: {} of {} points executed", streaming::outcomeName(report.outcome),
              report.counters.executed, report.counters.total);
   if (report.integrity.judged) {
@@ -186,17 +213,73 @@ void print(const streaming::RunReport& report, bool feasible) {
              report.pauses.empty()
                  ? 0.0
                  : base::toMilliseconds(paused) / static_cast<double>(report.pauses.size()));
+  if (report.transfer) {
+    fmt::print("program on the control: {}, {}\n",
+               report.transfer->written ? "written" : "was there",
+               report.transfer->compared ? "read back and the same" : "could not be read back");
+  }
   fmt::print("access form: {}\n", accessText(report.settings.grouping, report.accessForms));
   fmt::print("access per variable: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
              base::toMilliseconds(report.access.perNode.mean),
              base::toMilliseconds(report.access.perNode.p99),
              base::toMilliseconds(report.access.perNode.max));
-  if (!feasible) {
+  if (judged.verdict) {
+    fmt::print("{}\n", accessSourceText(calibrated, judged.form, *judged.verdict));
+  }
+  if (!judged.feasible) {
     fmt::print("The settings were outside the feasible region.\n");
   }
   if (report.error.code) {
     fmt::print(stderr, "rivulet-cli: {}\n", report.error.text());
   }
+}
+
+/// Writes the flexible program to a file and says what to do with it.
+base::Result<void> printSteps(const StreamOptions& options,
+                              const templates::TemplateParameters& parameters) {
+  const auto text = templates::generateTemplate(parameters);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  const std::string name = templates::templateFileName(parameters);
+  const std::string path = options.programFile.empty() ? name : options.programFile;
+  if (const auto written = trace::writeFile(path, *text); !written) {
+    return base::fail(written.error());
+  }
+  fmt::print(stderr,
+             "The program is in {}.\n"
+             "1. Copy it to the part programs of the control as {}. Do not change it.\n"
+             "2. Select it in channel 1.\n"
+             "3. Press cycle start. It waits; the axes move only once Rivulet has found the\n"
+             "   layout number {} in R{}.\n"
+             "Rivulet waits up to {:.0f} s from now on.\n",
+             path, name, templates::layoutNumber(parameters),
+             templates::planCells(parameters)->layout,
+             base::toSeconds(streaming::RunSettings{}.startDeadline));
+  return {};
+}
+
+/// Method credit only where its test has been passed. In virtual time it is made on the spot.
+base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
+  if (!options.simulate) {
+    const auto identity = connection.control->identity();
+    if (!identity) {
+      return base::fail(identity.error());
+    }
+    return report::requireCreditTest(report::profileFolder(), connection.name, *identity);
+  }
+  streaming::CommissioningPlan plan;
+  plan.firstCell = options.point.baseCell;
+  const auto result = streaming::commission(*connection.link, *connection.control, plan);
+  if (!result) {
+    return base::fail(result.error());
+  }
+  if (!result->passed()) {
+    return base::fail(streaming::StreamError::NotCommissioned,
+                      "This virtual machine does not pass the test of method credit: see "
+                      "commission --simulate. Choose method window.");
+  }
+  return {};
 }
 
 }  // namespace
@@ -217,16 +300,22 @@ Exit stream(const StreamOptions& options) {
   program->trajectory = options.resampling.resampled(std::move(program->trajectory));
   streaming::RunSettings settings;
   settings.parameters = options.point.parameters();
+  if (options.point.axes.empty()) {
+    settings.parameters = streaming::withTurnedAxes(settings.parameters, program->trajectory);
+  }
   settings.deltaMm = options.point.deltaMm;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   settings.grouping = options.access == "single" ? opcua::Grouping::Single : opcua::Grouping::List;
   if (options.access == "array") {
     settings.access = streaming::AccessChoice::Array;
-  } else if (options.access == "auto" && settings.parameters.method == base::MethodKind::Window) {
+  } else if (options.access == "auto" && base::hasWindows(settings.parameters.method)) {
     // The other two are kept as they were published.
     settings.access = streaming::AccessChoice::Best;
   }
   settings.monitor = !options.noMonitor;
+  if (options.transfer == "by-hand") {
+    settings.transfer = streaming::TransferWay::ByHand;
+  }
   settings.placePauses = !options.evenPauses;
 
   if (const auto cells = templates::planCells(settings.parameters); !cells) {
@@ -242,8 +331,25 @@ Exit stream(const StreamOptions& options) {
   if (!connection) {
     return reportError(connection.error(), options.json);
   }
-  bool feasible = false;
-  if (const auto error = objection(options, *connection, *program, settings, feasible)) {
+  if (settings.parameters.method == base::MethodKind::Credit) {
+    if (const auto tested = requireTest(options, *connection); !tested) {
+      return reportError(tested.error(), options.json);
+    }
+    settings.isCommissioned = true;
+  }
+  CalibrationChoice calibrated;
+  if (!options.simulate) {
+    auto choice = calibrationOf(*connection);
+    if (!choice) {
+      return reportError(choice.error(), options.json);
+    }
+    calibrated = std::move(*choice);
+    if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+      settings.calibration = std::make_shared<const streaming::Calibration>(record->calibration);
+    }
+  }
+  Judgement judged;
+  if (const auto error = objection(options, *connection, *program, settings, calibrated, judged)) {
     return reportError(*error, options.json);
   }
 
@@ -277,6 +383,11 @@ Exit stream(const StreamOptions& options) {
   recorder.start.endpoint = connection->name;
   recorder.start.startedAtUtc = utcNow();
 
+  if (settings.transfer == streaming::TransferWay::ByHand) {
+    if (const auto printed = printSteps(options, settings.parameters); !printed) {
+      return reportError(printed.error(), options.json);
+    }
+  }
   watchForInterrupt();
   ConsoleOrders orders(options.stopAfterS);
   streaming::RunReport report;
@@ -288,14 +399,17 @@ Exit stream(const StreamOptions& options) {
   const bool recorded = !writer || writer->ok();
   if (options.json) {
     nlohmann::ordered_json json = report::runJson(report);
-    json["feasible"] = feasible;
+    json["feasible"] = judged.feasible;
+    if (judged.verdict) {
+      json["access_time"] = accessSourceJson(calibrated, judged.form, *judged.verdict);
+    }
     json["endpoint"] = connection->name;
     if (!options.record.empty()) {
       json["recording"] = options.record;
     }
     printJson(json);
   } else {
-    print(report, feasible);
+    print(report, calibrated, judged);
   }
   if (!recorded) {
     fmt::print(stderr, "rivulet-cli: {}: The recording is incomplete: the disk took no more.\n",

@@ -136,7 +136,7 @@ Exit makeTemplate(const TemplateOptions& options) {
   }
   if (options.json) {
     nlohmann::ordered_json numbers;
-    if (parameters.method == base::MethodKind::Window) {
+    if (base::hasWindows(parameters.method)) {
       numbers = {{"run", cells->run},
                  {"delivered", cells->delivered},
                  {"latched", cells->latched},

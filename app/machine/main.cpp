@@ -12,11 +12,13 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include "machine/config.h"
 #include "machine/front/server.h"
 #include "machine/machine.h"
+#include "trace/file.h"
 
 namespace {
 
@@ -64,6 +66,12 @@ int main(int argc, char** argv) {
   app.add_option("--port", options.port, "TCP port; 0 takes a free one")->capture_default_str();
   app.add_option("--preset", preset, "Machine: a built-in preset or a TOML file")
       ->capture_default_str();
+  bool noFileRights = false;
+  std::string program;
+  app.add_flag("--no-file-rights", noFileRights,
+               "Clients may not write, read and select part programs");
+  app.add_option("--program", program,
+                 "Part program that is there and selected, as if an operator had put it there");
   app.add_option("--seed", seed, "Seed of the machine's random numbers")->capture_default_str();
   app.set_version_flag("--version", "rivulet-machine " RIVULET_VERSION);
   try {
@@ -77,6 +85,20 @@ int main(int argc, char** argv) {
     return complain(config.error(), kExitUsage);
   }
   rivulet::machine::Machine machine(*config, seed);
+  options.fileRights = !noFileRights;
+  if (!program.empty()) {
+    const auto text = rivulet::trace::readFile(program);
+    const std::string name = std::filesystem::path(program).filename().string();
+    if (!text) {
+      return complain(text.error(), kExitUsage);
+    }
+    if (const auto stored = machine.storeProgram(name, *text, true); !stored) {
+      return complain(stored.error(), kExitUsage);
+    }
+    if (const auto selected = machine.selectProgram(name); !selected) {
+      return complain(selected.error(), kExitUsage);
+    }
+  }
   const auto server = rivulet::machine::Server::start(machine, options);
   if (!server) {
     const bool isAddress = server.error().code == rivulet::machine::FrontError::AddressUnusable;

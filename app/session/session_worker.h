@@ -35,7 +35,8 @@ class SessionWorker {
 
   /// @return false if more orders wait than anybody can have meant
   bool order(SessionOrder order);
-  /// Takes effect within a driver's look at its orders, 20 ms.
+  /// Takes effect within a driver's look at its orders, 20 ms; cancels a calibration behind the
+  /// request under way.
   void stopRun();
   /// The run that lasts is to wait in front of its next window, or to go on (method window).
   void holdRun(bool hold);
@@ -56,6 +57,7 @@ class SessionWorker {
   /// What stands in the way of a start that only shows now. The template is put to the proof once
   /// per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartOrder& order, streaming::RunSink& sink);
+  void calibrate(const CalibrateOrder& order);
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
@@ -70,6 +72,8 @@ class SessionWorker {
   std::atomic<std::size_t> m_lost{0};
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
   std::string m_proven;                   // text of the template proved last; streaming thread only
+  std::string m_endpoint;                 // of `m_link`
+  opcua::ServerIdentity m_server;
   std::thread m_thread;
 };
 

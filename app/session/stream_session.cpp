@@ -35,12 +35,20 @@ void StreamSession::disconnectFrom() {
 void StreamSession::start(std::shared_ptr<const gcode::Program> program,
                           const streaming::RunSettings& settings, const QString& recordingPath,
                           std::optional<ResumeQuestion> resumes) {
-  if (m_running || m_asking) {
+  if (m_running || m_asking || m_calibrating) {
     return;
   }
   m_running = m_worker->order(StartOrder{
       std::move(program), settings, recordingPath.toStdString(),
       QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(), std::move(resumes)});
+}
+
+void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
+  if (m_running || m_calibrating) {
+    return;
+  }
+  m_calibrating = m_worker->order(
+      CalibrateOrder{plan, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
 }
 
 void StreamSession::stop() {
@@ -73,6 +81,11 @@ void StreamSession::drain() {
     } else if (const auto* found = std::get_if<ResumeFound>(&*event)) {
       m_asking = false;
       Q_EMIT resumeFound(*found);
+    } else if (const auto* progress = std::get_if<streaming::CalibrationProgress>(&*event)) {
+      Q_EMIT calibrationProgressed(*progress);
+    } else if (const auto* calibrated = std::get_if<CalibrationFinished>(&*event)) {
+      m_calibrating = false;
+      Q_EMIT calibrationFinished(*calibrated);
     }
   }
 }

@@ -36,7 +36,11 @@ class StreamSession final : public QObject {
   /// Answered by `resumeFound`. Nothing while a run lasts.
   void askResume(ResumeQuestion question);
 
+  /// Measures what access costs, on cells the operator has confirmed. `stop` cancels.
+  void calibrate(const streaming::CalibrationPlan& plan);
+
   [[nodiscard]] bool isRunning() const { return m_running; }
+  [[nodiscard]] bool isCalibrating() const { return m_calibrating; }
   [[nodiscard]] bool isAsking() const { return m_asking; }
 
  Q_SIGNALS:
@@ -46,6 +50,8 @@ class StreamSession final : public QObject {
   void noteArrived(const rivulet::trace::Note& note);
   void runFinished(const rivulet::session::RunFinished& finished);
   void resumeFound(const rivulet::session::ResumeFound& found);
+  void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
+  void calibrationFinished(const rivulet::session::CalibrationFinished& finished);
 
  private:
   void drain();
@@ -54,6 +60,7 @@ class StreamSession final : public QObject {
   QTimer m_timer;
   bool m_running = false;
   bool m_asking = false;
+  bool m_calibrating = false;
 };
 
 }  // namespace rivulet::session

@@ -15,13 +15,22 @@ enum class MethodKind {
   Position,  ///< method 1 of [P1], Algorithm II: polls the position
   Signal,    ///< method 2 of [P1], Algorithm III: polls a signal cell
   Window,    ///< numbered windows: the control takes none that has not been delivered
+  Credit,    ///< as Window, without a stop between windows; experimental
+  File,      ///< as Window, but each window is a subprogram that is transferred; for comparison
 };
 
 /// In the order they are offered.
-inline constexpr std::array<MethodKind, 3> kMethodKinds{MethodKind::Window, MethodKind::Position,
-                                                        MethodKind::Signal};
+inline constexpr std::array<MethodKind, 5> kMethodKinds{MethodKind::Window, MethodKind::Position,
+                                                        MethodKind::Signal, MethodKind::Credit,
+                                                        MethodKind::File};
 /// Those of [P1], kept as published.
 inline constexpr std::array<MethodKind, 2> kPaperMethods{MethodKind::Position, MethodKind::Signal};
+
+/// The control takes numbered windows, and only those that have been delivered: the cells, the
+/// client and the way back are the same.
+[[nodiscard]] constexpr bool hasWindows(MethodKind method) {
+  return method == MethodKind::Window || method == MethodKind::Credit || method == MethodKind::File;
+}
 
 /// The name used in files, on the command line and in templates.
 [[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
@@ -30,6 +39,10 @@ inline constexpr std::array<MethodKind, 2> kPaperMethods{MethodKind::Position, M
       return "position";
     case MethodKind::Signal:
       return "signal";
+    case MethodKind::Credit:
+      return "credit";
+    case MethodKind::File:
+      return "file";
     case MethodKind::Window:
       break;
   }

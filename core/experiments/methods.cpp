@@ -26,7 +26,8 @@ constexpr std::size_t kPoints = 140;
 constexpr int kPointsPerLoop = 7;
 constexpr double kPointDistanceMm = 0.15;  // as in [P1], Fig. 4
 constexpr double kRestMmMean = 0.15;
-constexpr std::array kMethods{MethodKind::Position, MethodKind::Signal, MethodKind::Window};
+constexpr std::array kMethods{MethodKind::Position, MethodKind::Signal, MethodKind::Window,
+                              MethodKind::Credit};
 constexpr std::array<double, 12> kFeeds{100.0,  200.0,  300.0,  500.0,  700.0,  1000.0,
                                         1500.0, 2000.0, 3000.0, 5000.0, 8000.0, 12000.0};
 
@@ -50,6 +51,8 @@ Measured measure(const ExperimentOptions& options, MethodKind method, double fee
       streaming::drawContour({kPoints, kPointDistanceMm, kRestMmMean}, random));
   scenario.settings.parameters.method = method;
   scenario.settings.parameters.pointsPerLoop = kPointsPerLoop;
+  scenario.settings.isCommissioned =
+      options.machine.rRead == machine::RRead::AtInterpretation && !options.machine.jumpStops;
   scenario.settings.deltaMm = kPointDistanceMm;
   scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   scenario.settings.monitor = false;  // reads nothing but what the method needs
@@ -186,9 +189,9 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
     if (largest) {
       best.rows.push_back(rowOf(kMethods[m], kFeeds[*largest], summaries[*largest], seeds));
     }
-    if (kMethods[m] == MethodKind::Window) {
+    if (base::hasWindows(kMethods[m])) {
       Check never;
-      never.what = "runs of method window with an error, all feeds";
+      never.what = fmt::format("runs of method {} with an error, all feeds", name);
       never.source = "promise of the method";
       never.reference = 0.0;
       never.ours = static_cast<double>(wrong);
@@ -207,8 +210,11 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
                   kFeeds.size(), kFeeds.back()),
       "Between points so close, and with a stand-still in each loop, the axes of the machine never "
       "reach the larger feeds: points per second approach a limit, and so do the errors.",
-      "Method window is right at any feed because its axes wait where the client is late; the "
-      "methods of [P1] are right only where they are fast enough on the machine in question.",
+      "Methods window and credit are right at any feed because their axes wait where the client is "
+      "late; the methods of [P1] are right only where they are fast enough on the machine in "
+      "question.",
+      "Method credit is experimental: it needs a control that reads R-parameters each time it "
+      "passes a block, as this virtual machine does.",
       "Where runs went wrong, the figures of the second table are those of runs that repeat or "
       "skip points: they are no measure of the method."};
   return result;

@@ -47,9 +47,23 @@ std::optional<PathTime> pathTime(const gcode::Trajectory& trajectory, base::Vec3
     }
     return positionMm;
   };
+  // As `gcode::streamPoints` sees it: a move that only turns is streamed, too.
+  const auto turnsAt = [&trajectory](std::size_t index) {
+    const auto degrees = [&trajectory, index](std::size_t back, std::size_t axis) {
+      const double value = trajectory.rotary[index - back].degrees[axis];
+      return std::isnan(value) ? 0.0 : value;
+    };
+    for (std::size_t axis = 0; !trajectory.rotary.empty() && axis < base::kRotaryAxisCount;
+         ++axis) {
+      if (degrees(0, axis) != degrees(1, axis)) {
+        return true;
+      }
+    }
+    return false;
+  };
   // A point that repeats its predecessor is not streamed: it fills no slot of a loop.
   const auto isStreamed = [&](std::size_t index) {
-    return index == 0 || !(targetMm(index) == targetMm(index - 1));
+    return index == 0 || !(targetMm(index) == targetMm(index - 1)) || turnsAt(index);
   };
   std::size_t lastStreamed = points.empty() ? 0 : points.size() - 1;
   while (lastStreamed > 0 && !isStreamed(lastStreamed)) {

@@ -62,7 +62,7 @@ std::vector<MethodEquation> equationsOf(base::MethodKind method,
   if (method == base::MethodKind::Position) {
     return {{Equation::PointDistance, true}, {Equation::Delta, true}};
   }
-  if (method == base::MethodKind::Window) {
+  if (base::hasWindows(method)) {
     return {{Equation::Reach, true}};
   }
   if (distances.windowSteps > 0) {
@@ -82,6 +82,8 @@ double windowLengthMmBound(const ProgramDistances& distances, int steps) {
 double marginOf(Equation equation, const OperatingPoint& operatingPoint,
                 const ProgramDistances& distances, base::Duration pollTime,
                 const AccessModel& access, const SafetyFactors& safety) {
+  const base::Duration accessTime =
+      access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop);
   switch (equation) {
     case Equation::PointDistance:
       return pointDistanceMargin(operatingPoint.feedMmPerS, pollTime, distances.pointDistanceMmMin,
@@ -89,11 +91,10 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
     case Equation::Delta:
       return deltaMargin(operatingPoint.feedMmPerS, pollTime, operatingPoint.deltaMm, safety.delta);
     case Equation::Window:
-      return windowMargin(operatingPoint.feedMmPerS, access.accessTime,
-                          operatingPoint.pointsPerLoop, distances.pointDistanceMmMin,
-                          safety.window);
+      return windowMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
+                          distances.pointDistanceMmMin, safety.window);
     case Equation::Reach:
-      return reachMargin(operatingPoint.feedMmPerS, access.accessTime, operatingPoint.pointsPerLoop,
+      return reachMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
                          distances.windowSteps > 0
                              ? windowLengthMmBound(distances, operatingPoint.pointsPerLoop)
                              : operatingPoint.pointsPerLoop * distances.pointDistanceMmMin,
@@ -101,9 +102,9 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
     case Equation::RealWindow:
       break;
   }
-  return realWindowMargin(
-      operatingPoint.feedMmPerS, access.accessTime, operatingPoint.pointsPerLoop,
-      windowLengthMmBound(distances, operatingPoint.pointsPerLoop / 2), safety.window);
+  return realWindowMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
+                          windowLengthMmBound(distances, operatingPoint.pointsPerLoop / 2),
+                          safety.window);
 }
 
 base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramDistances& distances,
@@ -127,8 +128,10 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
         fmt::format("N is {}: choose at least 2 points per loop.", operatingPoint.pointsPerLoop));
   }
 
-  const base::Duration poll = pollTime(access.accessTime).max;
   Verdict verdict;
+  verdict.accessTime = access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop);
+  verdict.accessMeasured = access.measured.has_value();
+  const base::Duration poll = pollTime(verdict.accessTime).max;
   bool first = true;
   for (const MethodEquation& entry : equationsOf(operatingPoint.method, distances)) {
     const Condition condition{
@@ -141,7 +144,7 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
     }
   }
   const bool inTime = holds(verdict.limiting.margin);
-  const bool window = operatingPoint.method == base::MethodKind::Window;
+  const bool window = base::hasWindows(operatingPoint.method);
   verdict.feasible = inTime || window;
   verdict.waits = window && !inTime;
   // Every left side is proportional to the feed, so the margin is the factor left for it.

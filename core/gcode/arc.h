@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "gcode/facts.h"
 
 namespace rivulet::gcode {
 
@@ -66,6 +67,9 @@ struct ResolvedArc {
   double halfChord = 0.0;
   std::size_t axis = 0;  ///< CentreOutsidePlane
 };
+
+/// The same words read as their writer may have meant the centre; AC() means what it says.
+[[nodiscard]] ArcWords readAs(CentreReading reading, ArcWords words);
 
 /// The arc a block describes. Any unit.
 /// @param arc  start, end, plane, direction and turns; the centre is found here. With AR= and a

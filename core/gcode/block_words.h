@@ -44,7 +44,8 @@ struct RareWords {
   bool tangentArc = false;
   bool threePointArc = false;
   bool bSpline = false;
-  bool workOffsetP = false;
+  int workOffsetKey = -1;  ///< G54.1, G154: which offset says P
+  const Token* workOffsetToken = nullptr;
 };
 
 struct BlockWords {
@@ -52,6 +53,8 @@ struct BlockWords {
   std::array<double, base::kAxisCount> centre{};
   std::array<bool, base::kAxisCount> hasCentre{};
   std::array<bool, base::kAxisCount> centreIsAbsolute{};
+  /// AC(), IC() and the like: G90 and G91 do not count.
+  std::array<bool, kProgrammedAxisCount> hasOwnMode{};
   double feed = 0.0;
   double radius = 0.0;
   bool hasFeed = false;

@@ -61,7 +61,7 @@ void FactCounter::line(const AxisValues& axes) {
   }
 }
 
-void FactCounter::arc(int g, const AxisValues& axes, Arc arc, const ArcWords& words) {
+void FactCounter::arc(int g, const AxisValues& axes, Arc arc, ArcWords words) {
   count(g);
   const std::size_t third = (arc.firstAxis + 2) % base::kAxisCount;
   bool known = true;
@@ -83,10 +83,12 @@ void FactCounter::arc(int g, const AxisValues& axes, Arc arc, const ArcWords& wo
     ++m_facts.arcExcluded;
     return;
   }
+  // A centre across the plane says nothing about the arc in it.
+  words.centre[third].reset();
   bool counted = false;
   for (std::size_t reading = 0; reading < kCentreReadings.size(); ++reading) {
     ArcReading& sums = m_readings[reading];
-    const ResolvedArc resolved = resolveArc(arc, readAs(kCentreReadings[reading], arc, words));
+    const ResolvedArc resolved = resolveArc(arc, readAs(kCentreReadings[reading], words));
     switch (resolved.problem) {
       case ArcProblem::None: {
         const ArcRadii radii = arcRadii(resolved.arc);
@@ -110,22 +112,6 @@ void FactCounter::arc(int g, const AxisValues& axes, Arc arc, const ArcWords& wo
     }
   }
   m_facts.arcExcluded += counted ? 0U : 1U;
-}
-
-ArcWords FactCounter::readAs(CentreReading reading, const Arc& arc, ArcWords words) {
-  // A centre across the plane says nothing about the arc in it.
-  words.centre[(arc.firstAxis + 2) % base::kAxisCount].reset();
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!words.centre[axis]) {
-      continue;
-    }
-    if (reading == CentreReading::Absolute) {
-      words.centreIsAbsolute[axis] = true;
-    } else if (reading == CentreReading::StartMinusCentre && !words.centreIsAbsolute[axis]) {
-      *words.centre[axis] *= -1.0;
-    }
-  }
-  return words;
 }
 
 void FactCounter::machineMotion(int g, const AxisValues& axes) {

@@ -33,7 +33,7 @@ class FactCounter {
     }
   }
   /// @param g  2 or 3  @param arc  plane, direction and turns; start and end are found here
-  void arc(int g, const AxisValues& axes, Arc arc, const ArcWords& words);
+  void arc(int g, const AxisValues& axes, Arc arc, ArcWords words);
   /// A move in machine coordinates: counted, but its values are others.
   void machineMotion(int g, const AxisValues& axes);
   void otherMotion() { ++m_facts.otherMotions; }
@@ -54,7 +54,6 @@ class FactCounter {
     double length = 0.0;
     double mismatch = 0.0;
   };
-  [[nodiscard]] static ArcWords readAs(CentreReading reading, const Arc& arc, ArcWords words);
   void line(const AxisValues& axes);
   void takeOver(const AxisValues& axes);
 

@@ -3,6 +3,7 @@
 
 #include "gcode/frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +15,9 @@ namespace {
 
 using base::Vec3;
 using Columns = std::array<Vec3, base::kAxisCount>;
+
+/// Lengths and right angles that differ by less do so by rounding.
+constexpr double kSameShare = 1e-12;
 
 Vec3 times(const Columns& columns, Vec3 vector) {
   Vec3 sum;
@@ -59,14 +63,39 @@ bool Frame::isAligned() const {
   return true;
 }
 
+bool Frame::isSkewed() const {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const Vec3& a = m_columns[axis];
+    const Vec3& b = m_columns[(axis + 1) % base::kAxisCount];
+    if (std::abs(base::dot(a, b)) > kSameShare * base::norm(a) * base::norm(b)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool Frame::keepsCircles() const {
   const double squares = base::dot(m_columns[0], m_columns[0]);
   for (const Vec3& column : m_columns) {
-    if (std::abs(base::dot(column, column) - squares) > 1e-12 * squares) {
+    if (std::abs(base::dot(column, column) - squares) > kSameShare * squares) {
       return false;
     }
   }
-  return true;
+  return !isSkewed();
+}
+
+double Frame::stretchMax() const {
+  if (m_isIdentity) {
+    return 1.0;
+  }
+  double largest = 0.0;
+  double sum = 0.0;
+  for (const Vec3& column : m_columns) {
+    largest = std::max(largest, base::dot(column, column));
+    sum += base::dot(column, column);
+  }
+  // Where the columns are not at right angles, the Frobenius norm bounds the stretch.
+  return std::sqrt(isSkewed() ? sum : largest);
 }
 
 void Frame::translate(Vec3 offsetMm) {

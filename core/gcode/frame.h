@@ -27,6 +27,10 @@ class Frame {
   /// True if a circle stays one: scaled evenly or not at all.
   [[nodiscard]] bool keepsCircles() const;
 
+  /// No length grows by more than this factor; exact unless axes that were scaled unevenly have
+  /// been turned afterwards.
+  [[nodiscard]] double stretchMax() const;
+
   // Each follows the frame there is: what it does happens in the programmed coordinates.
   void translate(base::Vec3 offsetMm);
   /// @param axis 0, 1, 2: about X, Y, Z, counterclockwise seen against it
@@ -35,6 +39,8 @@ class Frame {
   void scale(base::Vec3 factors);
 
  private:
+  [[nodiscard]] bool isSkewed() const;
+
   std::array<base::Vec3, base::kAxisCount> m_columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::array<base::Vec3, base::kAxisCount> m_inverseColumns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   base::Vec3 m_translationMm;

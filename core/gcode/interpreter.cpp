@@ -295,6 +295,7 @@ class Interpreter {
   static void markAbsolute(char address, BlockWords& words) {
     if (const std::size_t axis = axisOf(address); axis < kProgrammedAxisCount) {
       words.axes.isIncrement[axis] = false;
+      words.hasOwnMode[axis] = true;
     } else if (address >= 'I' && address <= 'K') {
       words.centreIsAbsolute[static_cast<std::size_t>(address - 'I')] = true;
     }
@@ -379,15 +380,10 @@ class Interpreter {
     switch (address) {
       case 'X':
       case 'Y':
-      case 'Z': {
-        const auto axis = static_cast<std::size_t>(address - 'X');
-        words.axes.value[axis] = token.value;
-        words.axes.given[axis] = true;
-        words.axes.isIncrement[axis] = token.isIncrement || m_relative;
-        words.axisTokens[axis] = &token;
-        noteColumn(token, words);
+      case 'Z':
+        setAxis(token, words);
+        words.axisTokens[axisOf(address)] = &token;
         break;
-      }
       case 'I':
       case 'J':
       case 'K': {
@@ -449,16 +445,21 @@ class Interpreter {
     }
   }
 
-  void readFurtherAxis(const Token& token, BlockWords& words) {
+  void setAxis(const Token& token, BlockWords& words) {
     const std::size_t axis = axisOf(token.address);
     words.axes.value[axis] = token.value;
     words.axes.given[axis] = true;
     words.axes.isIncrement[axis] = token.isIncrement || m_relative;
+    words.hasOwnMode[axis] = token.isIncrement;
+    noteColumn(token, words);
+  }
+
+  void readFurtherAxis(const Token& token, BlockWords& words) {
+    setAxis(token, words);
     words.hasRotary = true;
     if (token.address == 'U') {
       words.parameter = &token;
     }
-    noteColumn(token, words);
     if (token.address >= 'U' && !words.dwell) {
       m_furtherTokens.push_back(token);
     }
@@ -593,8 +594,8 @@ class Interpreter {
         selectWorkOffset(key, token);
         break;
       case GEffect::WorkOffsetP:
-        words.rareWords().workOffsetP = true;
-        m_findings.ignoreG(index, token);
+        words.rareWords().workOffsetKey = key;
+        words.rare->workOffsetToken = &token;
         break;
       case GEffect::MachineMove:
         words.machineMove = true;
@@ -649,7 +650,9 @@ class Interpreter {
     if (relative != m_relative) {
       m_relative = relative;
       for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
-        words.axes.isIncrement[axis] = words.axes.given[axis] && relative;
+        if (!words.hasOwnMode[axis]) {
+          words.axes.isIncrement[axis] = words.axes.given[axis] && relative;
+        }
       }
     }
   }
@@ -677,17 +680,19 @@ class Interpreter {
   /// The streamed points carry no work offset: the one active at the control holds for all of
   /// them. So the program's first choice is a note; another one once the tool has moved would
   /// send it to a wrong place.
-  void selectWorkOffset(int key, const Token& token) {
-    const bool changes = m_moved && key != m_workOffset;
-    if (changes) {
+  /// @param number  of the further offsets of G54.1 and G154
+  void selectWorkOffset(int key, const Token& token, double number = 0.0) {
+    const bool isOther = key != m_workOffset || number != m_workOffsetNumber;
+    if (m_moved && isOther) {
       m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
     } else {
       m_findings.ignoreG(static_cast<std::size_t>(key), token);
     }
-    if (key != m_workOffset) {
+    if (isOther) {
       m_facts.forget();
     }
     m_workOffset = key;
+    m_workOffsetNumber = number;
   }
 
   void readM(const Token& token, BlockWords& words) {
@@ -897,7 +902,7 @@ class Interpreter {
   }
 
   [[nodiscard]] bool usesParameter(const BlockWords& words) const {
-    return words.rare && (words.rare->call98 || words.rare->workOffsetP ||
+    return words.rare && (words.rare->call98 || words.rare->workOffsetToken != nullptr ||
                           !words.rare->call.empty() || words.rare->returns);
   }
 
@@ -953,6 +958,12 @@ class Interpreter {
     }
     if (rare.splineKey >= 0) {
       selectSpline(rare.splineKey);
+    }
+    if (rare.workOffsetToken != nullptr && !words.p) {
+      m_findings.report(Severity::Error, rare.workOffsetToken->column,
+                        DiagnosticCode::NumberMissing, "P");
+    } else if (rare.workOffsetToken != nullptr) {
+      selectWorkOffset(rare.workOffsetKey, *rare.workOffsetToken, *words.p);
     }
     if (rare.pole) {
       setPole(words);
@@ -1103,6 +1114,9 @@ class Interpreter {
     const bool additive = name[0] == 'A';
     const std::string_view kind = additive ? std::string_view(name).substr(1) : name;
     Frame frame = additive ? m_path.frame() : m_baseFrame;
+    if (!knowsAllAxes(words, name)) {
+      return;
+    }
     const NamedWord* const inPlane = words.named("RPL");
     if (kind == "TRANS") {
       Vec3 offset;
@@ -1149,11 +1163,23 @@ class Interpreter {
     }
   }
 
+  /// Frames shift, turn and scale X, Y and Z; where the other axes would go is not known.
+  bool knowsAllAxes(const BlockWords& words, const std::string& statement) {
+    if (words.hasRotary) {
+      m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::UnsupportedGCode,
+                        statement);
+    }
+    return !words.hasRotary;
+  }
+
   /// G92, G92.1 and G52.
   void setOffset(const BlockWords& words) {
     flushSpline();
     const RareWords& rare = *words.rare;
     m_facts.forget();
+    if (!knowsAllAxes(words, rare.localOffset ? "G52" : "G92")) {
+      return;
+    }
     if (rare.setsPosition && !words.moves()) {
       return;  // G92 S: a limit of the spindle; G92 alone: nothing
     }
@@ -1424,15 +1450,16 @@ class Interpreter {
     move.toolDirection = (1.0 / length) * direction;
     if (!m_directionReported) {
       m_directionReported = true;
-      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::RotaryAxes,
+      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::ToolDirections,
                         "A3 B3 C3");
     }
   }
 
   void noteRotary(std::size_t axis, double degrees, int column) {
-    if (!m_rotaryFirst[axis]) {
-      m_rotaryFirst[axis] = degrees;
-    } else if (*m_rotaryFirst[axis] != degrees && !m_rotaryReported[axis]) {
+    // An axis first named in mid-path turns there: where it stood before is not known.
+    const bool turns = m_rotaryFirst[axis] ? *m_rotaryFirst[axis] != degrees : m_pathBegun;
+    m_rotaryFirst[axis] = m_rotaryFirst[axis].value_or(degrees);
+    if (turns && !m_rotaryReported[axis]) {
       m_rotaryReported[axis] = true;
       m_findings.report(Severity::Warning, column, DiagnosticCode::RotaryAxes,
                         std::string(1, kProgrammedAxes[axis + 3]));
@@ -1450,6 +1477,7 @@ class Interpreter {
     m_moved = true;
     const Vec3 target = targetOf(words);
     const MoveWords details = moveWords(words, target);
+    m_pathBegun = m_pathBegun || words.movesLinear() || words.rare || words.hasAnyCentre();
     const bool rapid = m_motion == Motion::Rapid;
     if (!rapid && details.feedMmPerS == 0.0 && !m_feedMissingReported &&
         !(m_feedMode == FeedMode::InverseTime && words.hasFeed)) {
@@ -1556,7 +1584,7 @@ class Interpreter {
                         std::string(words.centreTokens[third]->text));
       arcWords.centre[third].reset();
     }
-    applyReading(arcWords);
+    arcWords = readAs(m_options.centres, arcWords);
     if (m_polarTurnDegrees != 0.0 && words.named("AP") != nullptr) {
       arc.turns =
           std::max(0, static_cast<int>(std::ceil(std::abs(m_polarTurnDegrees) / 360.0)) - 1);
@@ -1573,19 +1601,13 @@ class Interpreter {
     }
     MoveWords arcDetails = details;
     if (m_feedMode == FeedMode::InverseTime && words.hasFeed) {
-      arcDetails.feedMmPerS = arcLength(resolved.arc) * words.feed / 60.0;
+      // How long an ellipse is, is not known in advance.
+      arcDetails.feedMmPerS =
+          m_path.frame().keepsCircles()
+              ? arcLength(resolved.arc) * m_path.frame().stretchMax() * words.feed / 60.0
+              : 0.0;
     }
     m_path.arc(resolved.arc, arcDetails);
-  }
-
-  void applyReading(ArcWords& arcWords) const {
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (m_options.centres == CentreReading::Absolute) {
-        arcWords.centreIsAbsolute[axis] = true;
-      } else if (m_options.centres == CentreReading::StartMinusCentre && arcWords.centre[axis]) {
-        *arcWords.centre[axis] *= -1.0;
-      }
-    }
   }
 
   ArcWords arcWordsOf(const BlockWords& words, Arc& arc) const {
@@ -1654,7 +1676,7 @@ class Interpreter {
   /// One block may not fill the memory, however large its arc and small the tolerance.
   bool hasFewChords(double sweepRad, double radiusMm, const BlockWords& words) {
     constexpr double kChordsMax = 1e6;
-    if (chordCount(sweepRad, radiusMm, m_options.chordToleranceMm) <= kChordsMax) {
+    if (chordCount(sweepRad, radiusMm, m_path.chordToleranceMm()) <= kChordsMax) {
       return true;
     }
     m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::TooManyPoints,
@@ -1900,7 +1922,9 @@ class Interpreter {
   bool m_diameter = false;
   bool m_diameterIncrements = false;
   bool m_moved = false;
+  bool m_pathBegun = false;  ///< X, Y or Z has moved
   int m_workOffset = -1;
+  double m_workOffsetNumber = 0.0;
 
   // Frames and poles, programmed coordinates.
   Frame m_baseFrame;  ///< G52 and G92; TRANS and ROT work on it

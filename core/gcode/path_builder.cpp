@@ -121,8 +121,27 @@ void PathBuilder::keepArc(const SpaceArc& arc, Vec3 targetMm, const MoveWords& w
                                (1.0 / base::norm(axis)) * axis, arc.sweepRad});
 }
 
-void PathBuilder::appendCurve(MoveKind kind, const std::optional<SpaceArc>& kept,
+double PathBuilder::chordToleranceMm() const {
+  return m_options.chordToleranceMm / m_frame.stretchMax();
+}
+
+double PathBuilder::workpieceLengthMm(double programmedMm) const {
+  if (m_frame.keepsCircles()) {
+    return programmedMm * m_frame.stretchMax();
+  }
+  double sumMm = 0.0;
+  Vec3 from = m_frame.toWorkpiece(m_programmedMm);
+  for (const Vec3& chord : m_chords) {
+    const Vec3 to = m_frame.toWorkpiece(chord);
+    sumMm += base::distance(from, to);
+    from = to;
+  }
+  return sumMm;
+}
+
+void PathBuilder::appendCurve(MoveKind kind, double lengthMm, const std::optional<SpaceArc>& kept,
                               const MoveWords& words) {
+  m_statistics.cutLengthMm += workpieceLengthMm(lengthMm);
   const Vec3 before = m_chords.size() > 1 ? m_chords[m_chords.size() - 2] : m_programmedMm;
   if (m_options.keepArcs && kept && m_frame.keepsCircles()) {
     keepArc(*kept, m_chords.back(), words);
@@ -139,26 +158,27 @@ void PathBuilder::appendCurve(MoveKind kind, const std::optional<SpaceArc>& kept
 void PathBuilder::arc(const Arc& arc, const MoveWords& words) {
   takeRotary(words);
   m_chords.clear();
-  m_statistics.cutLengthMm += flattenArc(arc, m_options.chordToleranceMm, m_chords);
+  const double lengthMm = flattenArc(arc, chordToleranceMm(), m_chords);
   const ArcRadii radii = arcRadii(arc);
   // A spiral is no arc: it becomes chords in any case.
   const bool isCircle = std::abs(radii.startMm - radii.endMm) <= kArcRadiusToleranceMm;
-  appendCurve(MoveKind::ArcPiece, isCircle ? std::optional(inSpace(arc)) : std::nullopt, words);
+  appendCurve(MoveKind::ArcPiece, lengthMm, isCircle ? std::optional(inSpace(arc)) : std::nullopt,
+              words);
 }
 
 void PathBuilder::spaceArc(const SpaceArc& arc, Vec3 targetMm, const MoveWords& words) {
   takeRotary(words);
   m_chords.clear();
-  m_statistics.cutLengthMm +=
-      flattenSpaceArc(arc, m_programmedMm, targetMm, m_options.chordToleranceMm, m_chords);
-  appendCurve(MoveKind::ArcPiece, arc, words);
+  const double lengthMm =
+      flattenSpaceArc(arc, m_programmedMm, targetMm, chordToleranceMm(), m_chords);
+  appendCurve(MoveKind::ArcPiece, lengthMm, arc, words);
 }
 
 void PathBuilder::spline(const Spline& spline, const MoveWords& words) {
   takeRotary(words);
   m_chords.clear();
-  m_statistics.cutLengthMm += flattenSpline(spline, m_options.chordToleranceMm, m_chords);
-  appendCurve(MoveKind::SplinePiece, std::nullopt, words);
+  const double lengthMm = flattenSpline(spline, chordToleranceMm(), m_chords);
+  appendCurve(MoveKind::SplinePiece, lengthMm, std::nullopt, words);
 }
 
 }  // namespace rivulet::gcode

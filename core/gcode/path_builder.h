@@ -43,6 +43,10 @@ class PathBuilder {
   /// Length of a straight move from here; 0 if it comes from a place that is not known.
   [[nodiscard]] double lengthTo(base::Vec3 targetMm) const;
 
+  /// How far the chords of a curve may be from it in programmed coordinates, so that they are
+  /// within the tolerance in the workpiece.
+  [[nodiscard]] double chordToleranceMm() const;
+
   void line(base::Vec3 targetMm, bool rapid, const MoveWords& words);
   void arc(const Arc& arc, const MoveWords& words);
   void spaceArc(const SpaceArc& arc, base::Vec3 targetMm, const MoveWords& words);
@@ -53,7 +57,11 @@ class PathBuilder {
  private:
   void append(base::Vec3 programmedMm, MoveKind kind, const MoveWords& words);
   /// The chords collected, or one point for the arc they stand for.
-  void appendCurve(MoveKind kind, const std::optional<SpaceArc>& kept, const MoveWords& words);
+  /// @param lengthMm  true length of the curve, programmed coordinates
+  void appendCurve(MoveKind kind, double lengthMm, const std::optional<SpaceArc>& kept,
+                   const MoveWords& words);
+  /// Length in the workpiece of the curve whose chords are collected.
+  [[nodiscard]] double workpieceLengthMm(double programmedMm) const;
   void keepArc(const SpaceArc& arc, base::Vec3 targetMm, const MoveWords& words);
   void takeRotary(const MoveWords& words);
   void count(base::Vec3 workpieceMm);

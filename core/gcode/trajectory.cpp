@@ -7,24 +7,48 @@
 
 namespace rivulet::gcode {
 
-PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm) {
+PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
+                       const base::RotaryDeg& startDeg) {
   RIVULET_ASSERT(base::isFinite(startMm));
   PointList list;
   list.points.reserve(trajectory.points.size());
-  for (const TrajectoryPoint& point : trajectory.points) {
+  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+    const TrajectoryPoint& point = trajectory.points[i];
     base::Vec3 positionMm = point.positionMm;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (std::isnan(positionMm[axis])) {
         positionMm.set(axis, startMm[axis]);
       }
     }
-    if (!list.points.empty() && list.points.back().positionMm == positionMm) {
+    base::RotaryDeg rotaryDeg = startDeg;
+    for (std::size_t axis = 0; !trajectory.rotary.empty() && axis < base::kRotaryAxisCount;
+         ++axis) {
+      const double programmed = trajectory.rotary[i].degrees[axis];
+      rotaryDeg[axis] = std::isnan(programmed) ? startDeg[axis] : programmed;
+    }
+    if (!list.points.empty() && list.points.back().positionMm == positionMm &&
+        list.points.back().rotaryDeg == rotaryDeg) {
       ++list.merged;
       continue;
     }
-    list.points.push_back({positionMm, point.line, point.kind});
+    list.points.push_back({positionMm, point.line, point.kind, rotaryDeg});
   }
   return list;
+}
+
+base::RotarySet turnedAxes(const Trajectory& trajectory) {
+  base::RotarySet turned{};
+  base::RotaryDeg first = RotaryPosition{}.degrees;
+  for (const RotaryPosition& at : trajectory.rotary) {
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      if (std::isnan(first[axis])) {
+        first[axis] = at.degrees[axis];
+      }
+      turned[axis] =
+          turned[axis] || (!std::isnan(at.degrees[axis]) && at.degrees[axis] != first[axis]);
+    }
+  }
+  return turned;
 }
 
 }  // namespace rivulet::gcode

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/id.h"
 #include "base/vec3.h"
 
@@ -36,9 +37,9 @@ struct TrajectoryPoint {
 
 /// Where the rotary axes A, B, C stand at a point, degrees; NaN until the program names one.
 struct RotaryPosition {
-  std::array<double, base::kAxisCount> degrees{std::numeric_limits<double>::quiet_NaN(),
-                                               std::numeric_limits<double>::quiet_NaN(),
-                                               std::numeric_limits<double>::quiet_NaN()};
+  base::RotaryDeg degrees{std::numeric_limits<double>::quiet_NaN(),
+                          std::numeric_limits<double>::quiet_NaN(),
+                          std::numeric_limits<double>::quiet_NaN()};
 };
 
 /// An arc or helix that was kept as one point.
@@ -80,6 +81,7 @@ struct StreamPoint {
   base::Vec3 positionMm;           ///< finite, workpiece frame
   base::LineNumber line;           ///< where it comes from in the CAM program
   MoveKind kind = MoveKind::Feed;  ///< of the move that ends here
+  base::RotaryDeg rotaryDeg{};     ///< A, B, C; finite
 };
 
 struct PointList {
@@ -87,10 +89,16 @@ struct PointList {
   std::size_t merged = 0;  ///< points left out because they repeat their predecessor exactly
 };
 
-/// The points to stream, one after another. Coordinates the program leaves open are taken from
-/// `startMm`; a point equal to its predecessor is left out (it would not move an axis).
-/// @param startMm  present tool position, workpiece frame, mm; all finite
+/// The points to stream, one after another. Coordinates and angles the program leaves open are
+/// taken from the start; a point equal to its predecessor is left out (it would not move an axis).
+/// @param startMm   present tool position, workpiece frame, mm; all finite
+/// @param startDeg  where the rotary axes stand; all finite
 /// @threadsafety pure; O(points).
-[[nodiscard]] PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm);
+[[nodiscard]] PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
+                                     const base::RotaryDeg& startDeg = {});
+
+/// Rotary axes that stand differently at some points: those the program turns on its path. An axis
+/// that is only set once, before the path, is none of them.
+[[nodiscard]] base::RotarySet turnedAxes(const Trajectory& trajectory);
 
 }  // namespace rivulet::gcode

@@ -55,6 +55,11 @@ class Reader {
     return node->value<bool>().value_or(false);
   }
 
+  /// Without a problem if it is missing.
+  [[nodiscard]] bool has(const std::string& path) const {
+    return m_root.at_path(path).node() != nullptr;
+  }
+
   std::string word(const std::string& path) {
     const toml::node* node = find(path);
     if (node == nullptr) {
@@ -167,6 +172,24 @@ std::error_code make_error_code(MachineError code) {
   return {static_cast<int>(code), category};
 }
 
+base::AxisPosition MachineConfig::start() const {
+  base::AxisPosition position{{axes[0].startMm, axes[1].startMm, axes[2].startMm}, {}};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    position.deg[axis] = rotaryAxes[axis] ? rotaryAxes[axis]->startDeg : 0.0;
+  }
+  return position;
+}
+
+std::optional<std::size_t> MachineConfig::rotaryAt(int index) const {
+  int next = static_cast<int>(base::kAxisCount);
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (rotaryAxes[axis] && next++ == index) {
+      return axis;
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> presetNames() {
   std::vector<std::string> names;
   for (const auto& entry : presets::kEmbeddedTexts) {
@@ -200,6 +223,22 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
     limits.jerkMmPerS3Max = reader.number(prefix + "jerkMmPerS3", 1.0, 1e9);
     limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
     limits.startMm = reader.number(prefix + "startMm", position[0], position[1]);
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    const std::string table = fmt::format("axes.{}", base::kRotaryAxisNames[axis]);
+    if (!reader.has(table)) {
+      continue;
+    }
+    const std::string prefix = table + ".";
+    RotaryLimits& limits = config.rotaryAxes[axis].emplace();
+    const std::array<double, 2> position = reader.range(prefix + "positionDeg");
+    limits.positionDegMin = position[0];
+    limits.positionDegMax = position[1];
+    limits.speedDegPerSMax = reader.number(prefix + "speedDegPerS", 0.1, 1e5);
+    limits.accelerationDegPerS2Max = reader.number(prefix + "accelerationDegPerS2", 1.0, 1e6);
+    limits.jerkDegPerS3Max = reader.number(prefix + "jerkDegPerS3", 1.0, 1e9);
+    limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
+    limits.startDeg = reader.number(prefix + "startDeg", position[0], position[1]);
   }
   config.interpolationCycle = milliseconds(reader, "control.interpolationCycleMs", 0.1, 100.0);
   config.positionCycle = milliseconds(reader, "control.positionCycleMs", 0.01, 100.0);
@@ -246,6 +285,8 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
   } else if (arrayWrite != "all") {
     reader.problem("access.arrayWrite", "must be \"all\", \"refused\" or \"firstOnly\"", nullptr);
   }
+  config.access.programOverhead = milliseconds(reader, "access.programOverheadMs", 0.0, 60000.0);
+  config.access.programBytesPerS = 1e3 * reader.number("access.programKilobytesPerS", 1e-3, 1e9);
   const std::string arrayCharge = reader.word("access.arrayCharge");
   if (arrayCharge == "node") {
     config.access.arrays.charge = ArrayCharge::Node;

@@ -9,10 +9,12 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/result.h"
 #include "base/vec3.h"
@@ -49,6 +51,17 @@ struct AxisLimits {
   double startMm = 0.0;             ///< where the axis stands when the machine is switched on
 };
 
+/// A rotary axis. Its angle counts on beyond a full turn, as far as the limits reach.
+struct RotaryLimits {
+  double positionDegMin = 0.0;
+  double positionDegMax = 0.0;
+  double speedDegPerSMax = 0.0;
+  double accelerationDegPerS2Max = 0.0;
+  double jerkDegPerS3Max = 0.0;     ///< with SOFT
+  double servoTimeConstantS = 0.0;  ///< first-order lag of the position loop
+  double startDeg = 0.0;            ///< where the axis stands when the machine is switched on
+};
+
 /// What happens to an array of R-parameters that a client writes as one node.
 enum class ArrayWrite {
   All,        ///< every element is written
@@ -77,6 +90,8 @@ struct AccessCost {
   base::Duration nodeTimeMean{};
   base::Duration nodeTimeDeviation{};  ///< standard deviation of one node
   base::Duration nodeTimeMin{};        ///< never below
+  base::Duration programOverhead{};    ///< once per program that is stored
+  double programBytesPerS = 0.0;       ///< of its text
   base::Duration samplingMin{};        ///< shortest sampling and publishing interval
   ArrayAccess arrays;
 };
@@ -84,11 +99,12 @@ struct AccessCost {
 struct MachineConfig {
   std::string name;
   std::array<AxisLimits, base::kAxisCount> axes;
-  base::Duration interpolationCycle{};  ///< IPO cycle
-  base::Duration positionCycle{};       ///< servo
-  base::Duration blockPreparation{};    ///< pre-run time per block
-  int bufferedBlocksMax = 0;            ///< prepared blocks the main run has not finished
-  base::Duration standstillMean{};      ///< axes at rest around a STOPRE
+  std::array<std::optional<RotaryLimits>, base::kRotaryAxisCount> rotaryAxes;  ///< A B C
+  base::Duration interpolationCycle{};                                         ///< IPO cycle
+  base::Duration positionCycle{};                                              ///< servo
+  base::Duration blockPreparation{};  ///< pre-run time per block
+  int bufferedBlocksMax = 0;          ///< prepared blocks the main run has not finished
+  base::Duration standstillMean{};    ///< axes at rest around a STOPRE
   base::Duration standstillDeviation{};
   base::Duration relatch{};  ///< from standstill to the pre-run going on
   RRead rRead = RRead::AtInterpretation;
@@ -100,6 +116,15 @@ struct MachineConfig {
   double rapidMmPerS = 0.0;        ///< path speed of G0
   base::Duration traceLimit{};     ///< longest recording of the control's own trace
   AccessCost access;
+
+  [[nodiscard]] base::RotarySet rotarySet() const {
+    return {rotaryAxes[0].has_value(), rotaryAxes[1].has_value(), rotaryAxes[2].has_value()};
+  }
+  /// The rotary axis that is axis `index` of the channel: the rotary ones follow X, Y and Z without
+  /// a gap. @param index  from 0 @return 0 to 2 for A, B, C; nothing for a geometry axis or none
+  [[nodiscard]] std::optional<std::size_t> rotaryAt(int index) const;
+  /// Where all axes stand when the machine is switched on.
+  [[nodiscard]] base::AxisPosition start() const;
 };
 
 /// Names of the presets that are built in, sorted.
@@ -109,7 +134,8 @@ struct MachineConfig {
 /// @return PresetMissing (the message lists the names), PresetMalformed (line and key)
 [[nodiscard]] base::Result<MachineConfig> loadPreset(const std::string& nameOrPath);
 
-/// Parses the text of a preset. Every key is required; an unknown key is an error.
+/// Parses the text of a preset. Every key is required but those of A, B and C, which a machine need
+/// not have; an unknown key is an error.
 [[nodiscard]] base::Result<MachineConfig> parsePreset(std::string_view text,
                                                       const std::string& origin);
 

@@ -41,7 +41,7 @@ std::int64_t asBits(double value) {
 
 std::optional<SystemVariable> systemVariableOf(std::string_view name) {
   using enum SystemVariable;
-  static constexpr std::array<std::pair<std::string_view, SystemVariable>, 10> kNames{
+  static constexpr std::array<std::pair<std::string_view, SystemVariable>, 11> kNames{
       {{"$AA_IM", AaIm},
        {"$AA_IW", AaIw},
        {"$AA_DTEW", AaDtew},
@@ -51,7 +51,8 @@ std::optional<SystemVariable> systemVariableOf(std::string_view name) {
        {"$AC_OVR", AcOvr},
        {"$AC_TIMER", AcTimer},
        {"$AC_MARKER", AcMarker},
-       {"$AC_PARAM", AcParam}}};
+       {"$AC_PARAM", AcParam},
+       {"$AC_IPO_BUF", AcIpoBuf}}};
   const auto found = std::find_if(kNames.begin(), kNames.end(),
                                   [name](const auto& entry) { return entry.first == name; });
   return found == kNames.end() ? std::nullopt : std::optional(found->second);
@@ -282,7 +283,7 @@ class ExpressionParser {
     const auto number = static_cast<double>(variable);
     skipBlanks();
     if (variable == SystemVariable::AcDtew || variable == SystemVariable::AcPathn ||
-        variable == SystemVariable::AcOvr) {
+        variable == SystemVariable::AcOvr || variable == SystemVariable::AcIpoBuf) {
       emit(Op::System, 8.0 * number);
       return true;
     }
@@ -490,7 +491,10 @@ bool Expression::isConstant() const {
 
 bool Expression::readsMainRun() const {
   return std::any_of(m_code.begin(), m_code.end(), [](const Instruction& i) {
-    return i.op == Op::MainR || i.op == Op::System || i.op == Op::SystemElement;
+    // The fill level of the buffer is known to the pre-run itself.
+    constexpr double kIpoBuf = 8.0 * static_cast<double>(SystemVariable::AcIpoBuf);
+    return i.op == Op::MainR || (i.op == Op::System && i.number != kIpoBuf) ||
+           i.op == Op::SystemElement;
   });
 }
 

@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kLevelsMax = 12;
 constexpr double kMmPerInch = 25.4;
 constexpr double kIndexMax = 1e6;
+/// G0 of rotary axes alone: only their own limits bound it.
+constexpr double kRapidDegPerS = 1e6;
 
 template <class... Callables>
 struct Overload : Callables... {
@@ -41,7 +43,10 @@ Interpreter::Interpreter(std::shared_ptr<const NcProgram> program, RParameters& 
       m_library(options.library),
       m_endMm(options.startMm),
       m_programmedMm(options.startMm),
+      m_endDeg(options.startDeg),
+      m_rotaryAxes(options.rotaryAxes),
       m_feedMmPerS(options.feedMmPerS),
+      m_feedDegPerS(options.feedMmPerS),
       m_rapidMmPerS(options.rapidMmPerS),
       m_roundingMm(options.roundingMm),
       m_dynamics(options.dynamics) {
@@ -253,6 +258,7 @@ std::optional<Alarm> Interpreter::modes(const MotionStatement& statement) {
       return Alarm{14800, fmt::format("The programmed path speed {} is not positive.", *feed)};
     }
     m_feedMmPerS = base::mmPerSFromMmPerMin(m_inches ? kMmPerInch * *feed : *feed);
+    m_feedDegPerS = *feed / 60.0;  // deg/min, in inches too
   }
   return std::nullopt;
 }
@@ -263,7 +269,11 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
   }
   const bool arcWords = statement.isArc() || statement.radius || statement.openingAngle ||
                         statement.through[0] || statement.through[1] || statement.through[2];
-  if (!statement.moves() && !arcWords) {
+  bool turns = false;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    turns = turns || (statement.rotary[axis] && m_rotaryAxes[axis]);
+  }
+  if (!statement.axes[0] && !statement.axes[1] && !statement.axes[2] && !arcWords && !turns) {
     return PreparedNothing{};
   }
   Alarm alarm;
@@ -288,6 +298,21 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
   if (m_isRotated) {
     target = rotated(m_programmedMm) + m_translationMm;  // every axis may have to move
   }
+  base::RotaryDeg targetDeg = m_endDeg;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (!statement.rotary[axis] || !m_rotaryAxes[axis]) {
+      continue;
+    }
+    const Coordinate& word = *statement.rotary[axis];
+    const std::optional<double> value = word.value.evaluate(View(*this), alarm);
+    if (!value) {
+      return alarm;
+    }
+    const bool absolute = word.reference == Coordinate::Reference::Modal
+                              ? m_absolute
+                              : word.reference == Coordinate::Reference::Absolute;
+    targetDeg[axis] = absolute ? *value : m_endDeg[axis] + *value;
+  }
   const base::Vec3 from = m_endMm;
   PreparedMotion motion;
   if (m_mode != PathMode::Rapid && m_mode != PathMode::Line) {
@@ -301,8 +326,11 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
     return Alarm{10860, "No feed is programmed."};
   }
   m_endMm = target;
+  m_endDeg = targetDeg;
   motion.line = line;
   motion.targetMm = target;
+  motion.targetDeg = targetDeg;
+  motion.feedDegPerS = m_mode == PathMode::Rapid ? kRapidDegPerS : m_feedDegPerS;
   motion.feedMmPerS = m_mode == PathMode::Rapid ? m_rapidMmPerS : m_feedMmPerS;
   motion.end = statement.exactStopOnce ? BlockEnd::ExactStop : m_end;
   motion.rounding = m_rounding;

@@ -12,6 +12,7 @@
 #include <string>
 #include <variant>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "machine/main_run.h"
 #include "machine/nc_program.h"
@@ -24,10 +25,12 @@ namespace rivulet::machine {
 using ProgramLibrary = std::function<std::shared_ptr<const NcProgram>(const std::string& name)>;
 
 struct InterpreterOptions {
-  base::Vec3 startMm;        ///< where the axes stand: end of the "block before the first"
-  double rapidMmPerS = 0.0;  ///< path speed of G0
-  double feedMmPerS = 0.0;   ///< until F is programmed; 0: a block without is an alarm
-  double roundingMm = 0.0;   ///< deviation at corners that G64 allows
+  base::Vec3 startMm;            ///< where the axes stand: end of the "block before the first"
+  base::RotaryDeg startDeg{};    ///< the same of A, B, C
+  base::RotarySet rotaryAxes{};  ///< those the machine has; words of others move nothing
+  double rapidMmPerS = 0.0;      ///< path speed of G0
+  double feedMmPerS = 0.0;       ///< until F is programmed; 0: a block without is an alarm
+  double roundingMm = 0.0;       ///< deviation at corners that G64 allows
   Dynamics dynamics = Dynamics::Brisk;  ///< until BRISK or SOFT is programmed
   bool cacheUntilStopre = false;        ///< R values from outside are seen only after a STOPRE
   const MainRun* mainRun = nullptr;     ///< for variables of the main run; null: an alarm
@@ -97,11 +100,14 @@ class Interpreter {
   bool m_hasStopped = false;  ///< the stop that the next statement needs has been made
   base::Vec3 m_endMm;         ///< of the last block, machine
   base::Vec3 m_programmedMm;  ///< the same as programmed, before frames
+  base::RotaryDeg m_endDeg;   ///< of the last block; frames do not turn rotary axes
+  base::RotarySet m_rotaryAxes;
   // The programmable frame: rotation (columns), then translation.
   std::array<base::Vec3, base::kAxisCount> m_rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   base::Vec3 m_translationMm;
   bool m_isRotated = false;
   double m_feedMmPerS;
+  double m_feedDegPerS;  ///< the same number, for blocks that only turn
   double m_rapidMmPerS;
   double m_roundingMm;
   double m_adisMm = 0.0;

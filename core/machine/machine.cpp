@@ -27,6 +27,8 @@ using base::Result;
 
 constexpr std::size_t kProgramBytesMax = 16u << 20;  // as the control's file methods
 constexpr double kSettledMm = 1e-6;
+constexpr double kSettledDeg = 1e-6;
+constexpr base::RotarySet kAllRotary{true, true, true};
 /// Speed and limit of $AA_OFF (MD32070 and SD43350 of the control; assumed).
 constexpr double kOffsetMmPerS = 50.0;
 constexpr double kOffsetMmMax = 10.0;
@@ -34,10 +36,6 @@ constexpr double kOffsetMmMax = 10.0;
 // Streams of the seed: each kind of chance has its own, so that they do not disturb each other.
 constexpr std::uint64_t kStandstillStream = 1;
 constexpr std::uint64_t kAccessStream = 2;
-
-base::Vec3 startPosition(const MachineConfig& config) {
-  return {config.axes[0].startMm, config.axes[1].startMm, config.axes[2].startMm};
-}
 
 }  // namespace
 
@@ -48,10 +46,11 @@ class Machine::Impl final : public MainRun {
         m_standstillRandom(base::Random(seed).fork(kStandstillStream)),
         m_accessRandom(base::Random(seed).fork(kAccessStream)),
         m_parameters(m_config.rParameterCount),
-        m_planner(m_config, startPosition(m_config)),
+        m_planner(m_config, m_config.start().mm, m_config.start().deg),
         m_prerun(m_config, m_syncActions),
-        m_servo(m_config, startPosition(m_config)) {
+        m_servo(m_config, m_config.start()) {
     m_trace.cycle = m_config.interpolationCycle;
+    m_trace.rotaryAxes = m_config.rotarySet();
   }
 
   void advance(Instant until) {
@@ -84,6 +83,9 @@ class Machine::Impl final : public MainRun {
     state.actualMm = m_servo.actualMm();
     state.commandMm = commandMm();
     state.distanceToGoMm = m_planner.distanceToGoMm();
+    state.actualDeg = m_servo.actualDeg();
+    state.commandDeg = m_planner.commandDeg();
+    state.distanceToGoDeg = m_planner.distanceToGoDeg();
     state.feedMmPerS = m_planner.speedMmPerS();
     state.feedCommandMmPerS = m_planner.feedCommandMmPerS();
     state.line = m_planner.line().value;
@@ -108,6 +110,13 @@ class Machine::Impl final : public MainRun {
         m_accessRandom.normal() * static_cast<double>(cost.nodeTimeDeviation.count());
     const Duration nodeTime = cost.nodeTimeMean + Duration{std::llround(drawn)};
     m_serviceFreeAt += std::max(cost.nodeTimeMin, nodeTime);
+    return m_serviceFreeAt;
+  }
+
+  Instant serveProgram(std::size_t bytes) {
+    const AccessCost& cost = m_config.access;
+    m_serviceFreeAt += cost.programOverhead +
+                       base::fromSeconds(static_cast<double>(bytes) / cost.programBytesPerS);
     return m_serviceFreeAt;
   }
 
@@ -164,6 +173,8 @@ class Machine::Impl final : public MainRun {
     m_holdUntil = m_now;
     InterpreterOptions options;
     options.startMm = m_planner.endMm();
+    options.startDeg = m_planner.endDeg();
+    options.rotaryAxes = m_config.rotarySet();
     options.rapidMmPerS = m_config.rapidMmPerS;
     options.roundingMm = m_config.roundingMm;
     options.dynamics = m_config.resetDynamics;
@@ -253,6 +264,8 @@ class Machine::Impl final : public MainRun {
         return isElement ? std::optional(m_markers[element]) : std::nullopt;
       case SystemVariable::AcParam:
         return isElement ? std::optional(m_params[element]) : std::nullopt;
+      case SystemVariable::AcIpoBuf:
+        return m_planner.blockCount();
     }
     return std::nullopt;
   }
@@ -324,13 +337,16 @@ class Machine::Impl final : public MainRun {
   void tick() {
     m_parameters.applyPending();
     const base::Vec3 before = commandMm();
+    const base::RotaryDeg beforeDeg = m_planner.commandDeg();
     runSyncActions();
     if (m_channel == ChannelStatus::Active) {
       moveAxes();
     }
     const base::Vec3 actual = m_servo.follow(before, commandMm());
-    m_settled = base::distance(actual, commandMm()) < kSettledMm;
-    record(actual);
+    const base::RotaryDeg actualDeg = m_servo.followDeg(beforeDeg, m_planner.commandDeg());
+    m_settled = base::distance(actual, commandMm()) < kSettledMm &&
+                base::differenceDeg(actualDeg, m_planner.commandDeg(), kAllRotary) < kSettledDeg;
+    record(actual, actualDeg);
     if (m_channel == ChannelStatus::Active) {
       if (m_resetting && m_planner.blockCount() == 0) {
         enterReset();
@@ -358,7 +374,7 @@ class Machine::Impl final : public MainRun {
       m_recording = true;
     }
     for (std::size_t i = executedBefore; i < m_trace.blocks.size(); ++i) {
-      if (m_trace.blocks[i].lengthMm > 0.0) {
+      if (m_trace.blocks[i].moves()) {
         m_moved = true;
         m_recording = true;
         m_stoodAt = m_trace.blocks[i].to;
@@ -394,7 +410,7 @@ class Machine::Impl final : public MainRun {
     m_recording = false;
   }
 
-  void record(base::Vec3 actual) {
+  void record(base::Vec3 actual, const base::RotaryDeg& actualDeg) {
     if (!m_recording) {
       return;
     }
@@ -403,8 +419,8 @@ class Machine::Impl final : public MainRun {
       m_trace.truncated = true;
       return;
     }
-    m_trace.samples.push_back(
-        {m_now, commandMm(), actual, m_planner.speedMmPerS(), m_planner.line()});
+    m_trace.samples.push_back({m_now, commandMm(), actual, m_planner.speedMmPerS(),
+                               m_planner.line(), m_planner.commandDeg(), actualDeg});
   }
 
   base::Vec3 m_offsetMm;        ///< laid over the path ($AA_OFF)
@@ -469,6 +485,10 @@ Instant Machine::beginRequest(AccessKind kind, Instant arrival) {
 
 Instant Machine::serveNode() {
   return m_impl->serveNode();
+}
+
+Instant Machine::serveProgram(std::size_t bytes) {
+  return m_impl->serveProgram(bytes);
 }
 
 Result<void> Machine::storeProgram(const std::string& name, std::string text, bool overwrite) {

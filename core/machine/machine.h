@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/result.h"
 #include "base/vec3.h"
@@ -31,7 +32,10 @@ struct MachineState {
   base::Vec3 actualMm;                             ///< workpiece frame, behind the servo
   base::Vec3 commandMm;                            ///< set point
   base::Vec3 distanceToGoMm;                       ///< to the end of the block in motion
-  double feedMmPerS = 0.0;                         ///< path speed of the set point
+  base::RotaryDeg actualDeg{};                     ///< A, B, C; 0 where there is none
+  base::RotaryDeg commandDeg{};
+  base::RotaryDeg distanceToGoDeg{};
+  double feedMmPerS = 0.0;  ///< path speed of the set point; deg/s where only rotary axes turn
   double feedCommandMmPerS = 0.0;
   unsigned line = 0;  ///< block in motion
   int bufferedBlocks = 0;
@@ -74,6 +78,8 @@ class Machine {
   /// Serves the next node of the request begun last. @return when the node is done: advance
   /// the machine to it, then read or write the variable
   base::Instant serveNode();
+  /// Serves the writing of a program in the request begun last. @return when it is done
+  base::Instant serveProgram(std::size_t bytes);
 
   // --- programs ---------------------------------------------------------------------------
   /// @param name as on the control, e.g. "A.MPF"; upper and lower case are the same

@@ -24,6 +24,7 @@ enum class SystemVariable {
   AcTimer,   ///< $AC_TIMER[n]: s, counts up unless negative; writable
   AcMarker,  ///< $AC_MARKER[n]; writable
   AcParam,   ///< $AC_PARAM[n]; writable
+  AcIpoBuf,  ///< $AC_IPO_BUF: blocks not finished; the program may ask without a stop
 };
 
 /// Numbers of timers, markers and parameters.

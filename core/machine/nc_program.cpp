@@ -329,6 +329,8 @@ class NcCompiler {
       case 'A':
       case 'B':
       case 'C':
+        hasMotion = true;
+        return into(motion.rotary[static_cast<std::size_t>(word[0] - 'A')], coordinate());
       case 'U':
       case 'V':
       case 'W':

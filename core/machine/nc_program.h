@@ -7,8 +7,8 @@
 /// cannot be compiled becomes an alarm statement. @threadsafety immutable once compiled.
 ///
 /// Control structures become branches: IF, WHILE, FOR, LOOP, REPEAT … UNTIL and CASE leave nothing
-/// but conditions and targets. Of the axes the machine has X, Y and Z; words of A B C U V W are
-/// read and move nothing. Work offsets (G54 …) are zero.
+/// but conditions and targets. Words of A B C turn those rotary axes the machine has, words of U V
+/// W are read and move nothing. Work offsets (G54 …) are zero.
 #pragma once
 
 #include <array>
@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/id.h"
 #include "base/vec3.h"
 #include "machine/arc_geometry.h"
@@ -59,11 +60,12 @@ enum class PathMode { Rapid, Line, Clockwise, CounterClockwise, Through };
 /// Axis words, feed and modal G functions of one block, in the order they take effect.
 struct MotionStatement {
   std::array<std::optional<Coordinate>, base::kAxisCount> axes;
-  std::array<std::optional<Coordinate>, base::kAxisCount> centre;   ///< I J K
-  std::array<std::optional<Expression>, base::kAxisCount> through;  ///< I1= J1= K1=
-  std::optional<Expression> radius;                                 ///< CR=
-  std::optional<Expression> openingAngle;                           ///< AR=
-  std::optional<Expression> fullTurns;                              ///< TURN=
+  std::array<std::optional<Coordinate>, base::kRotaryAxisCount> rotary;  ///< A B C
+  std::array<std::optional<Coordinate>, base::kAxisCount> centre;        ///< I J K
+  std::array<std::optional<Expression>, base::kAxisCount> through;       ///< I1= J1= K1=
+  std::optional<Expression> radius;                                      ///< CR=
+  std::optional<Expression> openingAngle;                                ///< AR=
+  std::optional<Expression> fullTurns;                                   ///< TURN=
   std::optional<Expression> feedMmPerMin;
   std::optional<Expression> roundingMm;  ///< ADIS=
   std::optional<PathMode> mode;
@@ -75,7 +77,9 @@ struct MotionStatement {
   std::optional<RoundingKind> rounding;
   bool exactStopOnce = false;  ///< G9
 
-  [[nodiscard]] bool moves() const { return axes[0] || axes[1] || axes[2] || isArc(); }
+  /// Names an axis. Rotary ones count even where the machine has none of that name.
+  [[nodiscard]] bool moves() const { return axes[0] || axes[1] || axes[2] || isArc() || turns(); }
+  [[nodiscard]] bool turns() const { return rotary[0] || rotary[1] || rotary[2]; }
   [[nodiscard]] bool isArc() const { return centre[0] || centre[1] || centre[2]; }
 };
 

@@ -32,6 +32,15 @@ PathPiece PathPiece::line(Vec3 fromMm, Vec3 toMm) {
   return piece;
 }
 
+PathPiece PathPiece::turning(Vec3 fromMm, Vec3 toMm, double turnDeg) {
+  RIVULET_ASSERT(turnDeg > 0.0);
+  PathPiece piece;
+  piece.m_lengthMm = turnDeg;
+  piece.m_originMm = fromMm;
+  piece.m_course = (1.0 / turnDeg) * (toMm - fromMm);
+  return piece;
+}
+
 PathPiece PathPiece::arc(Vec3 fromMm, Vec3 toMm, const ArcPath& arc) {
   PathPiece piece;
   const Vec3 axis = arc.axis;

@@ -20,6 +20,9 @@ class PathPiece {
   PathPiece() = default;
   /// @param fromMm, toMm  different points
   [[nodiscard]] static PathPiece line(base::Vec3 fromMm, base::Vec3 toMm);
+  /// Where the path is measured by the turn of the rotary axes: X Y Z go straight along with it.
+  /// All lengths of this piece are degrees then, and `tangent` is mm per degree.
+  [[nodiscard]] static PathPiece turning(base::Vec3 fromMm, base::Vec3 toMm, double turnDeg);
   /// @param arc  its axis must not contain `fromMm` or `toMm`
   [[nodiscard]] static PathPiece arc(base::Vec3 fromMm, base::Vec3 toMm, const ArcPath& arc);
 
@@ -27,7 +30,7 @@ class PathPiece {
   [[nodiscard]] bool isStraight() const { return m_radiusMm == 0.0; }
   /// @param mm  path length from the start, 0 to lengthMm
   [[nodiscard]] base::Vec3 at(double mm) const;
-  /// Unit vector of the course.
+  /// Unit vector of the course (but see `turning`).
   [[nodiscard]] base::Vec3 tangent(double mm) const;
   /// Second derivative of the position by the path length, 1/mm: centripetal acceleration at
   /// speed 1. Zero for a line.

@@ -17,6 +17,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A path shorter than this is no motion; far below the resolution of any control.
 constexpr double kLengthMmMin = 1e-9;
+/// A turn smaller than this is none.
+constexpr double kTurnDegMin = 1e-9;
 /// Time below this is rounding, not motion.
 constexpr double kTimeSMin = 1e-12;
 /// Room for rounding where a braking length is compared with what is left.
@@ -63,6 +65,20 @@ double weakestAxis(LimitOf limitOf, ShareOf shareOf) {
   return smallest;
 }
 
+/// The same over the rotary axes of a machine.
+template <class ShareOf>
+double weakestRotary(const MachineConfig& config, double RotaryLimits::*limit, double factor,
+                     ShareOf shareOf) {
+  double smallest = kInfinity;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    const double share = std::abs(shareOf(axis));
+    if (share > 1e-12 && config.rotaryAxes[axis]) {
+      smallest = std::min(smallest, factor * (*config.rotaryAxes[axis]).*limit / share);
+    }
+  }
+  return smallest;
+}
+
 SpeedLimits weaker(const SpeedLimits& a, const SpeedLimits& b) {
   return {std::min(a.accelerationMmPerS2, b.accelerationMmPerS2),
           std::min(a.jerkMmPerS3, b.jerkMmPerS3)};
@@ -70,11 +86,13 @@ SpeedLimits weaker(const SpeedLimits& a, const SpeedLimits& b) {
 
 }  // namespace
 
-PathPlanner::PathPlanner(const MachineConfig& config, base::Vec3 startMm)
+PathPlanner::PathPlanner(const MachineConfig& config, base::Vec3 startMm, base::RotaryDeg startDeg)
     : m_config(config),
       m_cycleS(base::toSeconds(config.interpolationCycle)),
       m_commandMm(startMm),
-      m_endMm(startMm) {
+      m_endMm(startMm),
+      m_commandDeg(startDeg),
+      m_endDeg(startDeg) {
 }
 
 void PathPlanner::append(const PreparedMotion& motion) {
@@ -87,21 +105,36 @@ void PathPlanner::append(const PreparedMotion& motion) {
   block.roundingMm = motion.roundingMm;
   block.dynamics = motion.dynamics;
   block.isStraight = !motion.arc;
+  block.toDeg = motion.targetDeg;
   const base::Vec3 fromMm = m_endMm;
+  const base::RotaryDeg fromDeg = m_endDeg;
   m_endMm = motion.targetMm;
-  if (!motion.arc && base::distance(fromMm, motion.targetMm) <= kLengthMmMin) {
+  m_endDeg = motion.targetDeg;
+  block.turnDeg = base::turnDeg(fromDeg, motion.targetDeg);
+  const bool turns = block.turnDeg > kTurnDegMin;
+  const double straightMm = base::distance(fromMm, motion.targetMm);
+  if (!motion.arc && straightMm <= kLengthMmMin && !turns) {
     m_blocks.push_back(block);
     return;
   }
-  const PathPiece path = motion.arc ? PathPiece::arc(fromMm, motion.targetMm, *motion.arc)
-                                    : PathPiece::line(fromMm, motion.targetMm);
+  const bool inDegrees = !motion.arc && turns && straightMm * base::kDegPerMmMax < block.turnDeg;
+  const PathPiece path = motion.arc  ? PathPiece::arc(fromMm, motion.targetMm, *motion.arc)
+                         : inDegrees ? PathPiece::turning(fromMm, motion.targetMm, block.turnDeg)
+                                     : PathPiece::line(fromMm, motion.targetMm);
   block.lengthMm = path.lengthMm();
-  double feedMmPerS = motion.feedMmPerS;
+  block.wayMm = inDegrees ? straightMm : path.lengthMm();
+  base::RotaryDeg degPerMm{};
+  for (std::size_t axis = 0; turns && axis < base::kRotaryAxisCount; ++axis) {
+    degPerMm[axis] = (motion.targetDeg[axis] - fromDeg[axis]) / path.lengthMm();
+  }
+  double feedMmPerS = inDegrees ? motion.feedDegPerS : motion.feedMmPerS;
   if (m_config.blocksPerCycleMax > 0.0) {
     // The main run takes a new block once a cycle at most: short blocks are passed slower.
     feedMmPerS = std::min(feedMmPerS, m_config.blocksPerCycleMax * block.lengthMm / m_cycleS);
   }
-  Piece piece = makePiece(path, feedMmPerS, motion.dynamics);
+  Piece piece = makePiece(path, feedMmPerS, motion.dynamics, degPerMm);
+  piece.startDeg = fromDeg;
+  piece.inDegrees = inDegrees;
   piece.endsBlock = true;
   boundToCycle(piece);
 
@@ -134,39 +167,50 @@ void PathPlanner::append(const PreparedDwell& dwell) {
   Block block;
   block.line = dwell.line;
   block.toMm = m_endMm;
+  block.toDeg = m_endDeg;
   block.dwellS = base::toSeconds(dwell.duration);
   block.isDwell = true;
+  ++m_appended;
   m_blocks.push_back(block);
 }
 
 PathPlanner::Piece PathPlanner::makePiece(const PathPiece& path, double feedMmPerS,
-                                          Dynamics dynamics) const {
+                                          Dynamics dynamics,
+                                          const base::RotaryDeg& degPerMm) const {
   const auto weakest = [&](auto limit) {
     return weakestAxis([&](std::size_t axis) { return m_config.axes[axis].*limit; },
                        [&](std::size_t axis) { return path.axisShare(axis); });
   };
+  const auto weakestTurn = [&](double RotaryLimits::*limit) {
+    return weakestRotary(m_config, limit, 1.0, [&](std::size_t axis) { return degPerMm[axis]; });
+  };
+  const double turning = weakestTurn(&RotaryLimits::accelerationDegPerS2Max);
+  const double turningJerk = kJerkAlongLine * weakestTurn(&RotaryLimits::jerkDegPerS3Max);
   const double acceleration = weakest(&AxisLimits::accelerationMmPerS2Max);
   const double jerk = weakest(&AxisLimits::jerkMmPerS3Max);
   const bool soft = dynamics == Dynamics::Soft;
   Piece piece;
   piece.path = path;
   piece.feedMmPerS = feedMmPerS;
-  piece.speedMmPerSMax = weakest(&AxisLimits::speedMmPerSMax);
+  piece.degPerMm = degPerMm;
+  piece.speedMmPerSMax =
+      std::min(weakest(&AxisLimits::speedMmPerSMax), weakestTurn(&RotaryLimits::speedDegPerSMax));
   if (path.isStraight()) {
-    piece.limits = {acceleration, soft ? kJerkAlongLine * jerk : kInfinity};
+    piece.limits = {std::min(acceleration, turning),
+                    soft ? std::min(kJerkAlongLine * jerk, turningJerk) : kInfinity};
     return piece;
   }
   const double curvature = path.curvaturePerMm();
   piece.speedMmPerSMax =
       std::min(piece.speedMmPerSMax, std::sqrt(kAcrossArc * acceleration / curvature));
-  piece.limits = {kAlongArc * acceleration, kInfinity};
+  piece.limits = {std::min(kAlongArc * acceleration, turning), kInfinity};
   if (soft) {
     piece.speedMmPerSMax =
         std::min(piece.speedMmPerSMax, std::cbrt(kJerkOfTurning * jerk / (curvature * curvature)));
     const double fastest = std::min(piece.speedMmPerSMax, kOverrideMax * feedMmPerS);
-    piece.limits = {
-        std::min(kAlongArc * acceleration, kJerkAcrossArc * jerk / (3.0 * fastest * curvature)),
-        kJerkAlongArc * jerk};
+    piece.limits = {std::min({kAlongArc * acceleration,
+                              kJerkAcrossArc * jerk / (3.0 * fastest * curvature), turning}),
+                    std::min(kJerkAlongArc * jerk, turningJerk)};
     piece.boundToCycle = true;
   }
   return piece;
@@ -196,13 +240,18 @@ bool PathPlanner::isLastUnderWay() const {
 
 bool PathPlanner::connect(Block& next, Piece& piece) {
   const Piece& last = m_pieces.back();
+  if (last.inDegrees != piece.inDegrees) {
+    return false;
+  }
   const base::Vec3 change = piece.path.tangent(0.0) - last.path.tangent(last.path.lengthMm());
   const double turn = base::norm(change);
-  if (turn > kTurnMin && last.path.isStraight() && piece.path.isStraight() &&
+  const double rateTurn = base::turnDeg(last.degPerMm, piece.degPerMm);
+  const bool turns = m_blocks.back().turnDeg > kTurnDegMin || next.turnDeg > kTurnDegMin;
+  if (!turns && turn > kTurnMin && last.path.isStraight() && piece.path.isStraight() &&
       roundCornerInto(next, piece)) {
     return true;
   }
-  return stepInto(piece, turn);
+  return stepInto(piece, turn, rateTurn);
 }
 
 double PathPlanner::cutMmMax(double blockMm, const Piece& piece) const {
@@ -228,8 +277,10 @@ bool PathPlanner::roundCornerInto(Block& next, Piece& piece) {
     return false;
   }
   const bool soft = block.dynamics == Dynamics::Soft;
-  Piece first = makePiece(corner->firstHalf, last.feedMmPerS, block.dynamics);
-  Piece second = makePiece(corner->secondHalf, piece.feedMmPerS, block.dynamics);
+  Piece first = makePiece(corner->firstHalf, last.feedMmPerS, block.dynamics, {});
+  Piece second = makePiece(corner->secondHalf, piece.feedMmPerS, block.dynamics, {});
+  first.startDeg = block.toDeg;  // neither block turns a rotary axis
+  second.startDeg = block.toDeg;
   // The two halves are one arc: there is no step between them.
   const double wholeMm = first.path.lengthMm() + second.path.lengthMm();
   if (soft) {
@@ -268,13 +319,14 @@ bool PathPlanner::roundCornerInto(Block& next, Piece& piece) {
   return true;
 }
 
-bool PathPlanner::stepInto(Piece& next, double turn) {
+bool PathPlanner::stepInto(Piece& next, double turn, double rateTurn) {
   Piece& last = m_pieces.back();
   next.junctionMmPerSMax = curvatureStepSpeed(last, next);
-  if (turn <= kTurnMin) {
+  if (turn <= kTurnMin && rateTurn <= kTurnMin) {
     return true;
   }
-  if (turn > kCourseStepMax || isLastUnderWay()) {
+  // In a path of degrees the rates are its course.
+  if ((next.inDegrees ? rateTurn : turn) > kCourseStepMax || isLastUnderWay()) {
     return false;
   }
   const base::Vec3 change = next.path.tangent(0.0) - last.path.tangent(last.path.lengthMm());
@@ -288,7 +340,14 @@ bool PathPlanner::stepInto(Piece& next, double turn) {
                     : brisk;
       },
       [&](std::size_t axis) { return change[axis]; });
-  next.junctionMmPerSMax = std::min(next.junctionMmPerSMax, speed);
+  const auto rateStep = [&](std::size_t axis) { return next.degPerMm[axis] - last.degPerMm[axis]; };
+  double turning = weakestRotary(m_config, &RotaryLimits::accelerationDegPerS2Max,
+                                 kCourseStepShare * m_cycleS, rateStep);
+  if (soft) {
+    turning = std::min(turning, weakestRotary(m_config, &RotaryLimits::jerkDegPerS3Max,
+                                              kJerkOfCourseStep * m_cycleS * m_cycleS, rateStep));
+  }
+  next.junctionMmPerSMax = std::min({next.junctionMmPerSMax, speed, turning});
   for (Piece* piece : {&last, &next}) {
     if (!piece->holdsReserve) {
       piece->holdsReserve = true;
@@ -497,9 +556,18 @@ double PathPlanner::advance(double seconds) {
   return 0.0;
 }
 
+base::RotaryDeg PathPlanner::turned(const Piece& piece, double mm) {
+  base::RotaryDeg angles = piece.startDeg;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    angles[axis] += mm * piece.degPerMm[axis];
+  }
+  return angles;
+}
+
 void PathPlanner::finishPiece() {
   const double lengthMm = m_pieces.front().path.lengthMm();
   m_commandMm = m_pieces.front().path.at(lengthMm);
+  m_commandDeg = turned(m_pieces.front(), lengthMm);
   m_blockMm += lengthMm;
   m_pieces.pop_front();
   m_pathMm = 0.0;
@@ -517,9 +585,11 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
   if (m_blocks.size() == 1) {
     m_commandMm = block.toMm;
   }
+  ++m_finished;
   if (!block.isDwell) {
-    ++m_finished;
-    executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.lengthMm});
+    m_commandDeg = block.toDeg;  // the end of a turn is never rounded
+    executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.wayMm,
+                        block.toDeg, block.turnDeg});
   }
   m_blocks.pop_front();
   m_blockMm = 0.0;
@@ -558,6 +628,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
       }
     } else {
       m_commandMm = m_pieces.front().path.at(m_pathMm);
+      m_commandDeg = turned(m_pieces.front(), m_pathMm);
       if (m_aborting && m_standsAtEnd && isStanding()) {
         break;
       }
@@ -572,6 +643,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
   m_pieces.clear();
   m_profile.reset();
   m_endMm = m_commandMm;
+  m_endDeg = m_commandDeg;
   m_pathMm = 0.0;
   m_blockMm = 0.0;
   m_state = {};
@@ -584,6 +656,14 @@ double PathPlanner::feedCommandMmPerS() const {
 
 base::Vec3 PathPlanner::distanceToGoMm() const {
   return m_blocks.empty() ? base::Vec3{} : m_blocks.front().toMm - m_commandMm;
+}
+
+base::RotaryDeg PathPlanner::distanceToGoDeg() const {
+  base::RotaryDeg toGo{};
+  for (std::size_t axis = 0; !m_blocks.empty() && axis < base::kRotaryAxisCount; ++axis) {
+    toGo[axis] = m_blocks.front().toDeg[axis] - m_commandDeg[axis];
+  }
+  return toGo;
 }
 
 double PathPlanner::pathToGoMm() const {

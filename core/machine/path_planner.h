@@ -30,6 +30,13 @@
 /// of the jerk goes along the path, the other half is kept for what arcs and the steps of the
 /// curvature at their ends need; no piece is passed in less than one cycle. Pieces of equal speed
 /// are planned as one, so that the acceleration need not come to rest between them.
+///
+/// Rotary axes turn in proportion to the path: each piece has its degrees per mm, and its speed,
+/// acceleration and jerk along the path are such that no rotary axis exceeds its own. A block that
+/// moves nothing else (or less than 10 µm per degree) is measured in degrees, and the path stands
+/// at both its ends. Corners at blocks that turn rotary axes are not rounded: where the course or
+/// the degrees per mm change, the path passes at the speed at which the step is bearable for each
+/// axis (as where an arc meets a line), or stands.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +55,7 @@ namespace rivulet::machine {
 
 class PathPlanner {
  public:
-  PathPlanner(const MachineConfig& config, base::Vec3 startMm);
+  PathPlanner(const MachineConfig& config, base::Vec3 startMm, base::RotaryDeg startDeg = {});
 
   /// Appends a block behind the last one.
   void append(const PreparedMotion& motion);
@@ -56,7 +63,7 @@ class PathPlanner {
 
   /// Blocks taken over and not finished.
   [[nodiscard]] int blockCount() const { return static_cast<int>(m_blocks.size()); }
-  /// Motion blocks taken over and finished since the planner was made.
+  /// Blocks taken over and finished since the planner was made, dwells included.
   [[nodiscard]] std::uint64_t blocksAppended() const { return m_appended; }
   [[nodiscard]] std::uint64_t blocksFinished() const { return m_finished; }
   [[nodiscard]] bool isStanding() const { return m_state.speedMmPerS == 0.0; }
@@ -73,9 +80,12 @@ class PathPlanner {
   void setOverride(double factor);
 
   [[nodiscard]] base::Vec3 commandMm() const { return m_commandMm; }
+  [[nodiscard]] const base::RotaryDeg& commandDeg() const { return m_commandDeg; }
+  /// Path speed; deg/s in a block that only turns rotary axes.
   [[nodiscard]] double speedMmPerS() const { return m_state.speedMmPerS; }
   [[nodiscard]] double feedCommandMmPerS() const;
   [[nodiscard]] base::Vec3 distanceToGoMm() const;
+  [[nodiscard]] base::RotaryDeg distanceToGoDeg() const;
   /// Path length to the end of the block in motion.
   [[nodiscard]] double pathToGoMm() const;
   /// How much of the block in motion has been passed, 0 to 1.
@@ -83,6 +93,7 @@ class PathPlanner {
   [[nodiscard]] base::LineNumber line() const { return m_line; }
   /// End point of the last block taken over: where the path will stand.
   [[nodiscard]] base::Vec3 endMm() const { return m_endMm; }
+  [[nodiscard]] const base::RotaryDeg& endDeg() const { return m_endDeg; }
 
  private:
   struct Piece {
@@ -97,11 +108,17 @@ class PathPlanner {
     bool holdsReserve = false;         ///< its limits leave room for a step of the course
     bool joinsPrevious = false;        ///< planned as one with the piece before
     bool endsBlock = false;
+    base::RotaryDeg startDeg{};
+    base::RotaryDeg degPerMm{};  ///< of A, B, C along the path
+    bool inDegrees = false;      ///< the path is measured by the turn
   };
   struct Block {
     base::LineNumber line;
     base::Vec3 toMm;
+    base::RotaryDeg toDeg{};
     double lengthMm = 0.0;      ///< as programmed
+    double wayMm = 0.0;         ///< of X Y Z alone
+    double turnDeg = 0.0;       ///< of the rotary axes
     double pathLengthMm = 0.0;  ///< with its share of the corners
     std::size_t pieces = 0;
     BlockEnd end = BlockEnd::ExactStop;
@@ -121,7 +138,8 @@ class PathPlanner {
     std::size_t pieces = 0;  ///< in front of `piece`
   };
 
-  [[nodiscard]] Piece makePiece(const PathPiece& path, double feedMmPerS, Dynamics dynamics) const;
+  [[nodiscard]] Piece makePiece(const PathPiece& path, double feedMmPerS, Dynamics dynamics,
+                                const base::RotaryDeg& degPerMm) const;
   [[nodiscard]] double cap(const Piece& piece) const;
   void push(Block& block, Piece piece);
   /// Opens the corner between the last piece and `next`, so that the path need not stand there.
@@ -130,7 +148,8 @@ class PathPlanner {
   /// What a block can spare for the corner at one of its ends.
   [[nodiscard]] double cutMmMax(double blockMm, const Piece& piece) const;
   bool roundCornerInto(Block& next, Piece& piece);
-  bool stepInto(Piece& next, double turn);
+  /// @param turn  change of the course of X Y Z; @param rateTurn  of the degrees per mm
+  bool stepInto(Piece& next, double turn, double rateTurn);
   /// The last piece is in motion, or planned as one with the one that is.
   [[nodiscard]] bool isLastUnderWay() const;
   void boundToCycle(Piece& piece) const;
@@ -152,6 +171,8 @@ class PathPlanner {
   void makeProfile();
   /// Moves on for at most `seconds`. @return the time left
   double advance(double seconds);
+  /// Where the rotary axes are. @param mm  place on the piece
+  [[nodiscard]] static base::RotaryDeg turned(const Piece& piece, double mm);
   void finishPiece();
   void finishBlock(base::Instant at, std::vector<trace::ExecutedBlock>& executed);
 
@@ -175,6 +196,8 @@ class PathPlanner {
   bool m_aborting = false;
   base::Vec3 m_commandMm;
   base::Vec3 m_endMm;
+  base::RotaryDeg m_commandDeg;
+  base::RotaryDeg m_endDeg;
   base::LineNumber m_line;
 };
 

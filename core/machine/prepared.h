@@ -12,6 +12,7 @@
 #include <string>
 #include <variant>
 
+#include "base/axes.h"
 #include "base/id.h"
 #include "base/instant.h"
 #include "base/vec3.h"
@@ -57,6 +58,9 @@ struct PreparedMotion {
   double roundingMm = 0.0;  ///< >= 0
   Dynamics dynamics = Dynamics::Brisk;
   std::optional<ArcPath> arc;  ///< none: a straight line
+  base::RotaryDeg targetDeg{};
+  /// Along the turn, in a block that moves nothing else: the programmed feed in degrees.
+  double feedDegPerS = 0.0;
 };
 
 struct PreparedDwell {

@@ -136,6 +136,16 @@ std::optional<Alarm> Prerun::limitAlarm(const PreparedMotion& motion) const {
                                       limits.positionMmMin, limits.positionMmMax)};
     }
   }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    const std::optional<RotaryLimits>& limits = m_config.rotaryAxes[axis];
+    const double target = motion.targetDeg[axis];
+    if (limits && (target < limits->positionDegMin || target > limits->positionDegMax)) {
+      return Alarm{10720, fmt::format("Line {}: axis {} is to go to {} deg, beyond its software "
+                                      "limit ({} to {} deg).",
+                                      motion.line.value, base::kRotaryAxisNames[axis], target,
+                                      limits->positionDegMin, limits->positionDegMax)};
+    }
+  }
   return std::nullopt;
 }
 

@@ -18,6 +18,7 @@
 #include "base/result.h"
 #include "opcua/error.h"
 #include "opcua/grouping.h"
+#include "opcua/server_identity.h"
 #include "opcua/variable.h"
 #include "trace/control_trace.h"
 
@@ -57,6 +58,11 @@ class Link {
   virtual base::RequestId write(std::span<const Assignment> assignments, base::Duration deadline,
                                 Grouping grouping) = 0;
 
+  /// Writes a program over one of the same name while a stream runs: WriteDone, without statuses.
+  /// Names end in MPF (part programs) or SPF (subprograms).
+  virtual base::RequestId store(const std::string& name, const std::string& text,
+                                base::Duration deadline) = 0;
+
   /// The next event, waiting for it no longer than `until`. Nothing: the time has come.
   virtual std::optional<Event> wait(base::Instant until) = 0;
 };
@@ -82,6 +88,9 @@ class Control {
   virtual base::Result<std::string> downloadProgram(const std::string& name) = 0;
   /// Selects a part program in channel 1; it does not start.
   virtual base::Result<void> selectProgram(const std::string& name) = 0;
+
+  /// Which server this is; empty where there is none, as in virtual time.
+  virtual base::Result<ServerIdentity> identity() { return ServerIdentity{}; }
 
   /// True for a virtual machine: it alone can be started, reset and asked for its trace here.
   /// On a real control the operator presses cycle start.

@@ -14,16 +14,19 @@
 namespace rivulet::opcua {
 
 enum class VariableKind : unsigned char {
-  RParameter,      ///< index = R number; number, read and write
-  ActualPosition,  ///< index = geometry axis from 0; mm, workpiece frame (aaAcsRel)
-  DistanceToGo,    ///< index = geometry axis from 0; mm to the end of the block (aaDtew)
-  PathFeed,        ///< mm/min (actFeedRateIpo)
-  ProgramStatus,   ///< 1 interrupted, 2 stopped, 3 running, 4 waiting, 5 aborted
-  ChannelStatus,   ///< 0 reset, 1 active, 2 interrupted
-  LineNumber,      ///< line of the program in motion
-  ProgramName,     ///< text: program selected in the channel
-  Message,         ///< text: what MSG("...") shows
-  Alarm,           ///< number of the newest alarm of the channel; 0 none
+  RParameter,  ///< index = R number; number, read and write
+  /// index = axis from 0; X Y Z in mm, workpiece frame, the rotary axes behind them in degrees
+  /// (aaAcsRel)
+  ActualPosition,
+  DistanceToGo,   ///< index = axis from 0; mm or degrees to the end of the block (aaDtew)
+  PathFeed,       ///< mm/min (actFeedRateIpo)
+  ProgramStatus,  ///< 1 interrupted, 2 stopped, 3 running, 4 waiting, 5 aborted
+  ChannelStatus,  ///< 0 reset, 1 active, 2 interrupted
+  LineNumber,     ///< line of the program in motion
+  ProgramName,    ///< text: program selected in the channel
+  Message,        ///< text: what MSG("...") shows
+  Alarm,          ///< number of the newest alarm of the channel; 0 none
+  AxisName,       ///< text; index = axis from 0: "X", "A"
 };
 
 /// One variable of channel 1.
@@ -40,7 +43,8 @@ struct Variable {
 
 /// True if the variable carries text rather than a number.
 [[nodiscard]] constexpr bool isText(VariableKind kind) {
-  return kind == VariableKind::ProgramName || kind == VariableKind::Message;
+  return kind == VariableKind::ProgramName || kind == VariableKind::Message ||
+         kind == VariableKind::AxisName;
 }
 
 /// What one item of a read brought.

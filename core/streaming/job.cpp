@@ -56,7 +56,9 @@ class Ledger final : public RunSink {
   void access(const trace::Access& access) override {
     m_requests.push_back(access.took);
     m_nodes += static_cast<std::size_t>(access.nodes);
-    m_perNode.push_back(access.took / std::max(access.nodes, 1));
+    if (access.nodes > 0) {  // a file has none
+      m_perNode.push_back(access.took / access.nodes);
+    }
     if (m_writer != nullptr) {
       m_writer->access(access);
     }
@@ -102,11 +104,15 @@ class Job {
 
   RunReport run() {
     m_report.programName = m_program.name;
+    m_settings.placePauses = m_settings.placePauses && !isCredit();
     if (isWindow() && m_settings.runNumber == 0) {
       m_settings.runNumber = makeRunNumber();
     }
     m_report.settings = m_settings;
-    Result<void> result = prepare();
+    Result<void> result = mayStart();
+    if (result) {
+      result = prepare();
+    }
     if (result) {
       result = chooseAccess();
     }
@@ -123,8 +129,18 @@ class Job {
   }
 
  private:
-  [[nodiscard]] bool isWindow() const {
-    return m_settings.parameters.method == base::MethodKind::Window;
+  [[nodiscard]] bool isWindow() const { return base::hasWindows(m_settings.parameters.method); }
+  [[nodiscard]] bool isCredit() const {
+    return m_settings.parameters.method == base::MethodKind::Credit;
+  }
+
+  [[nodiscard]] Result<void> mayStart() const {
+    if (isCredit() && !m_settings.isCommissioned) {
+      return base::fail(StreamError::NotCommissioned,
+                        "Method credit is experimental and starts only on a control that has "
+                        "passed its test. Run rivulet-cli commission, or choose method window.");
+    }
+    return {};
   }
 
   /// Two runs must not have the same number by accident: the clock of the link counts
@@ -153,9 +169,9 @@ class Job {
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
     if (isWindow()) {
-      const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm});
-      m_report.checkpoint =
-          Checkpoint{m_settings.runNumber, from.point, from.startMm, false, m_settings.placePauses};
+      const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg});
+      m_report.checkpoint = Checkpoint{m_settings.runNumber,   from.point,   from.startMm, false,
+                                       m_settings.placePauses, from.startDeg};
     }
     startRecording();
     return {};
@@ -163,7 +179,7 @@ class Job {
 
   /// Tries the forms of access on cells the run is going to overwrite anyway.
   Result<void> chooseAccess() {
-    if (m_settings.access == AccessChoice::Fixed) {
+    if (m_settings.access == AccessChoice::Fixed || m_cells.inFiles) {
       return {};
     }
     if (!isWindow() && m_settings.parameters.layout != templates::Layout::Contiguous) {
@@ -212,6 +228,9 @@ class Job {
     start.method = base::methodName(m_settings.parameters.method);
     start.pointsPerLoop = m_settings.parameters.pointsPerLoop;
     start.layout = templates::layoutName(m_settings.parameters.layout);
+    if (const std::string axes = templates::axisLetters(m_settings.parameters); axes != "XYZ") {
+      start.axes = axes;
+    }
     start.deltaMm = m_settings.deltaMm;
     start.feedMmPerS = m_settings.feedMmPerS;
     start.programName = m_program.name;
@@ -231,22 +250,16 @@ class Job {
     }
     const std::string name = templates::templateFileName(m_settings.parameters);
     publish(RunState::Armed, "transfer");
-    if (Result<void> done = m_control.uploadProgram(name, *text, true); !done) {
-      return done;
+    const Result<ProgramTransfer> transfer =
+        transferProgram(m_control, name, *text, m_settings.transfer);
+    if (!transfer) {
+      return base::fail(transfer.error());
     }
-    const Result<std::string> there = m_control.downloadProgram(name);
-    if (!there) {
-      return base::fail(there.error());
-    }
-    if (*there != *text) {
-      return base::fail(StreamError::WrongProgram,
-                        "The program on the control differs from the one transferred. Delete it "
-                        "there and start again.",
-                        name);
-    }
-    if (Result<void> done = m_control.selectProgram(name); !done) {
-      return done;
-    }
+    m_report.transfer = *transfer;
+    m_ledger.note({m_link.now(), fmt::format("program {}: {}, {}, {}", name,
+                                             transfer->written ? "written" : "was there",
+                                             transfer->compared ? "compared" : "not compared",
+                                             transfer->selected ? "selected" : "to be selected")});
     // A number left from an earlier run must not pass for the program's own.
     const std::array<opcua::Assignment, 3> clear{{{opcua::rParameter(m_cells.layout), 0.0},
                                                   {opcua::rParameter(m_cells.run), 0.0},
@@ -257,7 +270,7 @@ class Job {
         !done) {
       return done;
     }
-    publish(RunState::Armed, "cycle-start");
+    publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
     if (m_control.isVirtualMachine()) {
       if (Result<void> done = m_control.cycleStart(); !done) {
         return done;
@@ -327,10 +340,18 @@ class Job {
   }
 
   void stream() {
-    MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings};
+    MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings,
+                      m_flight.toolDeg};
     const std::unique_ptr<Method> method = makeMethod(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
                   {opcua::rParameter(m_cells.stop), isWindow() ? 2.0 : 1.0});
+    ControlAxes shown;
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      if (m_cells.rotaryAxes[axis]) {
+        shown.index[axis] = m_flight.axes.index[axis];
+      }
+    }
+    driver.watchRotary(shown.index);
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();
     if (m_report.checkpoint) {
@@ -452,8 +473,8 @@ class Job {
     if (trace->truncated) {
       m_ledger.note({m_link.now(), "the control's trace is incomplete: the run is not judged"});
     } else {
-      m_report.integrity =
-          trace::judgeIntegrity(m_flight.points.points, trace->blocks, kPointToleranceMm);
+      m_report.integrity = trace::judgeIntegrity(m_flight.points.points, trace->blocks,
+                                                 kPointToleranceMm, m_cells.rotaryAxes);
     }
     m_report.pauses = trace::findPauses(*trace);
     if (!trace->samples.empty()) {
@@ -588,8 +609,35 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   }
   Preflight flight;
   flight.toolMm = {(*readings)[1].number, (*readings)[2].number, (*readings)[3].number};
-  flight.points = gcode::streamPoints(program.trajectory,
-                                      settings.resume ? settings.resume->startMm : flight.toolMm);
+  const bool asksForRotary =
+      base::any(settings.parameters.rotaryAxes) || !program.trajectory.rotary.empty();
+  if (asksForRotary) {
+    const Result<ControlAxes> axes = readControlAxes(link, settings.requestDeadline);
+    if (!axes) {
+      return base::fail(axes.error());
+    }
+    flight.axes = *axes;
+    const Result<base::RotaryDeg> angles =
+        readAngles(link, flight.axes, flight.axes.set(), settings.requestDeadline);
+    if (!angles) {
+      return base::fail(angles.error());
+    }
+    flight.toolDeg = *angles;
+  }
+  if (Result<void> covered =
+          requireRotaryAxes(program.trajectory, settings.parameters, flight.axes, flight.toolDeg);
+      !covered) {
+    return base::fail(covered.error());
+  }
+  base::AxisPosition start{flight.toolMm, flight.toolDeg};
+  if (settings.resume) {
+    start = {settings.resume->startMm, settings.resume->startDeg};
+  }
+  Result<gcode::PointList> list = pointsOnAxes(program.trajectory, settings.parameters, start);
+  if (!list) {
+    return base::fail(list.error());
+  }
+  flight.points = std::move(*list);
   if (settings.resume) {
     std::vector<gcode::StreamPoint>& points = flight.points.points;
     const std::size_t done = std::min(settings.resume->point, points.size());

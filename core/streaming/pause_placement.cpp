@@ -27,8 +27,12 @@ bool turns(base::Vec3 before, base::Vec3 at, base::Vec3 after) {
   return base::dot(in, out) <= (cosine + kRounding) * base::norm(in) * base::norm(out);
 }
 
-bool retracts(base::Vec3 before, base::Vec3 at) {
-  return at.z > before.z && std::hypot(at.x - before.x, at.y - before.y) <= kAsideMm;
+bool retracts(const gcode::StreamPoint& before, const gcode::StreamPoint& at) {
+  // Where a rotary axis is turned, up along Z need not be along the tool.
+  const base::RotaryDeg upright{};
+  const base::Vec3 way = at.positionMm - before.positionMm;
+  return way.z > 0.0 && std::hypot(way.x, way.y) <= kAsideMm && before.rotaryDeg == upright &&
+         at.rotaryDeg == upright;
 }
 
 }  // namespace
@@ -38,7 +42,7 @@ std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool isLast = i + 1 == points.size();
     harmless[i] = isLast || points[i].kind == gcode::MoveKind::Rapid ||
-                  (i > 0 && (retracts(points[i - 1].positionMm, points[i].positionMm) ||
+                  (i > 0 && (retracts(points[i - 1], points[i]) ||
                              turns(points[i - 1].positionMm, points[i].positionMm,
                                    points[i + 1].positionMm)));
   }
@@ -107,7 +111,10 @@ std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> poin
       pauses.push_back({static_cast<std::uint32_t>(behind - 1), !harmless[behind - 1]});
     }
   };
-  if (method == base::MethodKind::Window) {
+  if (method == base::MethodKind::Credit) {
+    return pauses;
+  }
+  if (base::hasWindows(method)) {
     for (const std::size_t begin : cutWindows(points, pointsPerLoop, place).begins) {
       add(begin);
     }

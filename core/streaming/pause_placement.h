@@ -8,7 +8,8 @@
 ///
 /// Off the cut is a pause at the end of a point where one of these holds:
 /// - the move to it is a rapid, so the tool is out of the material;
-/// - the move to it is a retract, straight up along Z: what was cut lies below the tool;
+/// - the move to it is a retract, straight up along Z with no rotary axis turned: what was cut lies
+///   below the tool;
 /// - the path turns there by `kCornerDegrees` or more. The look-ahead brakes for such a corner
 ///   without any STOPRE: docs/methods.md says to which speed;
 /// - it is the last point.
@@ -63,11 +64,12 @@ struct PlannedPause {
   friend bool operator==(const PlannedPause&, const PlannedPause&) = default;
 };
 
-/// Every pause of a run, in order: of method window between its windows, of method position behind
-/// each loop, of method signal behind each half of a loop. There is none behind the last point.
+/// Every pause of a run, in order: of methods window and file between its windows, of method
+/// position behind each loop, of method signal behind each half of a loop. There is none behind the
+/// last point, and none with method credit as long as the client is on time.
 /// @param points         at least 1
 /// @param pointsPerLoop  N, >= 1; method window: M
-/// @param place          method window: `cutWindows`
+/// @param place          methods window and file: `cutWindows`
 [[nodiscard]] std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> points,
                                                       base::MethodKind method,
                                                       std::size_t pointsPerLoop, bool place = true);

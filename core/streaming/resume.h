@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where a run of method window can be taken up again: asked of the control, never remembered by
-/// the client alone. Called only because an operator wants it; nothing resumes by itself.
+/// Where a run of method window or credit can be taken up again: asked of the control, never
+/// remembered by the client alone. Called only because an operator wants it; nothing resumes by
+/// itself.
 /// @threadsafety runs on the calling thread.
 #pragma once
 
@@ -12,9 +13,9 @@
 namespace rivulet::streaming {
 
 /// Finds the first point that has not been executed. A program that still waits for the run's
-/// windows is told to end first (it executes the window it is in, nothing more) and its end is
-/// awaited. Where the control was reset in the middle of a window, the place of the tool on the
-/// path of that window decides.
+/// windows is told to end first (it executes the windows it has taken over, nothing more) and its
+/// end is awaited. Where the control was reset in the middle of them, the place of the tool on
+/// their path decides.
 /// @param settings  of the earlier run
 /// @param last      the checkpoint in its report
 /// @return what `RunSettings::resume` needs. CannotResume if the control has run something else
@@ -30,5 +31,8 @@ namespace rivulet::streaming {
 ///         passes twice
 [[nodiscard]] std::optional<std::size_t> pointAhead(const std::vector<base::Vec3>& path,
                                                     base::Vec3 toolMm);
+/// The same with rotary axes, which turn evenly along each way: a degree counts as a millimetre.
+[[nodiscard]] std::optional<std::size_t> pointAhead(const std::vector<base::AxisPosition>& path,
+                                                    const base::AxisPosition& tool);
 
 }  // namespace rivulet::streaming

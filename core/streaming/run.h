@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/method_kind.h"
 #include "base/result.h"
@@ -20,6 +21,7 @@
 #include "gcode/program.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
+#include "streaming/program_transfer.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
 #include "trace/analysis/statistics.h"
@@ -28,6 +30,8 @@
 #include "trace/recording.h"
 
 namespace rivulet::streaming {
+
+struct Calibration;
 
 enum class StreamError {
   ProgramNotStreamable = 1,  ///< findings of severity error, or fewer than one point
@@ -39,10 +43,15 @@ enum class StreamError {
   ControlAlarm,              ///< the control ended the program with an alarm
   EndedEarly,                ///< the program on the control ended before all points were sent
   OtherClient,               ///< another client has the cells (method window)
-  Restarted,      ///< the program was started anew in the middle of a run (method window)
-  WindowDamaged,  ///< the control refused a window that did not fit its check number
-  ClientSilent,   ///< the control gave up waiting for the client (method window)
-  CannotResume,   ///< where the run was left cannot be told for certain
+  Restarted,        ///< the program was started anew in the middle of a run (method window)
+  WindowDamaged,    ///< the control refused a window that did not fit its check number
+  ClientSilent,     ///< the control gave up waiting for the client (method window)
+  CannotResume,     ///< where the run was left cannot be told for certain
+  TransferRefused,  ///< no right to write part programs through the server
+  Cancelled,        ///< by whoever waits for it
+  NotCommissioned,  ///< method credit on a control that has not passed its test
+  AxesNotChosen,    ///< the program moves axes that are not among those to be streamed
+  AxisMissing,      ///< the control has no such axis
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -58,15 +67,17 @@ enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding };
 struct Resume {
   std::size_t point = 0;  ///< the first to be streamed, counted in that list
   base::Vec3 startMm;     ///< where the tool stood before the first run
+  base::RotaryDeg startDeg{};
 };
 
-/// What has to be known of a run of method window to take it up again (`resumeFrom`).
+/// What has to be known of a run of method window or credit to take it up again (`resumeFrom`).
 struct Checkpoint {
   int runNumber = 0;           ///< what the control was asked to obey
   std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
   base::Vec3 startMm;          ///< where the tool stood before the first run
   bool granted = false;        ///< the control is known to have obeyed this run
   bool pausesPlaced = true;    ///< its windows were cut by `placePauses`, else evenly
+  base::RotaryDeg startDeg{};
 };
 
 /// How a run comes by its form of access.
@@ -89,12 +100,20 @@ struct RunSettings {
   base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
+  /// What access to this control was measured to cost, of this version of its server; null: it was
+  /// not. Takes the place of `accessTime`, and of the 99th percentile of the live margin while the
+  /// run has too few accesses of its own.
+  std::shared_ptr<const Calibration> calibration;
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
-  /// Method window: by which the control tells this run from others, 1 to 999 999; 0: made from
-  /// the time and the program.
+  /// Method credit: this control has passed the commissioning test. Nothing starts without.
+  bool isCommissioned = false;
+  /// Methods window and credit: by which the control tells this run from others, 1 to 999 999; 0:
+  /// made from the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
-  bool placePauses = true;       ///< method window: end windows where the path stands or turns
+  TransferWay transfer = TransferWay::Link;
+  /// Method window: end windows where the path stands or turns. Method credit has no pauses there.
+  bool placePauses = true;
   bool monitor = true;  ///< read position and feed for the display where the stream has slack
 };
 
@@ -146,6 +165,7 @@ struct RunReport {
   std::string programName;
   RunSettings settings;                    ///< with the grouping that was used
   std::optional<AccessForms> accessForms;  ///< what was tried; nothing if nothing was
+  std::optional<ProgramTransfer> transfer;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
 
   /// True if the run did what was ordered: completed (or stopped), nothing repeated or skipped.

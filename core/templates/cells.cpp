@@ -25,15 +25,21 @@ constexpr int kContiguousFirstSlot = 10;
 
 /// Method window: counted up like the generator's version, for its own text.
 constexpr std::uint64_t kWindowVersion = 1;
+/// The same for method credit and for rotary axes.
+constexpr std::uint64_t kFurtherVersion = 1;
 /// Cells in front of the first window, and in front of the slots of each window.
 constexpr int kWindowHeader = 10;
 constexpr int kWindowOwn = 3;
 constexpr int kWindowsMax = 8;
+constexpr int kWindowsAheadMax = 8;
+/// Method file: some 40 kB a window.
+constexpr int kFilePointsMax = 1000;
 /// Far beyond every control; keeps the arithmetic of cells small.
 constexpr int kRParametersMax = 1'000'000;
 
-int chosenAxes(const std::array<bool, base::kAxisCount>& axes) {
-  return static_cast<int>(std::count(axes.begin(), axes.end(), true));
+int chosenAxes(const TemplateParameters& parameters) {
+  const auto linear = std::count(parameters.axes.begin(), parameters.axes.end(), true);
+  return static_cast<int>(linear) + static_cast<int>(base::count(parameters.rotaryAxes));
 }
 
 /// Method signal needs two windows of at least one slot each.
@@ -44,8 +50,9 @@ int pointsPerLoopMin(base::MethodKind method) {
 CellMap cellsOf(const TemplateParameters& parameters) {
   CellMap cells;
   cells.axes = parameters.axes;
+  cells.rotaryAxes = parameters.rotaryAxes;
   cells.pointsPerLoop = parameters.pointsPerLoop;
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(parameters.method)) {
     const int first = parameters.baseCell;
     cells.run = first;
     cells.delivered = first + 1;
@@ -57,11 +64,14 @@ CellMap cellsOf(const TemplateParameters& parameters) {
     cells.owner = first + 7;
     cells.heartbeat = first + 8;
     cells.signal = cells.stop = cells.feed = cells.run;
-    cells.slotStride =
-        parameters.slotStride > 0 ? parameters.slotStride : chosenAxes(parameters.axes);
+    cells.slotStride = parameters.slotStride > 0 ? parameters.slotStride : chosenAxes(parameters);
     cells.windows = parameters.windows;
     cells.windowStride = kWindowOwn + cells.slotStride * parameters.pointsPerLoop;
     cells.firstSlot = first + kWindowHeader + kWindowOwn;
+    if (parameters.method == base::MethodKind::File) {
+      cells.inFiles = true;
+      cells.asked = first + 9;
+    }
     return cells;
   }
   if (parameters.layout == Layout::Paper) {
@@ -69,9 +79,27 @@ CellMap cellsOf(const TemplateParameters& parameters) {
     cells.slotStride = kPaperStride;
   } else {
     cells.firstSlot = kContiguousFirstSlot;
-    cells.slotStride = chosenAxes(parameters.axes);
+    cells.slotStride = chosenAxes(parameters);
   }
   return cells;
+}
+
+/// What programs with windows differ in besides points, windows, linear axes and cells, below
+/// `kVariants`; 0: method window without rotary axes.
+constexpr std::uint64_t kVariants = 18 * 8;
+std::uint64_t variantOf(const TemplateParameters& parameters) {
+  std::uint64_t rotary = 0;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    rotary |= static_cast<std::uint64_t>(parameters.rotaryAxes[axis]) << axis;
+  }
+  std::uint64_t kind = 0;
+  if (parameters.method == base::MethodKind::Credit) {
+    const int ahead = std::clamp(parameters.windowsAhead, 1, kWindowsAheadMax);
+    kind = static_cast<std::uint64_t>(ahead * 2 - (parameters.slowDown ? 1 : 0));
+  } else if (parameters.method == base::MethodKind::File) {
+    kind = 17;
+  }
+  return kind * 8 + rotary;
 }
 
 }  // namespace
@@ -100,7 +128,7 @@ std::vector<int> CellMap::slotCells(int slot) const {
   // Where a slot has room for all axes, an axis keeps its place whichever of them are chosen.
   const bool fixedPlaces = windows == 0 && slotStride >= static_cast<int>(base::kAxisCount);
   std::vector<int> cells;
-  cells.reserve(base::kAxisCount);
+  cells.reserve(base::kAxisCount + base::kRotaryAxisCount);
   const int window = windows > 0 ? slot / pointsPerLoop : 0;
   const int place = windows > 0 ? slot % pointsPerLoop : slot;
   const int first = firstSlot + window * windowStride + place * slotStride;
@@ -109,11 +137,16 @@ std::vector<int> CellMap::slotCells(int slot) const {
       cells.push_back(first + static_cast<int>(fixedPlaces ? axis : cells.size()));
     }
   }
+  for (const bool isChosen : rotaryAxes) {
+    if (isChosen) {
+      cells.push_back(first + static_cast<int>(cells.size()));
+    }
+  }
   return cells;
 }
 
 int CellMap::last() const {
-  int last = std::max({signal, run, stop, feed, layout, heartbeat});
+  int last = std::max({signal, run, stop, feed, layout, heartbeat, asked});
   if (slotCount() > 0) {
     for (const int cell : slotCells(slotCount() - 1)) {
       last = std::max(last, cell);
@@ -130,8 +163,22 @@ double checkFactor(int place) {
 }
 
 base::Result<CellMap> planCells(const TemplateParameters& parameters) {
-  if (chosenAxes(parameters.axes) == 0) {
+  if (chosenAxes(parameters) == 0) {
     return base::fail(TemplateError::NoAxis, "No axis is chosen: choose at least one of X, Y, Z.");
+  }
+  const bool takesRotary =
+      parameters.method == base::MethodKind::Window || parameters.method == base::MethodKind::File;
+  if (base::any(parameters.rotaryAxes) && !takesRotary) {
+    return base::fail(
+        TemplateError::RotaryNeedsWindow,
+        fmt::format("Method {} moves X, Y and Z only: choose method window for rotary axes.",
+                    base::methodName(parameters.method)));
+  }
+  if (chosenAxes(parameters) > static_cast<int>(base::kStreamedAxesMax)) {
+    return base::fail(
+        TemplateError::TooManyAxes,
+        fmt::format("{} axes are chosen ({}): choose at most {}.", chosenAxes(parameters),
+                    axisLetters(parameters), base::kStreamedAxesMax));
   }
   const int min = pointsPerLoopMin(parameters.method);
   if (parameters.pointsPerLoop < min) {
@@ -140,23 +187,33 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
         fmt::format("Method {} needs N of at least {}; it is {}.",
                     base::methodName(parameters.method), min, parameters.pointsPerLoop));
   }
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(parameters.method)) {
     if (parameters.windows < 1 || parameters.windows > kWindowsMax) {
       return base::fail(TemplateError::BadCells, fmt::format("{} windows: choose 1 to {}.",
                                                              parameters.windows, kWindowsMax));
+    }
+    if (parameters.windowsAhead < 1 || parameters.windowsAhead > kWindowsAheadMax) {
+      return base::fail(TemplateError::BadCells,
+                        fmt::format("{} windows ahead of the motion: choose 1 to {}.",
+                                    parameters.windowsAhead, kWindowsAheadMax));
     }
     if (parameters.baseCell < 0 || parameters.baseCell > kRParametersMax) {
       return base::fail(TemplateError::BadCells,
                         fmt::format("The cells cannot begin at R{}.", parameters.baseCell));
     }
     constexpr int kStrideMax = 100;
-    if (parameters.slotStride != 0 && (parameters.slotStride < chosenAxes(parameters.axes) ||
-                                       parameters.slotStride > kStrideMax)) {
+    if (parameters.slotStride != 0 &&
+        (parameters.slotStride < chosenAxes(parameters) || parameters.slotStride > kStrideMax)) {
       return base::fail(
           TemplateError::BadCells,
           fmt::format("{} cells per point: choose {} to {}, or 0 for as many as axes.",
-                      parameters.slotStride, chosenAxes(parameters.axes), kStrideMax));
+                      parameters.slotStride, chosenAxes(parameters), kStrideMax));
     }
+  }
+  if (parameters.method == base::MethodKind::File && parameters.pointsPerLoop > kFilePointsMax) {
+    return base::fail(TemplateError::DoesNotFit,
+                      fmt::format("{} points per file: choose at most {}.",
+                                  parameters.pointsPerLoop, kFilePointsMax));
   }
   // Before any arithmetic with N: more points than R-parameters never fit.
   if (parameters.pointsPerLoop > kRParametersMax) {
@@ -180,14 +237,17 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
 }
 
 int pointsPerLoopMax(const TemplateParameters& parameters) {
-  const int axes = chosenAxes(parameters.axes);
+  const int axes = chosenAxes(parameters);
   if (axes == 0) {
     return 0;
+  }
+  if (parameters.method == base::MethodKind::File) {
+    return parameters.baseCell + kWindowHeader <= parameters.rParameterCount ? kFilePointsMax : 0;
   }
   TemplateParameters one = parameters;
   one.pointsPerLoop = 1;
   const CellMap cells = cellsOf(one);
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::hasWindows(parameters.method)) {
     const int perWindow = (parameters.rParameterCount - cells.windowCount(0)) /
                               std::clamp(parameters.windows, 1, kWindowsMax) -
                           kWindowOwn;
@@ -204,6 +264,38 @@ int pointsPerLoopMax(const TemplateParameters& parameters) {
   return fits < pointsPerLoopMin(parameters.method) ? 0 : fits;
 }
 
+std::string axisLetters(const TemplateParameters& parameters) {
+  std::string letters;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (parameters.axes[axis]) {
+      letters += base::kAxisNames[axis];
+    }
+  }
+  return letters + base::rotaryNames(parameters.rotaryAxes);
+}
+
+base::Result<void> chooseAxes(TemplateParameters& parameters, std::string_view letters) {
+  std::array<bool, base::kAxisCount> axes{};
+  base::RotarySet rotaryAxes{};
+  for (const char letter : letters) {
+    const std::size_t linear = std::string_view("XYZ").find(letter);
+    const std::size_t rotary = std::string_view("ABC").find(letter);
+    bool* const chosen = linear != std::string_view::npos   ? &axes[linear]
+                         : rotary != std::string_view::npos ? &rotaryAxes[rotary]
+                                                            : nullptr;
+    if (chosen == nullptr || *chosen) {
+      return base::fail(
+          TemplateError::BadAxes,
+          fmt::format("Axes \"{}\": write each of X Y Z A B C once at most, as in XYZAC.",
+                      letters));
+    }
+    *chosen = true;
+  }
+  parameters.axes = axes;
+  parameters.rotaryAxes = rotaryAxes;
+  return {};
+}
+
 int layoutNumber(const TemplateParameters& parameters) {
   std::uint64_t axes = 0;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -215,27 +307,41 @@ int layoutNumber(const TemplateParameters& parameters) {
   constexpr std::uint64_t kSpread = 618'033;
   constexpr std::uint64_t kVersionShift = 271'829;
   const auto points = static_cast<std::uint64_t>(std::max(parameters.pointsPerLoop, 0));
-  if (parameters.method == base::MethodKind::Window) {
+  if (!base::hasWindows(parameters.method)) {
+    const bool signal = parameters.method == base::MethodKind::Signal;
+    const std::uint64_t program =
+        !signal ? 0 : (parameters.signalStop == SignalStop::EachSignal ? 1 : 2);
+    const std::uint64_t layout = parameters.layout == Layout::Paper ? 0 : 1;
+    const std::uint64_t code = ((points * 3 + program) * 2 + layout) * 8 + axes;
+    return static_cast<int>((code % kPrime * kSpread + kGeneratorVersion * kVersionShift) %
+                            kPrime) +
+           1;
+  }
+  constexpr std::uint64_t kCellsSpread = 367'879;
+  const std::uint64_t where = static_cast<std::uint64_t>(std::max(parameters.baseCell, 0)) * 128 +
+                              static_cast<std::uint64_t>(std::max(parameters.slotStride, 0));
+  const std::uint64_t windows =
+      static_cast<std::uint64_t>(std::clamp(parameters.windows, 1, kWindowsMax) - 1);
+  const std::uint64_t variant = variantOf(parameters);
+  if (variant == 0) {
     // Numbers of their own: apart from those of [P1]'s methods below N = 10416, and from each
     // other below N = 7812 with the cells where they are by default.
     constexpr std::uint64_t kWindowFirst = 500'000;
-    constexpr std::uint64_t kCellsSpread = 367'879;
-    const std::uint64_t where = static_cast<std::uint64_t>(std::max(parameters.baseCell, 0)) * 128 +
-                                static_cast<std::uint64_t>(std::max(parameters.slotStride, 0));
-    const std::uint64_t windows =
-        static_cast<std::uint64_t>(std::clamp(parameters.windows, 1, kWindowsMax) - 1);
     const std::uint64_t code =
         kWindowFirst + (points * kWindowsMax + windows) * 8 + axes + where % kPrime * kCellsSpread;
     return static_cast<int>((code % kPrime * kSpread + kWindowVersion * kVersionShift) % kPrime) +
            1;
   }
-  const bool signal = parameters.method == base::MethodKind::Signal;
-  const std::uint64_t program =
-      !signal ? 0 : (parameters.signalStop == SignalStop::EachSignal ? 1 : 2);
-  const std::uint64_t layout = parameters.layout == Layout::Paper ? 0 : 1;
-  const std::uint64_t code = ((points * 3 + program) * 2 + layout) * 8 + axes;
-  return static_cast<int>((code % kPrime * kSpread + kGeneratorVersion * kVersionShift) % kPrime) +
-         1;
+  // All others lie above, up to 2^24: a 32-bit real still holds them. Apart from each other below
+  // N = 1712 with the cells where they are by default.
+  constexpr std::uint64_t kFurtherPrime = 15'777'217;
+  constexpr std::uint64_t kFurtherSpread = 9'750'853;
+  constexpr std::uint64_t kFurtherShift = 4'288'771;
+  const std::uint64_t code = ((points * kVariants + variant) * kWindowsMax + windows) * 8 + axes +
+                             where % kFurtherPrime * kCellsSpread;
+  return static_cast<int>(
+      kPrime + 1 +
+      (code % kFurtherPrime * kFurtherSpread + kFurtherVersion * kFurtherShift) % kFurtherPrime);
 }
 
 }  // namespace rivulet::templates

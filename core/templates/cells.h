@@ -8,9 +8,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/method_kind.h"
 #include "base/result.h"
 #include "base/vec3.h"
@@ -23,6 +27,9 @@ enum class TemplateError {
   NoAxis,                   ///< no axis chosen
   BadCells,                 ///< base, stride or number of windows out of range
   FileNotWritable,
+  RotaryNeedsWindow,  ///< rotary axes with a method of [P1], which moves X, Y and Z
+  TooManyAxes,        ///< more than `base::kStreamedAxesMax`
+  BadAxes,            ///< letters that are no axes
 };
 
 [[nodiscard]] std::error_code make_error_code(TemplateError code);
@@ -45,13 +52,18 @@ enum class SignalStop {
 struct TemplateParameters {
   base::MethodKind method = base::MethodKind::Window;
   int pointsPerLoop = 7;  ///< N; method window: points per window
-  int windows = 2;        ///< method window: k, 1 to 8
-  int baseCell = 0;       ///< method window: R number of its first cell
-  int slotStride = 0;     ///< method window: cells per point; 0: as many as axes
+  int windows = 2;        ///< methods window and credit: k, 1 to 8
+  int baseCell = 0;       ///< methods window and credit: R number of the first cell
+  int slotStride = 0;     ///< methods window and credit: cells per point; 0: as many as axes
+  /// Method credit: windows the program may have copied and not executed, the one in motion
+  /// included, 1 to 8. As many are still executed behind a stop.
+  int windowsAhead = 3;
+  bool slowDown = true;  ///< method credit: lower the feed while the last window there is, is run
   Layout layout = Layout::Paper;
   SignalStop signalStop = SignalStop::EachSignal;
   std::array<bool, base::kAxisCount> axes{true, true, true};
-  int rParameterCount = 100;  ///< MD28050: R0 to R(count-1) exist
+  base::RotarySet rotaryAxes{};  ///< method window: A, B, C, in degrees
+  int rParameterCount = 100;     ///< MD28050: R0 to R(count-1) exist
 };
 
 /// R-parameter numbers by role.
@@ -65,25 +77,29 @@ struct CellMap {
   int slotStride = 10;
   int pointsPerLoop = 7;
   std::array<bool, base::kAxisCount> axes{true, true, true};
+  base::RotarySet rotaryAxes{};
 
-  // Method window only. `run` is 0 hold, 1 run, 2 end before the next window; `signal`, `stop`
-  // and `feed` are not used there, and `firstSlot` is the first slot of window 0.
-  int delivered = 0;     ///< client, last of each window: windows it has completed
-  int latched = 0;       ///< NC: windows it has copied; their cells may be written again
-  int executed = 0;      ///< NC: windows whose last point the axes have reached
-  int state = 0;         ///< NC: `WindowState`
-  int client = 0;        ///< client: the number of its run, to be granted the cells
-  int owner = 0;         ///< NC: number of the run it obeys; only the first to ask is granted
+  // Methods window and credit only. `run` is 0 hold, 1 run, 2 end before the next window; `signal`,
+  // `stop` and `feed` are not used there, and `firstSlot` is the first slot of window 0.
+  int delivered = 0;  ///< client, last of each window: windows it has completed
+  int latched = 0;    ///< NC: windows it has copied; their cells may be written again
+  int executed = 0;   ///< NC: windows whose last point the axes have reached
+  int state = 0;      ///< NC: `WindowState`
+  int client = 0;     ///< client: the number of its run, to be granted the cells
+  int owner = 0;      ///< NC: number of the run it obeys; only the first to ask is granted
+  /// Method file, NC alone: the window the program asks for, then what its subprogram answered.
+  int asked = 0;
+  bool inFiles = false;  ///< method file: windows are subprograms, there are no slots
   int heartbeat = 0;     ///< client: changes while it lives
   int windows = 0;       ///< k; 0: another method
   int windowStride = 0;  ///< from a cell of a window to that of the next
 
-  /// Cells of one slot in axis order, only the chosen axes.
+  /// Cells of one slot in the order X Y Z A B C, only the chosen axes.
   /// @param slot from 0; method window: window · N + place in the window
   [[nodiscard]] std::vector<int> slotCells(int slot) const;
   /// Slots there are. Method window: N per window.
   [[nodiscard]] int slotCount() const {
-    return windows > 0 ? windows * pointsPerLoop : pointsPerLoop;
+    return inFiles ? 0 : windows > 0 ? windows * pointsPerLoop : pointsPerLoop;
   }
   /// Cells in front of a window's slots (method window). @param window from 0, below `windows`
   [[nodiscard]] int windowCount(int window) const { return firstSlot - 3 + window * windowStride; }
@@ -93,7 +109,7 @@ struct CellMap {
   [[nodiscard]] int last() const;
 };
 
-/// What the program of method window says in its state cell.
+/// What the program of methods window and credit says in its state cell.
 enum class WindowState {
   Runs = 0,       ///< it waits or moves
   Done = 1,       ///< ended behind the last window
@@ -110,8 +126,18 @@ inline constexpr double kCheckFeed = 0.917;
 /// @param place  of the coordinate in the window, from 0
 [[nodiscard]] double checkFactor(int place);
 
+/// Method credit: path override, in percent, while nothing is left behind the window in motion.
+inline constexpr int kCreditSlowPercent = 40;
+
+/// Letters of the chosen axes, e.g. "XYZAC".
+[[nodiscard]] std::string axisLetters(const TemplateParameters& parameters);
+/// Chooses the axes by their letters, in any order. @return BadAxes for anything but X Y Z A B C,
+/// each once
+[[nodiscard]] base::Result<void> chooseAxes(TemplateParameters& parameters,
+                                            std::string_view letters);
+
 /// Where everything lies. @return DoesNotFit (the message names the MD28050 value that would
-/// do), TooFewPointsPerLoop, NoAxis
+/// do), TooFewPointsPerLoop, NoAxis, TooManyAxes, RotaryNeedsWindow
 [[nodiscard]] base::Result<CellMap> planCells(const TemplateParameters& parameters);
 
 /// Largest N that fits. 0 if none does.

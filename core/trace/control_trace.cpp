@@ -13,7 +13,9 @@ namespace rivulet::trace {
 namespace {
 
 constexpr std::string_view kName = "rivulet-control-trace";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
+/// Rotary axes came with format 2; a trace without them is still one of format 1.
+constexpr int kVersionWithoutRotary = 1;
 /// A sample's line is about this long: one reservation instead of many moves.
 constexpr std::size_t kSampleBytes = 120;
 constexpr std::size_t kBlockBytes = 90;
@@ -58,13 +60,15 @@ std::error_code make_error_code(TraceError code) {
 std::string printControlTrace(const ControlTrace& trace) {
   std::string out;
   out.reserve(trace.samples.size() * kSampleBytes + trace.blocks.size() * kBlockBytes + 100);
-  fmt::format_to(std::back_inserter(out), "{} {} cycle_ns={}\n", kName, kVersion,
-                 trace.cycle.count());
+  const bool hasRotary = base::any(trace.rotaryAxes);
+  fmt::format_to(std::back_inserter(out), "{} {} cycle_ns={}{}{}\n", kName,
+                 hasRotary ? kVersion : kVersionWithoutRotary, trace.cycle.count(),
+                 hasRotary ? " rotary=" : "", base::rotaryNames(trace.rotaryAxes));
   for (const ControlSample& sample : trace.samples) {
-    lines::appendSample(out, sample);
+    lines::appendSample(out, sample, trace.rotaryAxes);
   }
   for (const ExecutedBlock& block : trace.blocks) {
-    lines::appendBlock(out, block);
+    lines::appendBlock(out, block, trace.rotaryAxes);
   }
   fmt::format_to(std::back_inserter(out), "end samples={} blocks={} truncated={}\n",
                  trace.samples.size(), trace.blocks.size(), trace.truncated ? 1 : 0);
@@ -91,8 +95,11 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
   ControlTrace trace;
   lines::Fields head(header.rest);
   while (head.ok() && !head.atEnd()) {
-    if (head.key() == "cycle_ns") {
+    const std::string_view key = head.key();
+    if (key == "cycle_ns") {
       trace.cycle = head.duration();
+    } else if (key == "rotary") {
+      trace.rotaryAxes = lines::readRotaryNames(head);
     } else {
       head.skipValue();
     }
@@ -118,13 +125,13 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
     lines::Fields fields(line->text);
     const std::string_view keyword = fields.word();
     if (keyword == "s") {
-      const auto sample = lines::readSample(fields);
+      const auto sample = lines::readSample(fields, trace.rotaryAxes);
       if (!sample) {
         return damaged(line->number, "the sample cannot be read");
       }
       trace.samples.push_back(*sample);
     } else if (keyword == "b") {
-      const auto block = lines::readBlock(fields);
+      const auto block = lines::readBlock(fields, trace.rotaryAxes);
       if (!block) {
         return damaged(line->number, "the block cannot be read");
       }

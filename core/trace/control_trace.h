@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/id.h"
 #include "base/instant.h"
 #include "base/result.h"
@@ -22,8 +23,10 @@ struct ControlSample {
   base::Instant at{};
   base::Vec3 commandMm;   ///< set point, workpiece frame
   base::Vec3 actualMm;    ///< behind the servo
-  double feedMmPerS = 0;  ///< path speed of the set point
+  double feedMmPerS = 0;  ///< path speed of the set point; deg/s where only rotary axes turn
   base::LineNumber line;  ///< block in motion, line of the NC program on the control
+  base::RotaryDeg commandDeg{};
+  base::RotaryDeg actualDeg{};
 };
 
 /// One motion block, from the moment the main run took it up to its end.
@@ -32,11 +35,17 @@ struct ExecutedBlock {
   base::Instant to{};
   base::LineNumber line;
   base::Vec3 targetMm;    ///< programmed end point
-  double lengthMm = 0.0;  ///< path length; 0 for a block that moves nothing
+  double lengthMm = 0.0;  ///< path length of X Y Z
+  base::RotaryDeg targetDeg{};
+  double turnDeg = 0.0;  ///< how far the rotary axes turn, as `base::turnDeg` says
+
+  /// False for a block that moves nothing.
+  [[nodiscard]] bool moves() const { return lengthMm > 0.0 || turnDeg > 0.0; }
 };
 
 struct ControlTrace {
-  base::Duration cycle{};  ///< interpolation cycle
+  base::Duration cycle{};        ///< interpolation cycle
+  base::RotarySet rotaryAxes{};  ///< those the machine has; angles of others are 0 and not written
   std::vector<ControlSample> samples;
   std::vector<ExecutedBlock> blocks;
   bool truncated = false;  ///< the control's trace memory was full before the run ended
@@ -52,7 +61,8 @@ enum class TraceError {
 
 [[nodiscard]] std::error_code make_error_code(TraceError code);
 
-/// Versioned line format (docs/formats.md). `parse(print(t))` equals `t`.
+/// Versioned line format (docs/formats.md). `parse(print(t))` equals `t`. A trace without rotary
+/// axes is written as it always was.
 [[nodiscard]] std::string printControlTrace(const ControlTrace& trace);
 [[nodiscard]] base::Result<ControlTrace> parseControlTrace(std::string_view text);
 

@@ -148,35 +148,79 @@ void appendQuoted(std::string& out, std::string_view text) {
   out += '"';
 }
 
-void appendSample(std::string& out, const ControlSample& s) {
-  fmt::format_to(std::back_inserter(out), FMT_COMPILE("s {} {} {} {} {} {} {} {} {}\n"),
+void appendAngles(std::string& out, const base::RotaryDeg& angles, const base::RotarySet& of) {
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (of[axis]) {
+      fmt::format_to(std::back_inserter(out), FMT_COMPILE(" {}"), angles[axis]);
+    }
+  }
+}
+
+base::RotaryDeg readAngles(Fields& fields, const base::RotarySet& of) {
+  base::RotaryDeg angles{};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (of[axis]) {
+      angles[axis] = fields.number();
+    }
+  }
+  return angles;
+}
+
+base::RotarySet readRotaryNames(Fields& fields) {
+  const std::string_view names = fields.word();
+  base::RotarySet set{};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    set[axis] = names.find(base::kRotaryAxisNames[axis]) != std::string_view::npos;
+  }
+  if (names.empty() || base::rotaryNames(set) != names) {
+    fields.refuse();
+  }
+  return set;
+}
+
+void appendSample(std::string& out, const ControlSample& s, const base::RotarySet& rotaryAxes) {
+  fmt::format_to(std::back_inserter(out), FMT_COMPILE("s {} {} {} {} {} {} {} {} {}"),
                  s.at.time_since_epoch().count(), s.commandMm.x, s.commandMm.y, s.commandMm.z,
                  s.actualMm.x, s.actualMm.y, s.actualMm.z, s.feedMmPerS, s.line.value);
+  appendAngles(out, s.commandDeg, rotaryAxes);
+  appendAngles(out, s.actualDeg, rotaryAxes);
+  out += '\n';
 }
 
-void appendBlock(std::string& out, const ExecutedBlock& b) {
-  fmt::format_to(std::back_inserter(out), FMT_COMPILE("b {} {} {} {} {} {} {}\n"),
+void appendBlock(std::string& out, const ExecutedBlock& b, const base::RotarySet& rotaryAxes) {
+  fmt::format_to(std::back_inserter(out), FMT_COMPILE("b {} {} {} {} {} {} {}"),
                  b.from.time_since_epoch().count(), b.to.time_since_epoch().count(), b.line.value,
                  b.targetMm.x, b.targetMm.y, b.targetMm.z, b.lengthMm);
+  if (base::any(rotaryAxes)) {
+    appendAngles(out, b.targetDeg, rotaryAxes);
+    fmt::format_to(std::back_inserter(out), FMT_COMPILE(" {}"), b.turnDeg);
+  }
+  out += '\n';
 }
 
-std::optional<ControlSample> readSample(Fields fields) {
+std::optional<ControlSample> readSample(Fields fields, const base::RotarySet& rotaryAxes) {
   ControlSample s;
   s.at = fields.instant();
   s.commandMm = fields.vector();
   s.actualMm = fields.vector();
   s.feedMmPerS = fields.number();
   s.line.value = fields.integer<std::uint32_t>();
+  s.commandDeg = readAngles(fields, rotaryAxes);
+  s.actualDeg = readAngles(fields, rotaryAxes);
   return fields.ok() && fields.atEnd() ? std::optional(s) : std::nullopt;
 }
 
-std::optional<ExecutedBlock> readBlock(Fields fields) {
+std::optional<ExecutedBlock> readBlock(Fields fields, const base::RotarySet& rotaryAxes) {
   ExecutedBlock b;
   b.from = fields.instant();
   b.to = fields.instant();
   b.line.value = fields.integer<std::uint32_t>();
   b.targetMm = fields.vector();
   b.lengthMm = fields.number();
+  if (base::any(rotaryAxes)) {
+    b.targetDeg = readAngles(fields, rotaryAxes);
+    b.turnDeg = fields.number();
+  }
   return fields.ok() && fields.atEnd() ? std::optional(b) : std::nullopt;
 }
 

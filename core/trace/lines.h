@@ -75,11 +75,20 @@ class Fields {
 /// Appends `text` in double quotes; quotes, backslashes and line ends are escaped.
 void appendQuoted(std::string& out, std::string_view text);
 
-void appendSample(std::string& out, const ControlSample& sample);
-void appendBlock(std::string& out, const ExecutedBlock& block);
+/// @param rotaryAxes  whose angles stand at the end of the line
+void appendSample(std::string& out, const ControlSample& sample, const base::RotarySet& rotaryAxes);
+void appendBlock(std::string& out, const ExecutedBlock& block, const base::RotarySet& rotaryAxes);
 /// Reads what follows the keyword; nothing if a field is missing, wrong or left over.
-[[nodiscard]] std::optional<ControlSample> readSample(Fields fields);
-[[nodiscard]] std::optional<ExecutedBlock> readBlock(Fields fields);
+[[nodiscard]] std::optional<ControlSample> readSample(Fields fields,
+                                                      const base::RotarySet& rotaryAxes);
+[[nodiscard]] std::optional<ExecutedBlock> readBlock(Fields fields,
+                                                     const base::RotarySet& rotaryAxes);
+
+/// Angles of those axes, each behind a blank.
+void appendAngles(std::string& out, const base::RotaryDeg& angles, const base::RotarySet& of);
+[[nodiscard]] base::RotaryDeg readAngles(Fields& fields, const base::RotarySet& of);
+/// The axes in a word as `base::rotaryNames` writes it; anything else is refused.
+[[nodiscard]] base::RotarySet readRotaryNames(Fields& fields);
 
 /// What the first line of a file says: "<name> <version> ...".
 struct Header {

@@ -19,12 +19,22 @@ namespace {
 using lines::Fields;
 
 constexpr std::string_view kName = "rivulet-recording";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
+/// Rotary axes came with format 2; a recording without them is still one of format 1.
+constexpr int kVersionWithoutRotary = 1;
 /// Long lists go to the sink in pieces of about this size.
 constexpr std::size_t kFlushBytes = 64 * 1024;
 
 std::int64_t nanoseconds(base::Instant at) {
   return at.time_since_epoch().count();
+}
+
+base::RotarySet rotaryOf(std::string_view axes) {
+  base::RotarySet set{};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    set[axis] = axes.find(base::kRotaryAxisNames[axis]) != std::string_view::npos;
+  }
+  return set;
 }
 
 void appendText(std::string& out, std::string_view key, std::string_view text) {
@@ -68,14 +78,14 @@ bool Reader::read(std::string_view line) {
   const std::string_view keyword = fields.word();
   std::optional<ControlTrace>& trace = m_recording.controlTrace;
   if (keyword == "s") {
-    const auto sample = lines::readSample(fields);
+    const auto sample = lines::readSample(fields, trace ? trace->rotaryAxes : base::RotarySet{});
     if (sample && trace) {
       trace->samples.push_back(*sample);
     }
     return sample && trace;
   }
   if (keyword == "b") {
-    const auto block = lines::readBlock(fields);
+    const auto block = lines::readBlock(fields, trace ? trace->rotaryAxes : base::RotarySet{});
     if (block && trace) {
       trace->blocks.push_back(*block);
     }
@@ -123,6 +133,8 @@ bool Reader::readRun(Fields fields) {
       start.pointsPerLoop = fields.integer<int>();
     } else if (key == "layout") {
       start.layout = fields.quoted();
+    } else if (key == "axes") {
+      start.axes = fields.quoted();
     } else if (key == "delta_mm") {
       start.deltaMm = fields.number();
     } else if (key == "feed_mm_per_s") {
@@ -169,6 +181,7 @@ bool Reader::readPoint(Fields fields) {
   gcode::StreamPoint point;
   point.line.value = fields.integer<std::uint32_t>();
   point.positionMm = fields.vector();
+  point.rotaryDeg = lines::readAngles(fields, rotaryOf(m_recording.start.axes));
   if (!fields.ok() || !fields.atEnd()) {
     return false;
   }
@@ -184,6 +197,9 @@ bool Reader::readLive(Fields fields) {
     fields = ahead;
   } else {
     sample.positionMm = fields.vector();
+    if (const base::RotarySet axes = rotaryOf(m_recording.start.axes); base::any(axes)) {
+      sample.rotaryDeg = lines::readAngles(fields, axes);
+    }
   }
   ahead = fields;
   if (ahead.word() == "-") {
@@ -250,6 +266,8 @@ bool Reader::readTrace(Fields fields) {
       trace.cycle = fields.duration();
     } else if (key == "truncated") {
       trace.truncated = fields.integer<int>() != 0;
+    } else if (key == "rotary") {
+      trace.rotaryAxes = lines::readRotaryNames(fields);
     } else {
       fields.skipValue();
     }
@@ -340,11 +358,16 @@ bool RecordingWriter::flushIfLarge() {
 }
 
 bool RecordingWriter::start(const RunStart& start) {
-  fmt::format_to(std::back_inserter(m_lines), "{} {}\nrun", kName, kVersion);
+  m_rotaryAxes = rotaryOf(start.axes);
+  fmt::format_to(std::back_inserter(m_lines), "{} {}\nrun", kName,
+                 base::any(m_rotaryAxes) ? kVersion : kVersionWithoutRotary);
   appendText(m_lines, "tool", start.toolVersion);
   appendText(m_lines, "method", start.method);
   appendNumber(m_lines, "points_per_loop", start.pointsPerLoop);
   appendText(m_lines, "layout", start.layout);
+  if (!start.axes.empty()) {
+    appendText(m_lines, "axes", start.axes);
+  }
   appendNumber(m_lines, "delta_mm", start.deltaMm);
   appendNumber(m_lines, "feed_mm_per_s", start.feedMmPerS);
   appendText(m_lines, "program", start.programName);
@@ -361,8 +384,10 @@ bool RecordingWriter::points(const gcode::PointList& points) {
   appendNumber(m_lines, "merged", points.merged);
   m_lines += '\n';
   for (const gcode::StreamPoint& point : points.points) {
-    fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE("p {} {} {} {}\n"), point.line.value,
+    fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE("p {} {} {} {}"), point.line.value,
                    point.positionMm.x, point.positionMm.y, point.positionMm.z);
+    lines::appendAngles(m_lines, point.rotaryDeg, m_rotaryAxes);
+    m_lines += '\n';
     flushIfLarge();
   }
   return flush();
@@ -373,6 +398,7 @@ bool RecordingWriter::sample(const LiveSample& sample) {
   if (sample.positionMm) {
     fmt::format_to(std::back_inserter(m_lines), FMT_COMPILE(" {} {} {}"), sample.positionMm->x,
                    sample.positionMm->y, sample.positionMm->z);
+    lines::appendAngles(m_lines, sample.rotaryDeg.value_or(base::RotaryDeg{}), m_rotaryAxes);
   } else {
     m_lines += " -";
   }
@@ -408,13 +434,16 @@ bool RecordingWriter::controlTrace(const ControlTrace& trace) {
   m_lines += "trace";
   appendNumber(m_lines, "cycle_ns", trace.cycle.count());
   appendNumber(m_lines, "truncated", trace.truncated ? 1 : 0);
+  if (base::any(trace.rotaryAxes)) {
+    m_lines += " rotary=" + base::rotaryNames(trace.rotaryAxes);
+  }
   m_lines += '\n';
   for (const ControlSample& sample : trace.samples) {
-    lines::appendSample(m_lines, sample);
+    lines::appendSample(m_lines, sample, trace.rotaryAxes);
     flushIfLarge();
   }
   for (const ExecutedBlock& block : trace.blocks) {
-    lines::appendBlock(m_lines, block);
+    lines::appendBlock(m_lines, block, trace.rotaryAxes);
     flushIfLarge();
   }
   m_lines += "trace-end";

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/result.h"
 #include "base/vec3.h"
@@ -35,6 +36,7 @@ struct RunStart {
   std::string programHash;
   std::string endpoint;      ///< of the OPC UA server, or "simulated <preset> <seed>"
   std::string startedAtUtc;  ///< ISO 8601, given by the caller (core asks no clock); may be empty
+  std::string axes{};        ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
 };
 
 /// One live observation. What was not read stays empty.
@@ -42,6 +44,8 @@ struct LiveSample {
   base::Instant at{};
   std::optional<base::Vec3> positionMm;
   std::optional<double> feedMmPerS;
+  /// Angles of the rotary axes of the run, together with `positionMm`.
+  std::optional<base::RotaryDeg> rotaryDeg{};
 };
 
 /// One request to the control.
@@ -116,6 +120,7 @@ class RecordingWriter {
   bool flushIfLarge();
 
   RecordingSink m_sink;
+  base::RotarySet m_rotaryAxes{};  ///< of the run
   std::string m_lines;
   bool m_ok = true;
 };

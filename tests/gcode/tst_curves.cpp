@@ -309,6 +309,42 @@ class TestCurves : public QObject {
     QCOMPARE(kept.statistics.cutLengthMm, chords.statistics.cutLengthMm);
   }
 
+  /// The tolerance holds where the tool goes, and lengths are those of its way.
+  void scaledArcs() {
+    const gcode::LoadOptions options;
+    const auto big = gcode::interpret("SCALE X10 Y10 Z10\nG0 X10 Y0 Z0\nG3 X-10 I-10 F60", options);
+    const auto& points = big.trajectory.points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vec3 middle = 0.5 * (points[i - 1].positionMm + points[i].positionMm);
+      QVERIFY(100.0 - std::hypot(middle.x, middle.y) <= options.chordToleranceMm + 1e-9);
+    }
+    QVERIFY(std::abs(big.statistics.cutLengthMm - 100.0 * std::numbers::pi) < 1e-9);
+    // Half an ellipse with half axes 20 and 10; its length after Ramanujan, exact to 1e-8 here.
+    const auto ellipse = gcode::interpret("SCALE X2\nG0 X10 Y0 Z0\nG3 X-10 I-10 F60", options);
+    const double h = (10.0 * 10.0) / (30.0 * 30.0);
+    const double halfMm =
+        0.5 * std::numbers::pi * 30.0 * (1.0 + 3.0 * h / (10.0 + std::sqrt(4.0 - 3.0 * h)));
+    QVERIFY(std::abs(ellipse.statistics.cutLengthMm - halfMm) < 0.05);
+    // Evenly long columns that are not at right angles make an ellipse of a circle, too.
+    gcode::LoadOptions keeping;
+    keeping.keepArcs = true;
+    const char* const arc = "STOPRE\nG0 X10 Y0 Z0\nG3 X-10 I-10 F60";
+    const auto turned = [&](const char* frame) {
+      return gcode::interpret(std::string(frame) + arc, keeping).trajectory.arcs.size();
+    };
+    QCOMPARE(turned("ROT Z45\nASCALE X3 Y3 Z3\n"), std::size_t{1});
+    QCOMPARE(turned("SCALE X3\nAROT Z45\n"), std::size_t{0});
+    gcode::Frame skewed;
+    skewed.scale({3.0, 1.0, std::sqrt(5.0)});
+    skewed.rotate(2, 45.0);
+    QVERIFY(!skewed.keepsCircles());
+    QVERIFY(skewed.stretchMax() >= 3.0);
+    gcode::Frame aligned;
+    aligned.rotate(0, 30.0);
+    aligned.scale({2.0, 0.5, -4.0});
+    QVERIFY(std::abs(aligned.stretchMax() - 4.0) < 1e-12);
+  }
+
   void eventsAreInOrder() {
     const auto result =
         gcode::interpret("T1 M6\nS500 M3\nG0 X1\nG4 F2\nG1 X2 F60\nM8\nT=\"DRILL\"\nM30", {});

@@ -99,6 +99,8 @@ class TestInterpreter : public QObject {
     // SINUMERIK.
     add("AC and IC", "G0 X=AC(10) Y0\nX5 Y5\nG91 X=AC(1) Y=IC(2)\nX1 Y=AC(0)",
         "1 R X10 Y0 Z? | 2 R X5 Y5 Z? | 3 R X1 Y7 Z? | 4 R X2 Y0 Z?");
+    add("AC before G91", "G0 X1 Y1\nX=AC(10) Y5 G91\nG90 X1\nX2 Y=IC(3) G91\nY=IC(1) G90",
+        "1 R X1 Y1 Z? | 2 R X10 Y6 Z? | 3 R X1 Y6 Z? | 4 R X3 Y9 Z? | 5 R X3 Y10 Z?");
     add("AC centre", "G0 X0 Y10\nG2 X10 Y0 I=AC(0) J=AC(0) F60",
         "1 R X0 Y10 Z? | 2 A X10 Y0 Z? F60");
     add("AR with end", "STOPRE\nG0 X0 Y10\nG2 X10 Y0 AR=90 F60",
@@ -169,6 +171,9 @@ class TestInterpreter : public QObject {
     add("G-1", "1:1 error unknown-g-code G-1");
     add("G0 X1 A10", "");
     add("G0 X1 A10\nA20", "2:1 warning rotary-axes A");
+    add("A10\nG0 X1\nA10\nX2", "1:1 warning motion-mode-assumed | 1:1 warning feed-missing");
+    add("G0 X1\nA10\nX2", "2:1 warning rotary-axes A");
+    add("G0 A10\nA20 X1", "2:1 warning rotary-axes A");
     add("G0 X1 E10", "1:7 error unknown-word E10");
     add("G0 X1 L5", "1:7 error unknown-word L5");
     add("G0 X1 P5", "1:7 error unknown-word P5");
@@ -182,6 +187,13 @@ class TestInterpreter : public QObject {
     add("G91.1", "1:1 note ignored-code G91.1");
     add("G92 X0", "1:5 error unsupported-g-code G92");
     add("TRANS X10", "");
+    add("TRANS X10 A5", "1:7 error unsupported-g-code TRANS");
+    add("STOPRE\nAROT A5", "1:1 note ignored-code STOPRE | 2:6 error unsupported-g-code AROT");
+    add("G0 X1 A0\nG92 A5", "2:5 error unsupported-g-code G92");
+    add("G52 X1 U5", "1:5 error unsupported-g-code G52");
+    add("G54.1 P1\nG0 X1\nG54.1 P1\nX2\nG54.1 P2\nX3",
+        "1:1 note ignored-code G54.1 | 5:1 error unsupported-g-code G54.1");
+    add("G54.1\nG0 X1", "1:1 error number-missing P");
     add("CYCLE800(1,2)", "1:1 error unsupported-g-code CYCLE800");
     add("CSPLINE", "1:1 error unsupported-g-code CSPLINE");
     add("G0 X1 RND=2", "1:7 error unsupported-g-code RND");

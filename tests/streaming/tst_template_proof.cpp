@@ -64,6 +64,8 @@ void TestTemplateProof::generatedTemplateHolds_data() {
     QTest::addRow("position %d", points) << parametersOf(MethodKind::Position, points);
     QTest::addRow("signal %d", points) << parametersOf(MethodKind::Signal, points);
     QTest::addRow("window %d", points) << parametersOf(MethodKind::Window, points);
+    QTest::addRow("credit %d", points) << parametersOf(MethodKind::Credit, points);
+    QTest::addRow("file %d", points) << parametersOf(MethodKind::File, points);
   }
   TemplateParameters xz = parametersOf(MethodKind::Window, 3);
   xz.axes = {true, false, true};
@@ -93,11 +95,11 @@ void TestTemplateProof::generatedTemplateHolds() {
   for (const ProofCase& one : proof.cases) {
     // The methods of [P1] are wrong where the client is late: the proof has to see that. Only a
     // loop of one point repeats it without a motion.
-    const bool isLate = one.name == "late-client" && parameters.method != MethodKind::Window;
+    const bool isLate = one.name == "late-client" && !base::hasWindows(parameters.method);
     QVERIFY2(one.holds() != (isLate && parameters.pointsPerLoop > 1), listed(proof));
     QCOMPARE(one.isRequired, !isLate);
   }
-  QCOMPARE(proof.cases.size(), parameters.method == MethodKind::Window ? 6U : 3U);
+  QCOMPARE(proof.cases.size(), base::hasWindows(parameters.method) ? 6U : 3U);
 }
 
 void TestTemplateProof::brokenProgramShows_data() {

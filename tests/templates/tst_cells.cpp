@@ -50,6 +50,12 @@ TemplateParameters window() {
   return parameters;
 }
 
+TemplateParameters credit() {
+  TemplateParameters parameters;
+  parameters.method = MethodKind::Credit;
+  return parameters;
+}
+
 }  // namespace
 
 class TestCells : public QObject {
@@ -244,7 +250,7 @@ class TestCells : public QObject {
       for (int n = 1; n <= 1000; ++n) {
         parameters.pointsPerLoop = n;
         const int number = templates::layoutNumber(parameters);
-        QVERIFY(number > 0 && number < 1'000'000);
+        QVERIFY(number > 0 && number < (1 << 24));
         QCOMPARE(number, static_cast<int>(static_cast<float>(number)));  // survives 32-bit cells
         seen.insert(number);
         ++count;
@@ -259,6 +265,24 @@ class TestCells : public QObject {
           parameters.pointsPerLoop = n;
           seen.insert(templates::layoutNumber(parameters));
           ++count;
+        }
+      }
+    }
+    for (TemplateParameters parameters : {window(), credit()}) {
+      for (unsigned rotary = 0; rotary < 8; ++rotary) {
+        parameters.rotaryAxes = {(rotary & 1) != 0, (rotary & 2) != 0, (rotary & 4) != 0};
+        for (int variant = 0; variant < 16; ++variant) {
+          parameters.windowsAhead = 1 + variant / 2;
+          parameters.slowDown = variant % 2 != 0;
+          const bool isNew =
+              parameters.method == base::MethodKind::Credit || (rotary != 0 && variant == 0);
+          for (int n = 1; isNew && n <= 1000; ++n) {
+            parameters.pointsPerLoop = n;
+            const int number = templates::layoutNumber(parameters);
+            QCOMPARE(number, static_cast<int>(static_cast<float>(number)));
+            seen.insert(number);
+            ++count;
+          }
         }
       }
     }

@@ -67,6 +67,7 @@ class TestGenerator : public QObject {
     parameters.slotStride = 5;
     parameters.rParameterCount = 200;
     QTest::newRow("window_3_xz_base_40") << parameters;
+    QTest::newRow("credit_7") << make(MethodKind::Credit, 7);
   }
   void goldenWindow() { golden(); }
 

@@ -100,8 +100,13 @@ void TestLint::generatedTemplatesAreClean() {
           isClean(parameters);
         }
       }
-      for (const int windows : {1, 2, 3, 8}) {
-        TemplateParameters parameters = parametersOf(MethodKind::Window, points);
+      for (const int variant : {1, 2, 3, 8, 11, 12, 13, 18}) {
+        const bool isCredit = variant > 10;
+        const int windows = variant % 10;
+        TemplateParameters parameters =
+            parametersOf(isCredit ? MethodKind::Credit : MethodKind::Window, points);
+        parameters.slowDown = windows != 3;
+        parameters.windowsAhead = windows;
         parameters.axes = axes;
         parameters.windows = windows;
         parameters.baseCell = windows == 3 ? 40 : 0;
@@ -111,7 +116,7 @@ void TestLint::generatedTemplatesAreClean() {
       }
     }
   }
-  QVERIFY(looked > 80);
+  QVERIFY(looked > 140);
 }
 
 void TestLint::brokenTemplateIsCaught_data() {
@@ -129,6 +134,7 @@ void TestLint::brokenTemplateIsCaught_data() {
   const MethodKind position = MethodKind::Position;
   const MethodKind signal = MethodKind::Signal;
   const MethodKind window = MethodKind::Window;
+  const MethodKind credit = MethodKind::Credit;
   row("position: no STOPRE at the end of the loop", position, "RIV_LOOP:", "STOPRE\n", "",
       LintRule::StopreMissing, "G1 X=R11");
   row("position: STOPRE jumped over on one path", position, "RIV_LOOP:", "STOPRE\n",
@@ -196,6 +202,23 @@ void TestLint::brokenTemplateIsCaught_data() {
       LintRule::UnknownName, "RIV_IDEL");
   row("window: point not copied", window, "RIV_TAKE:", " RIV_C[4]=R[RIV_B+7]", "",
       LintRule::SlotNotRead, "");
+  row("credit: delivered not asked", credit, "RIV_ASK:", "(R1>RIV_L) AND (R1<=RIV_L+2)", "(R8>0)",
+      LintRule::HandshakeMissing, "RIV_K=R[RIV_B]");
+  row("credit: no stop check while the axes move", credit,
+      "RIV_ASK:", "IF R0>1 GOTOF RIV_STOPPED\n", "", LintRule::StopCheckMissing, "");
+  row("credit: asks for ever without a STOPRE", credit,
+      "RIV_ASK:", "IF (RIV_TURN<100000) AND (RIV_DRY<25) GOTOB RIV_ASK", "GOTOB RIV_ASK",
+      LintRule::StopreMissing, "");
+  row("credit: state written ahead of the axes", credit, "RIV_STOPPED:", "STOPRE\n", "",
+      LintRule::SignalAhead, "R3=RIV_L R5=2");
+  row("credit: motion from the cells", credit, "RIV_MOVE:", "X=RIV_C[0]", "X=R[RIV_B+3]",
+      LintRule::MotionFromCells, "X=R[RIV_B+3]");
+  row("credit: override above 100", credit, "ID=1", "$AC_OVR=40", "$AC_OVR=140",
+      LintRule::FeedRaised, "$AC_OVR=140");
+  row("credit: the main run writes a cell of the client", credit,
+      "RIV_MOVE:", "DO $R3=", "DO $R1=", LintRule::ClientCellOverwritten, "DO $R1=");
+  row("credit: wrong layout number", credit, "STOPRE\n", "R4=", "R4=1", LintRule::WrongLayoutNumber,
+      "R4=1");
 }
 
 void TestLint::brokenTemplateIsCaught() {
@@ -289,10 +312,10 @@ void TestLint::boundsOfCellsAreFollowed() {
 
 void TestLint::rulesHaveNames() {
   std::set<std::string_view> names;
-  for (int rule = 1; rule <= static_cast<int>(LintRule::NoEnd); ++rule) {
+  for (int rule = 1; rule <= static_cast<int>(LintRule::FeedRaised); ++rule) {
     names.insert(templates::lintRuleName(static_cast<LintRule>(rule)));
   }
-  QCOMPARE(names.size(), static_cast<std::size_t>(LintRule::NoEnd));
+  QCOMPARE(names.size(), static_cast<std::size_t>(LintRule::FeedRaised));
   QVERIFY(!names.contains(""));
 }
 

@@ -97,7 +97,7 @@ class TestControlTrace : public QObject {
     QVERIFY(errorOf("rivulet-control-trace\n") == TraceError::NotATrace);
     QVERIFY(errorOf("rivulet-control-trace one\n") == TraceError::NotATrace);
     QVERIFY(errorOf("rivulet-control-trace 0\n") == TraceError::NotATrace);
-    QVERIFY(errorOf("rivulet-control-trace 2 anything\n") == TraceError::NewerVersion);
+    QVERIFY(errorOf("rivulet-control-trace 3 anything\n") == TraceError::NewerVersion);
   }
 
   void namesTheDamagedLine_data() {

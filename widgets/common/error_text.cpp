@@ -9,6 +9,7 @@
 #include "feasibility/verdict.h"
 #include "gcode/error.h"
 #include "opcua/error.h"
+#include "streaming/calibration.h"
 #include "streaming/run.h"
 #include "templates/cells.h"
 #include "trace/control_trace.h"
@@ -128,6 +129,24 @@ struct ErrorTexts {
     return {};
   }
 
+  static QString text(streaming::CalibrationError code) {
+    using streaming::CalibrationError;
+    switch (code) {
+      case CalibrationError::NoCells:
+        return tr("These cells cannot be used. Choose R-parameters that exist (MD28050).");
+      case CalibrationError::ChannelBusy:
+        return tr(
+            "A program runs on the control: nothing more was measured. The cells are as they "
+            "were.");
+      case CalibrationError::Cancelled:
+        return tr("The calibration was cancelled. The cells are as they were.");
+      case CalibrationError::NotRestored:
+        return tr(
+            "The cells could not be put back and may hold test values. Set them at the control.");
+    }
+    return {};
+  }
+
   static QString text(streaming::StreamError code) {
     using streaming::StreamError;
     switch (code) {
@@ -167,6 +186,10 @@ struct ErrorTexts {
         return tr(
             "The control ended its program because nothing came from here for too long. Check "
             "the network, then resume.");
+      case StreamError::TransferRefused:
+        return tr(
+            "The control does not let Rivulet write and read part programs. Grant the OPC UA user "
+            "these rights, or bring the template there by hand.");
       case StreamError::CannotResume:
         return tr("Where the run was left is not known for certain. Start from the beginning.");
     }
@@ -194,6 +217,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<opcua::LinkError>(code)) {
     return ErrorTexts::text(static_cast<opcua::LinkError>(code.value()));
+  }
+  if (belongsTo<streaming::CalibrationError>(code)) {
+    return ErrorTexts::text(static_cast<streaming::CalibrationError>(code.value()));
   }
   if (belongsTo<streaming::StreamError>(code)) {
     return ErrorTexts::text(static_cast<streaming::StreamError>(code.value()));

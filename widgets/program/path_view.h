@@ -40,7 +40,8 @@ class PathView final : public Page {
   /// Pauses are marked on the path, if they are known.
   void setPausesShown(bool shown);
   /// What margins are reckoned for.
-  void setOperatingPoint(const feasibility::OperatingPoint& point);
+  void setOperatingPoint(const feasibility::OperatingPoint& point,
+                         const feasibility::AccessModel& access = {});
   /// Counts in the streamed points.
   void setExecuted(std::size_t count);
   /// @param positionMm  workpiece frame; nothing hides the tool
@@ -84,6 +85,7 @@ class PathView final : public Page {
   std::shared_ptr<const ProgramTimes> m_times;
   std::shared_ptr<const PauseMap> m_pauses;
   feasibility::OperatingPoint m_point;
+  feasibility::AccessModel m_access;
   PathColouring m_colouring = PathColouring::Kind;
   PathClasses m_classes;  ///< without `ofPoint`
   std::vector<bool> m_present;

@@ -24,6 +24,7 @@ void takeMoves(ProgramView& view) {
   view.feedsMmPerS.reserve(count);
   view.trajectoryIndices.reserve(count);
   base::Vec3 beforeMm{};
+  base::RotaryDeg beforeDeg{};
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     base::Vec3 positionMm = trajectory[i].positionMm;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -32,10 +33,19 @@ void takeMoves(ProgramView& view) {
         positionMm.set(axis, view.startMm[axis]);
       }
     }
-    if (!view.kinds.empty() && positionMm == beforeMm) {
+    // As `gcode::streamPoints` does: a move that only turns is one, too.
+    base::RotaryDeg rotaryDeg{};
+    if (!view.program->trajectory.rotary.empty()) {
+      rotaryDeg = view.program->trajectory.rotary[i].degrees;
+      for (double& degrees : rotaryDeg) {
+        degrees = std::isnan(degrees) ? 0.0 : degrees;
+      }
+    }
+    if (!view.kinds.empty() && positionMm == beforeMm && rotaryDeg == beforeDeg) {
       continue;
     }
     beforeMm = positionMm;
+    beforeDeg = rotaryDeg;
     view.kinds.push_back(trajectory[i].kind);
     view.feedsMmPerS.push_back(static_cast<float>(trajectory[i].feedMmPerS));
     view.trajectoryIndices.push_back(static_cast<std::uint32_t>(i));

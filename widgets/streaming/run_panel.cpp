@@ -218,6 +218,9 @@ QString RunPanel::waitingText() const {
   if (key == QStringLiteral("cycle-start")) {
     return tr("cycle start at the control");
   }
+  if (key == QStringLiteral("select-and-start")) {
+    return tr("selection of the template and cycle start at the control");
+  }
   if (key == QStringLiteral("trace")) {
     return tr("the control's own trace");
   }

@@ -25,19 +25,23 @@ struct VariableRow {
   bool perAxis = false;
   std::size_t type = UA_TYPES_DOUBLE;  ///< of the node, as on the control
   double (*number)(const MachineState&, std::size_t axis) = nullptr;
-  std::string_view (*text)(const MachineState&) = nullptr;
+  std::string_view (*text)(const MachineState&, std::size_t axis) = nullptr;
 };
 
 namespace {
 
+/// Of X Y Z in mm, of A B C behind them in degrees.
+double ofAxis(base::Vec3 mm, const base::RotaryDeg& deg, std::size_t axis) {
+  return axis < base::kAxisCount ? mm[axis] : deg[axis - base::kAxisCount];
+}
 double actual(const MachineState& state, std::size_t axis) {
-  return state.actualMm[axis];
+  return ofAxis(state.actualMm, state.actualDeg, axis);
 }
 double command(const MachineState& state, std::size_t axis) {
-  return state.commandMm[axis];
+  return ofAxis(state.commandMm, state.commandDeg, axis);
 }
 double toGo(const MachineState& state, std::size_t axis) {
-  return state.distanceToGoMm[axis];
+  return ofAxis(state.distanceToGoMm, state.distanceToGoDeg, axis);
 }
 double feed(const MachineState& state, std::size_t /*axis*/) {
   return base::mmPerMinFromMmPerS(state.feedMmPerS);
@@ -60,11 +64,14 @@ double line(const MachineState& state, std::size_t /*axis*/) {
 double bufferLevel(const MachineState& state, std::size_t /*axis*/) {
   return state.bufferedBlocks;
 }
-std::string_view programName(const MachineState& state) {
+std::string_view programName(const MachineState& state, std::size_t /*axis*/) {
   return state.programName;
 }
-std::string_view message(const MachineState& state) {
+std::string_view message(const MachineState& state, std::size_t /*axis*/) {
   return state.message;
+}
+std::string_view axisName(const MachineState& /*state*/, std::size_t axis) {
+  return std::string_view("XYZABC").substr(axis, 1);
 }
 
 /// A number of the channel.
@@ -72,19 +79,21 @@ constexpr VariableRow scalar(std::string_view folder, std::string_view name, std
                              double (*number)(const MachineState&, std::size_t)) {
   return {folder, name, false, type, number, nullptr};
 }
-/// A length per axis.
+/// A length or an angle per axis.
 constexpr VariableRow axes(std::string_view folder, std::string_view name,
                            double (*number)(const MachineState&, std::size_t)) {
   return {folder, name, true, UA_TYPES_DOUBLE, number, nullptr};
 }
 constexpr VariableRow text(std::string_view folder, std::string_view name,
-                           std::string_view (*value)(const MachineState&)) {
-  return {folder, name, false, UA_TYPES_STRING, nullptr, value};
+                           std::string_view (*value)(const MachineState&, std::size_t),
+                           bool perAxis = false) {
+  return {folder, name, perAxis, UA_TYPES_STRING, nullptr, value};
 }
 
 constexpr std::array kRows{
     axes("GeometricAxis", "aaAcsRel", actual),
     axes("GeometricAxis", "aaDtew", toGo),
+    text("GeometricAxis", "name", axisName, true),
     axes("GeometricAxis", "actToolBasePos", actual),
     axes("GeometricAxis", "cmdToolBasePos", command),
     axes("GeometricAxis", "toolBaseDistToGo", toGo),
@@ -155,7 +164,8 @@ UA_StatusCode onRead(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
   } else {
     const MachineState state = machine.state();
     if (node.row->text != nullptr) {
-      const UA_String string = opcua::borrow(node.row->text(state));
+      const UA_String string =
+          opcua::borrow(node.row->text(state, static_cast<std::size_t>(node.index)));
       status = UA_Variant_setScalarCopy(&value->value, &string, &UA_TYPES[UA_TYPES_STRING]);
     } else {
       const double number = node.row->number(state, static_cast<std::size_t>(node.index));
@@ -287,11 +297,15 @@ UA_StatusCode AddressSpace::addVariable(const VariableRow& row) {
   const std::string folder = fmt::format("{}/{}", kChannel, row.folder);
   const std::string identifier = fmt::format("{}/{}", folder, row.name);
   UA_StatusCode status = addNode(folder, identifier, row.name, &row, 0);
-  for (int axis = 0; row.perAxis && axis < static_cast<int>(base::kAxisCount); ++axis) {
+  const MachineConfig& config = m_service.machine().config();
+  const auto axisCount = static_cast<int>(base::kAxisCount + base::count(config.rotarySet()));
+  for (int axis = 0; row.perAxis && axis < axisCount; ++axis) {
+    const std::optional<std::size_t> rotary = config.rotaryAt(axis);
+    const int index = rotary ? static_cast<int>(base::kAxisCount + *rotary) : axis;
     for (const std::string& alias : {fmt::format("{}[u1,{}]", identifier, axis + 1),
                                      fmt::format("{}[{}]", identifier, axis + 1)}) {
       if (status == UA_STATUSCODE_GOOD) {
-        status = addNode({}, alias, row.name, &row, axis);
+        status = addNode({}, alias, row.name, &row, index);
       }
     }
   }

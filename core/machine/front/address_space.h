@@ -24,7 +24,7 @@ struct VariableRow;  ///< one line of the table of variables
 struct VariableNode {
   VariableService* service = nullptr;
   const VariableRow* row = nullptr;  ///< null: an R-parameter
-  int index = 0;                     ///< R number, or axis from 0
+  int index = 0;                     ///< R number, or axis: X Y Z are 0 to 2, A B C 3 to 5
   int count = 0;                     ///< elements of an array of R-parameters; 0: a scalar
 };
 

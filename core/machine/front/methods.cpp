@@ -71,6 +71,7 @@ UA_StatusCode copyFileToServer(Methods& methods, const UA_Variant* input, UA_Var
   if (data.length > kFileBytesMax) {
     return UA_STATUSCODE_BADREQUESTTOOLARGE;
   }
+  methods.serveProgram(data.length);
   const auto stored = methods.machine().storeProgram(*name, std::string(opcua::view(data)),
                                                      argument<UA_Boolean>(input, 2));
   return stored ? UA_STATUSCODE_GOOD : statusCodeOf(stored.error());
@@ -123,8 +124,10 @@ UA_StatusCode fetchTrace(Methods& methods, const UA_Variant* input, UA_Variant* 
          answer(output[1], UA_UInt64{text.size()}, UA_TYPES_UINT64);
 }
 
+enum class Right { Files, Anyone };
+
 /// The one place where the library enters a method.
-template <Work work>
+template <Work work, Right right>
 UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
                      void* /*sessionContext*/, const UA_NodeId* /*methodId*/, void* context,
                      const UA_NodeId* /*objectId*/, void* /*objectContext*/,
@@ -132,6 +135,9 @@ UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
                      UA_Variant* output) noexcept {
   auto& methods = *static_cast<Methods*>(context);
   methods.advance();
+  if (right == Right::Files && !methods.hasFileRights()) {
+    return UA_STATUSCODE_BADNOTSUPPORTED;  // the control's word for a missing protection level
+  }
   return work(methods, input, output);
 }
 
@@ -210,27 +216,27 @@ struct Signature {
 base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
   const std::vector<Signature> control{
       {opcua::kCopyToServer,
-       &onCall<&copyFileToServer>,
+       &onCall<&copyFileToServer, Right::Files>,
        {{"TargetFilename", UA_TYPES_STRING},
         {"Data", UA_TYPES_BYTESTRING},
         {"Overwrite", UA_TYPES_BOOLEAN}},
        {}},
       {opcua::kCopyFromServer,
-       &onCall<&copyFileFromServer>,
+       &onCall<&copyFileFromServer, Right::Files>,
        {{"SourceFile", UA_TYPES_STRING}},
        {{"Data", UA_TYPES_BYTESTRING}}},
       {opcua::kSelect,
-       &onCall<&select>,
+       &onCall<&select, Right::Files>,
        {{"SourceFileNodeId", UA_TYPES_STRING}, {"ChannelNumber", UA_TYPES_UINT32}},
        {{"Status", UA_TYPES_INT32}}}};
   const std::vector<Signature> simulator{
       {opcua::kCycleStart,
-       &onCall<&cycleStart>,
+       &onCall<&cycleStart, Right::Anyone>,
        {},
        {{"Status", UA_TYPES_INT32}, {"Message", UA_TYPES_STRING}}},
-      {opcua::kReset, &onCall<&reset>, {}, {}},
+      {opcua::kReset, &onCall<&reset, Right::Anyone>, {}, {}},
       {opcua::kFetchTrace,
-       &onCall<&fetchTrace>,
+       &onCall<&fetchTrace, Right::Anyone>,
        {{"Offset", UA_TYPES_UINT64}},
        {{"Data", UA_TYPES_BYTESTRING}, {"Total", UA_TYPES_UINT64}}}};
 

@@ -24,21 +24,27 @@ inline constexpr std::size_t kTraceChunkBytesMax = std::size_t{1} << 20U;
 class Methods {
  public:
   /// @param server,service outlive the methods
-  Methods(UA_Server* server, VariableService& service) : m_server(server), m_service(service) {}
+  Methods(UA_Server* server, VariableService& service, bool fileRights)
+      : m_server(server), m_service(service), m_fileRights(fileRights) {}
 
   /// Creates the objects and their methods.
   /// @param namespaceIndex of the control's variables @return SetUpFailed
   [[nodiscard]] base::Result<void> build(UA_UInt16 namespaceIndex);
 
+  /// Whether clients may use the methods of the control; those of the virtual machine they may.
+  [[nodiscard]] bool hasFileRights() const { return m_fileRights; }
   [[nodiscard]] Machine& machine() const { return m_service.machine(); }
   /// Moves the machine to the present; every method begins with it.
   void advance() { m_service.advance(); }
+  /// Waits as long as writing a program takes.
+  void serveProgram(std::size_t bytes) { m_service.serveProgram(bytes); }
   /// The trace as text; rendered anew when a fetch begins at offset 0.
   [[nodiscard]] const std::string& traceText(bool anew);
 
  private:
   UA_Server* m_server;
   VariableService& m_service;
+  bool m_fileRights;
   std::string m_traceText;
 };
 

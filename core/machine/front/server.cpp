@@ -139,7 +139,7 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   if (auto built = m_addressSpace->build(); !built) {
     return built;
   }
-  m_methods = std::make_unique<Methods>(m_server, m_service);
+  m_methods = std::make_unique<Methods>(m_server, m_service, options.fileRights);
   if (auto built = m_methods->build(m_addressSpace->namespaceIndex()); !built) {
     return built;
   }
@@ -172,6 +172,9 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   status |= replace(config.buildInfo.productUri, "urn:rivulet");
   status |= replace(config.buildInfo.manufacturerName, "Rivulet");
   status |= replace(config.buildInfo.productName, "Rivulet virtual machine");
+  // What access costs is the preset's: a client that keeps what it measured must see the change.
+  status |= replace(config.buildInfo.softwareVersion, RIVULET_VERSION);
+  status |= replace(config.buildInfo.buildNumber, m_service.machine().config().name);
   if (status != UA_STATUSCODE_GOOD) {
     UA_ServerConfig_clean(&config);
     return setUpFailed("be configured");

@@ -33,6 +33,9 @@ enum class FrontError {
 struct ServerOptions {
   std::string host = "127.0.0.1";  ///< where to listen; only this computer unless told otherwise
   std::uint16_t port = 0;          ///< 0: a free one
+  /// False: clients may not write, read and select part programs, as on a control whose OPC UA user
+  /// has not been given these rights.
+  bool fileRights = true;
 };
 
 class Server {

@@ -40,6 +40,8 @@ class UaLink final : public Link, public Control {
                        Grouping grouping) override;
   base::RequestId write(std::span<const Assignment> assignments, base::Duration deadline,
                         Grouping grouping) override;
+  base::RequestId store(const std::string& name, const std::string& text,
+                        base::Duration deadline) override;
   /// Never returns before `until` without an event, also after the connection is lost.
   /// An answer found in time is reported even if this call came after the request's deadline.
   std::optional<Event> wait(base::Instant until) override;
@@ -48,6 +50,7 @@ class UaLink final : public Link, public Control {
                                    bool overwrite) override;
   base::Result<std::string> downloadProgram(const std::string& name) override;
   base::Result<void> selectProgram(const std::string& name) override;
+  base::Result<ServerIdentity> identity() override;
   [[nodiscard]] bool isVirtualMachine() const override;
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;

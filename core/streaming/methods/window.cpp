@@ -3,6 +3,8 @@
 
 #include "streaming/methods/window.h"
 
+#include "templates/generator.h"
+
 namespace rivulet::streaming {
 
 namespace {
@@ -33,12 +35,18 @@ WindowMethod::WindowMethod(MethodSetup setup)
       m_begins(m_plan.windowBegins(m_perWindow)),
       m_windowCount(m_begins.size() - 1),
       m_ownerCell{opcua::rParameter(m_plan.cells().owner)},
-      m_latchedCell{opcua::rParameter(m_plan.cells().latched)},
+      m_saysExecuted(m_plan.settings().parameters.method != base::MethodKind::Window),
+      m_isCredit(m_plan.settings().parameters.method == base::MethodKind::Credit),
+      m_watched{opcua::rParameter(m_plan.cells().latched)},
       m_header{opcua::rParameter(m_plan.cells().latched),
                opcua::rParameter(m_plan.cells().delivered), opcua::rParameter(m_plan.cells().owner),
                opcua::rParameter(m_plan.cells().state), opcua::rParameter(m_plan.cells().run)} {
   RIVULET_ASSERT(m_slots >= 1);
   RIVULET_ASSERT(m_plan.settings().runNumber > 0);
+  if (m_saysExecuted) {
+    m_watched.push_back(opcua::rParameter(m_plan.cells().executed));
+    m_header.push_back(opcua::rParameter(m_plan.cells().executed));
+  }
 }
 
 std::size_t WindowMethod::windowBegin(std::size_t window) const {
@@ -54,16 +62,32 @@ Duration WindowMethod::windowTime(std::size_t window) const {
   return m_plan.travelTime(begin - 1, end - 1);
 }
 
+Duration WindowMethod::takenTime() const {
+  if (!m_isCredit) {
+    return windowTime(m_latched == 0 ? 0 : m_latched - 1);
+  }
+  Duration sum{};
+  for (std::size_t window = m_executed; window < std::max(m_latched, m_executed + 1); ++window) {
+    sum += windowTime(window);
+  }
+  return sum;
+}
+
+Duration WindowMethod::takenTimeMax() const {
+  const bool slows = m_isCredit && m_plan.settings().parameters.slowDown;
+  return slows ? takenTime() * 100 / templates::kCreditSlowPercent : takenTime();
+}
+
 Action WindowMethod::write(Step step, std::size_t points) {
   m_step = step;
   m_waiting = true;
-  return {Action::Kind::Write, {}, m_plan.writes(), points};
+  return {Action::Kind::Write, {}, m_plan.writes(), points, {}, {}};
 }
 
 Action WindowMethod::read(Step step, std::span<const opcua::Variable> variables) {
   m_step = step;
   m_waiting = true;
-  return {Action::Kind::Read, variables, {}, 0};
+  return {Action::Kind::Read, variables, {}, 0, {}, {}};
 }
 
 /// Coordinates, number of points, feed, check: what the control adds up is added up here, term by
@@ -80,8 +104,7 @@ void WindowMethod::addContent(std::size_t window) {
                  templates::kCheckCount * count + templates::kCheckFeed * feedMmPerMin;
   for (std::size_t i = 0; i < m_perWindow; ++i) {
     // A short window is filled up with its last point: the check covers every slot.
-    const base::Vec3 pointMm = m_plan.pointMm(std::min(begin + i, end - 1));
-    m_plan.addPointAt(slot * m_perWindow + i, pointMm);
+    m_plan.addPointAt(slot * m_perWindow + i, std::min(begin + i, end - 1));
   }
   int place = 0;
   for (const opcua::Assignment& coordinate : m_plan.writes()) {
@@ -94,6 +117,24 @@ void WindowMethod::addContent(std::size_t window) {
   if (opcua::isArray(m_plan.settings().grouping)) {
     m_plan.lastToFront(3);  // where they stand on the control: the window is one array
   }
+}
+
+Action WindowMethod::store(std::size_t window) {
+  const std::size_t begin = windowBegin(window);
+  const std::size_t end = windowBegin(window + 1);
+  templates::WindowFile file;
+  file.run = m_plan.settings().runNumber;
+  file.number = window + 1;
+  file.isLast = end == m_plan.pointCount();
+  file.feedMmPerMin = base::mmPerMinFromMmPerS(m_plan.settings().feedMmPerS);
+  for (std::size_t point = begin; point < end; ++point) {
+    m_plan.forEachCoordinate(point, [&](double value) { file.coordinates.push_back(value); });
+  }
+  m_fileName = templates::windowFileName(static_cast<int>(window % m_slots));
+  m_fileText = templates::windowFileText(m_plan.cells(), file);
+  m_step = Step::Content;
+  m_waiting = true;
+  return {Action::Kind::Store, {}, {}, end - begin, m_fileName, m_fileText};
 }
 
 double WindowMethod::runWanted() const {
@@ -134,7 +175,11 @@ std::optional<Action> WindowMethod::poll(Instant now) {
       m_plan.addCell(cells.delivered, static_cast<double>(m_filled));
       return write(Step::Number);
     }
-    if (m_filled < m_windowCount && m_filled < m_latched + m_slots) {
+    const std::size_t freed = cells.inFiles ? m_executed : m_latched;
+    if (m_filled < m_windowCount && m_filled < freed + m_slots) {
+      if (cells.inFiles) {
+        return store(m_filled);
+      }
       addContent(m_filled);
       return write(Step::Content, windowBegin(m_filled + 1) - windowBegin(m_filled));
     }
@@ -148,7 +193,7 @@ std::optional<Action> WindowMethod::poll(Instant now) {
     m_nextLook = now + kLookInterval;
     return read(Step::Look, m_header);
   }
-  return read(Step::Watch, m_latchedCell);
+  return read(Step::Watch, m_watched);
 }
 
 bool WindowMethod::answerLost(Instant) {
@@ -187,8 +232,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
     case Step::Number:
       if (m_delivered < m_filled) {
         // What the control had not taken so far it takes at once, or behind the window it is in.
-        m_progress.nextLatest =
-            now + windowTime(m_latched == 0 ? 0 : m_latched - 1) + kSlowerThanPlanned;
+        m_progress.nextLatest = now + takenTimeMax() + kSlowerThanPlanned;
       }
       m_delivered = m_filled;
       m_renumber = false;
@@ -199,10 +243,10 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
     case Step::Run:
       m_run = m_runAsked;
       m_progress.lastProgress = now;
-      if (m_run == kRun) {
-        m_progress.nextLatest =
-            now + windowTime(m_latched == 0 ? 0 : m_latched - 1) + kSlowerThanPlanned;
-      } else if (m_run == kHold) {
+      if (m_run != kHold) {
+        // Behind a stop as well: the control goes on to the end of what it has taken.
+        m_progress.nextLatest = now + takenTimeMax() + kSlowerThanPlanned;
+      } else {
         m_progress.nextLatest = now + kOurTurn;
       }
       m_progress.stopWritten = m_run == kEnd;
@@ -214,7 +258,8 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       }
       break;
     case Step::Watch:
-      observe(answer.readings[0].number, answer, now);
+      observe(answer.readings[0].number, m_saysExecuted ? answer.readings[1].number : 0.0, answer,
+              now);
       break;
     case Step::Look:
       look(answer, now);
@@ -223,7 +268,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
   m_progress.allSent = m_delivered == m_windowCount;
 }
 
-void WindowMethod::observe(double latched, const Answer& answer, Instant now) {
+void WindowMethod::observe(double latched, double executed, const Answer& answer, Instant now) {
   if (!(latched >= 0.0) || latched > static_cast<double>(m_delivered) ||
       latched < static_cast<double>(m_latched)) {
     // The program on the control never says this to us: someone else has written the cell, or the
@@ -233,20 +278,27 @@ void WindowMethod::observe(double latched, const Answer& answer, Instant now) {
     return;
   }
   const auto windows = static_cast<std::size_t>(latched);
-  if (windows == m_latched) {
+  // With method window, one that is copied has everything in front of it executed. With the others
+  // the control says so; what it cannot have meant is left out of account.
+  std::size_t passed = windows == 0 ? 0 : windows - 1;
+  if (m_saysExecuted) {
+    const bool isMeant = executed >= static_cast<double>(m_executed) && executed <= latched;
+    passed = isMeant ? static_cast<std::size_t>(executed) : m_executed;
+  }
+  if (windows == m_latched && passed == m_executed) {
     return;
   }
   m_latched = windows;
+  m_executed = passed;
   m_progress.lastProgress = now;
-  // The program copies a window when everything in front of it has been executed.
-  m_progress.executed = windowBegin(m_latched - 1);
-  m_progress.stopsPassed = m_latched - 1;
-  const Duration travel = windowTime(m_latched - 1);
-  const bool moreToBring = m_filled < m_windowCount;
-  m_windowEnds = answer.sent + travel;
+  m_progress.executed = windowBegin(m_executed);
+  m_progress.stopsPassed = m_isCredit ? 0 : m_executed;
+  const bool moreToBring = m_filled < m_windowCount && !m_stopWanted;
+  m_windowEnds = answer.sent + takenTime();
   m_progress.nextEarliest = moreToBring ? now : m_windowEnds;
-  m_progress.nextLatest =
-      moreToBring && m_delivered == m_latched ? now + kOurTurn : now + travel + kSlowerThanPlanned;
+  m_progress.nextLatest = moreToBring && m_delivered == m_latched
+                              ? now + kOurTurn
+                              : now + takenTimeMax() + kSlowerThanPlanned;
 }
 
 void WindowMethod::look(const Answer& answer, Instant now) {
@@ -266,7 +318,7 @@ void WindowMethod::look(const Answer& answer, Instant now) {
   if (m_stopWanted && answer.readings[4].number != kEnd) {
     m_run = kHold;
   }
-  observe(answer.readings[0].number, answer, now);
+  observe(answer.readings[0].number, m_saysExecuted ? answer.readings[5].number : 0.0, answer, now);
 }
 
 std::optional<base::Error> WindowMethod::failure() const {

@@ -11,6 +11,11 @@
 /// Against writes that come from elsewhere (another client, a request of an earlier connection
 /// that arrives late) each window carries a check number made of the run's number, its own number
 /// and its content; the program refuses what does not fit.
+///
+/// Method credit is the same client. Its program copies windows while those before are under way,
+/// so what has been executed is read from a cell of its own. With method file a window is a
+/// subprogram that is transferred; it is taken while it is executed, not copied, so its place is
+/// free once it has been executed.
 /// @threadsafety one object, one thread.
 #pragma once
 
@@ -40,10 +45,17 @@ class WindowMethod final : public Method {
   [[nodiscard]] Action write(Step step, std::size_t points = 0);
   [[nodiscard]] Action read(Step step, std::span<const opcua::Variable> variables);
   void addContent(std::size_t window);
-  void observe(double latched, const Answer& answer, base::Instant now);
+  /// Method file: the same window as a subprogram.
+  [[nodiscard]] Action store(std::size_t window);
+  /// @param executed  as the control says; method credit only
+  void observe(double latched, double executed, const Answer& answer, base::Instant now);
   void look(const Answer& answer, base::Instant now);
   [[nodiscard]] std::size_t windowBegin(std::size_t window) const;
   [[nodiscard]] base::Duration windowTime(std::size_t window) const;
+  /// Shortest time until what the control has taken is executed, counted from its last sign.
+  [[nodiscard]] base::Duration takenTime() const;
+  /// The same, as long as it may well last.
+  [[nodiscard]] base::Duration takenTimeMax() const;
   /// The value the run cell should have now.
   [[nodiscard]] double runWanted() const;
 
@@ -53,8 +65,12 @@ class WindowMethod final : public Method {
   std::vector<std::size_t> m_begins;  ///< first point of each window, and behind the last one
   std::size_t m_windowCount;          ///< windows the points make
   std::array<opcua::Variable, 1> m_ownerCell;
-  std::array<opcua::Variable, 1> m_latchedCell;
-  std::array<opcua::Variable, 5> m_header;
+  bool m_saysExecuted;  ///< the program says what has been executed: all but method window
+  bool m_isCredit;
+  std::string m_fileName;  ///< method file: of the window under way, and its text
+  std::string m_fileText;
+  std::vector<opcua::Variable> m_watched;  ///< latched; method credit: and executed
+  std::vector<opcua::Variable> m_header;
   Step m_step = Step::Claim;
   bool m_waiting = false;
   bool m_stopWanted = false;
@@ -68,6 +84,7 @@ class WindowMethod final : public Method {
   std::size_t m_filled = 0;     ///< windows whose content is confirmed
   std::size_t m_delivered = 0;  ///< windows whose number is confirmed
   std::size_t m_latched = 0;    ///< windows the control has copied
+  std::size_t m_executed = 0;   ///< windows the axes have passed, as far as known
   base::Instant m_nextBeat{};
   base::Instant m_nextLook{};
   double m_beat = 0.0;

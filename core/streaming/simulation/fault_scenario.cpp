@@ -42,12 +42,40 @@ class Operator final : public RunSink, public RunOrders {
   bool holdRequested(Instant now) override { return holdAt && now >= *holdAt && now < holdUntil; }
 };
 
-double pathMm(const std::vector<base::Vec3>& points) {
-  double length = 0.0;
+double wayOf(const gcode::Program& program) {
+  const std::vector<gcode::StreamPoint> points = gcode::streamPoints(program.trajectory, {}).points;
+  double way = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    length += base::distance(points[i - 1], points[i]);
+    way += base::wayAlongFeed(base::distance(points[i - 1].positionMm, points[i].positionMm),
+                              base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg));
   }
-  return length;
+  return way;
+}
+
+/// One or two rotary axes beside X, Y and Z; now and then only they turn, or none of them.
+void addRotaryAxes(FaultScenario& drawn, Random random) {
+  constexpr double kReachDeg = 100.0;
+  base::RotarySet axes{};
+  axes[random.below(axes.size())] = true;
+  axes[random.below(axes.size())] = true;
+  const double stepDeg = 0.01 * std::pow(1000.0, random.uniform());
+  std::vector<base::RotaryDeg> angles;
+  base::RotaryDeg at{};
+  for (std::size_t i = 0; i < drawn.run.pointsMm.size(); ++i) {
+    const std::uint64_t kind = random.below(6);
+    if (kind == 0 && i > 0) {
+      drawn.run.pointsMm[i] = drawn.run.pointsMm[i - 1];
+    }
+    for (double& angle : at) {
+      angle =
+          kind == 1 ? angle : std::clamp(angle + stepDeg * random.normal(), -kReachDeg, kReachDeg);
+    }
+    angles.push_back(at);
+  }
+  Scenario& scenario = drawn.run.scenario;
+  scenario.program = programOf(drawn.run.pointsMm, angles, axes);
+  scenario.machine = withRotaryAxes(scenario.machine, axes);
+  scenario.settings.parameters.rotaryAxes = axes;
 }
 
 /// One exposure, step by step.
@@ -60,7 +88,7 @@ class Exposure {
         m_link(m_machine, scenario.faults, Random(scenario.run.scenario.seed).fork(31).bits()),
         m_random(Random(scenario.run.scenario.seed).fork(32)),
         m_cells(*templates::planCells(m_settings.parameters)),
-        m_isWindow(m_settings.parameters.method == MethodKind::Window) {}
+        m_isWindow(base::hasWindows(m_settings.parameters.method)) {}
 
   FaultEvidence run() {
     m_link.onWrite = [this](int cell, double value, bool stray) { seeWrite(cell, value, stray); };
@@ -150,10 +178,11 @@ class Exposure {
     // The servo settles first.
     m_machine.advance(m_machine.now() + std::chrono::seconds{1});
     const std::size_t blocks = m_machine.trace().blocks.size();
-    const base::Vec3 before = m_machine.state().commandMm;
+    const machine::MachineState before = m_machine.state();
     m_link.wait(m_machine.now() + kWatched);
     if (m_machine.trace().blocks.size() != blocks ||
-        base::distance(before, m_machine.state().commandMm) > kStillMm) {
+        base::distance(before.commandMm, m_machine.state().commandMm) > kStillMm ||
+        base::turnDeg(before.commandDeg, m_machine.state().commandDeg) > kStillMm) {
       m_evidence.violations.push_back(fmt::format("motion {}", where));
     }
   }
@@ -185,13 +214,26 @@ class Exposure {
   }
 
   void takeSegment() {
+    lookForWindowsBehindStop();
     FaultSegment segment;
     segment.trace = m_machine.trace();
     segment.endMm = m_machine.state().commandMm;
+    segment.endDeg = m_machine.state().commandDeg;
     segment.wasReset = m_wasReset;
     m_wasReset = false;
     m_delivered = 0;
     m_evidence.segments.push_back(std::move(segment));
+  }
+
+  /// Behind a stop no window is taken any more, but for one that the program was just reading. (A
+  /// control that does not read cells when it passes a block sees the stop later.)
+  void lookForWindowsBehindStop() {
+    const bool reads = m_scenario.run.scenario.machine.rRead == machine::RRead::AtInterpretation;
+    if (m_latchedAtStop && reads && m_evidence.intrusions == 0 && m_evidence.strayWrites == 0 &&
+        m_machine.ncRParameter(m_cells.latched) > *m_latchedAtStop + 1.0) {
+      m_evidence.violations.emplace_back("a window was taken behind a stop");
+    }
+    m_latchedAtStop.reset();
   }
 
   /// A window's cells must not be written between its number and the control's copy.
@@ -199,6 +241,9 @@ class Exposure {
     m_evidence.strayWrites += stray ? 1 : 0;
     if (m_isWindow && !stray && cell == m_cells.delivered) {
       m_delivered = static_cast<long long>(value);
+    }
+    if (m_isWindow && !stray && cell == m_cells.run && value > 1.0 && !m_latchedAtStop) {
+      m_latchedAtStop = m_machine.ncRParameter(m_cells.latched);
     }
     if (!m_isWindow || stray || cell < m_cells.windowCount(0)) {
       return;
@@ -280,7 +325,8 @@ class Exposure {
   templates::CellMap m_cells;
   bool m_isWindow;
   bool m_wasReset = false;
-  long long m_delivered = 0;  ///< windows, as the client of this connection has said
+  long long m_delivered = 0;              ///< windows, as the client of this connection has said
+  std::optional<double> m_latchedAtStop;  ///< windows the control had when it was told to end
   Instant m_startedAt{};
   std::optional<Instant> m_resetAt;
   std::optional<Instant> m_intrusionAt;
@@ -301,7 +347,12 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   RunSettings& settings = scenario.settings;
   settings.parameters.method = method;
   settings.parameters.rParameterCount = 300;
-  if (method == MethodKind::Window) {
+  settings.isCommissioned = true;
+  if (base::hasWindows(method)) {
+    Random axesRandom = Random(seed).fork(34);
+    if (method != MethodKind::Credit && axesRandom.below(3) == 0) {
+      addRotaryAxes(drawn, axesRandom);
+    }
     settings.parameters.pointsPerLoop = 1 + static_cast<int>(random.below(14));
     settings.parameters.windows = 1 + static_cast<int>(random.below(4));
     settings.parameters.baseCell = random.below(3) == 0 ? static_cast<int>(random.below(40)) : 0;
@@ -309,12 +360,17 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
     settings.parameters.pointsPerLoop = std::min(settings.parameters.pointsPerLoop,
                                                  templates::pointsPerLoopMax(settings.parameters));
   }
+  if (method == MethodKind::Credit) {
+    Random ofItsOwn = Random(seed).fork(33);  // the other methods keep their draws
+    settings.parameters.windowsAhead = 1 + static_cast<int>(ofItsOwn.below(8));
+    settings.parameters.slowDown = ofItsOwn.below(4) != 0;
+  }
   settings.stallDeadline = std::chrono::seconds{120};
   settings.stopDeadline = std::chrono::seconds{120};
   settings.requestDeadline = base::fromSeconds(0.5 + 3.0 * random.uniform());
   scenario.limit = std::chrono::hours{1};
 
-  const double motionS = pathMm(drawn.run.pointsMm) / settings.feedMmPerS;
+  const double motionS = wayOf(*scenario.program) / settings.feedMmPerS;
   const double lastsS = 2.0 + motionS +
                         0.07 * static_cast<double>(drawn.run.pointsMm.size()) /
                             std::max(1, settings.parameters.pointsPerLoop) * 3.0;

@@ -198,6 +198,11 @@ std::vector<const Expression*> expressionsOf(const Statement& statement) {
       }
       add(motion->through[axis]);
     }
+    for (const std::optional<machine::Coordinate>& word : motion->rotary) {
+      if (word) {
+        all.push_back(&word->value);
+      }
+    }
     for (const auto* word : {&motion->radius, &motion->openingAngle, &motion->fullTurns,
                              &motion->feedMmPerMin, &motion->roundingMm}) {
       add(*word);

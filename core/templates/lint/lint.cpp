@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "templates/generator.h"
 #include "templates/lint/flow.h"
 
 namespace rivulet::templates {
@@ -73,7 +74,8 @@ class Linter {
         m_statements(program.statements()),
         m_parameters(parameters),
         m_cells(cells),
-        m_isWindow(parameters.method == MethodKind::Window),
+        m_isWindow(base::hasWindows(parameters.method)),
+        m_isCredit(parameters.method == MethodKind::Credit),
         m_layoutNumber(layoutNumber(parameters)) {
     for (int slot = 0; slot < cells.slotCount(); ++slot) {
       const std::vector<int> numbers = cells.slotCells(slot);
@@ -119,6 +121,15 @@ class Linter {
 
   // --- block by block ---------------------------------------------------------------------
 
+  /// Method file: the client writes it, and it moves nothing unless it is the window asked for.
+  [[nodiscard]] bool isOwnSubprogram(const std::string& name) const {
+    bool isOwn = false;
+    for (int file = 0; m_cells.inFiles && file < m_cells.windows; ++file) {
+      isOwn = isOwn || name + ".SPF" == windowFileName(file);
+    }
+    return isOwn;
+  }
+
   void lookAtBlocks() {
     m_reports = true;
     for (std::size_t i = 0; i < m_statements.size(); ++i) {
@@ -134,15 +145,14 @@ class Linter {
                 fmt::format("{} is neither a word of the control nor a variable of this program. "
                             "Correct the name, or define it with DEF.",
                             call->name));
-        } else {
+        } else if (!isOwnSubprogram(call->name)) {
           warn(LintRule::NotChecked, statement.line,
                fmt::format("The subprogram {} is not looked into. Write its blocks into this "
                            "program.",
                            call->name));
         }
-      } else if (std::holds_alternative<machine::SyncStatement>(statement.what)) {
-        warn(LintRule::NotChecked, statement.line,
-             "What a synchronized action writes is not followed. Leave it out.");
+      } else if (const auto* sync = std::get_if<machine::SyncStatement>(&statement.what)) {
+        lookAtSync(statement.line, sync->action);
       } else if (exitsOf(m_program, i).misses) {
         const auto* jump = std::get_if<machine::JumpStatement>(&statement.what);
         const auto* repeat = std::get_if<machine::RepeatStatement>(&statement.what);
@@ -154,6 +164,31 @@ class Linter {
       }
     }
     m_reports = false;
+  }
+
+  /// Method credit has synchronized actions: one tells how far the axes are, one lowers the feed.
+  void lookAtSync(base::LineNumber line, const machine::SyncAction& action) {
+    for (const machine::SyncAssignment& assignment : action.assignments) {
+      const ValueSet value = evaluate(assignment.value, {}).result;
+      const ValueSet index = evaluate(assignment.index, {}).result;
+      const bool isCertain = !index.isUnknown && index.values.size() == 1;
+      const int cell = isCertain ? static_cast<int>(index.values.front()) : -1;
+      if (assignment.variable == machine::SystemVariable::AcOvr && m_isCredit) {
+        if (value.isUnknown || value.values.back() > 100.0) {
+          error(LintRule::FeedRaised, line,
+                "The override may become more than 100 %: the axes would move faster than the "
+                "client has ordered. Write a number up to 100.");
+        }
+      } else if (!assignment.variable && isCertain && isClients(cell)) {
+        error(LintRule::ClientCellOverwritten, line,
+              fmt::format("R{} belongs to the client, and a synchronized action writes it. Leave "
+                          "it out.",
+                          cell));
+      } else if (assignment.variable || !isCertain || !m_isCredit || cell != m_cells.executed) {
+        warn(LintRule::NotChecked, line,
+             "What a synchronized action writes is not followed. Leave it out.");
+      }
+    }
   }
 
   // --- along all paths --------------------------------------------------------------------
@@ -277,18 +312,19 @@ class Linter {
     for (const int cell : evaluation.reads) {
       checkRange(line, cell);
       if (isWindowCell(cell)) {
-        if (!state.mustStand) {
+        if (!state.mustStand && !m_isCredit) {
           errorOnce(LintRule::StopreMissing, line,
                     fmt::format("A window is taken from R{} on a path without STOPRE since the "
                                 "last motion: the control may have read it before the client wrote "
                                 "it. Put a STOPRE in front of the question for R{}.",
                                 cell, m_cells.delivered));
         } else if (!state.mustDelivered) {
-          errorOnce(LintRule::HandshakeMissing, line,
-                    fmt::format("A window is taken from R{} on a path that has not asked R{} "
-                                "behind its STOPRE: the client may still be writing it. Take it "
-                                "only behind a condition on R{}.",
-                                cell, m_cells.delivered, m_cells.delivered));
+          errorOnce(
+              LintRule::HandshakeMissing, line,
+              fmt::format("A window is taken from R{} on a path that has not asked R{} "
+                          "since the last motion: the client may still be writing it. Take it "
+                          "only behind a condition on R{}.",
+                          cell, m_cells.delivered, m_cells.delivered));
         }
       } else if (!m_isWindow && m_slotCells.contains(cell)) {
         if (!state.mustRun) {
@@ -394,6 +430,13 @@ class Linter {
       } else if (!m_isWindow && cell == m_cells.signal &&
                  m_parameters.method == MethodKind::Signal && !state.mustStand) {
         signalAhead(line);
+      } else if (m_isCredit && (cell == m_cells.executed || cell == m_cells.state) &&
+                 !state.mustStand) {
+        error(LintRule::SignalAhead, line,
+              fmt::format("R{} is written on a path without STOPRE since the last motion: the "
+                          "client would take for executed what the axes have before them. Put a "
+                          "STOPRE in front of it.",
+                          cell));
       }
     }
   }
@@ -483,6 +526,9 @@ class Linter {
       asksStop[at] = std::find(reads.begin(), reads.end(), m_stopCell) != reads.end();
       stops[at] = std::holds_alternative<machine::StopreStatement>(m_statements[at].what) ||
                   m_statements[at].readsMainRun;
+      // A loop with motion in it goes round once per window: only one without waits.
+      const auto* motion = std::get_if<machine::MotionStatement>(&m_statements[at].what);
+      stops[at] = stops[at] || (m_isCredit && motion != nullptr && motion->moves());
     }
     // A question whose answers all lead back to it stops nothing.
     const std::vector<bool> candidates = asksStop;
@@ -509,14 +555,20 @@ class Linter {
                         m_statements[cycle.front()].line.value, m_stopCell, m_stopCell));
     });
     findCycles(stops, [this](const std::vector<std::size_t>& cycle) {
+      if (m_isCredit && endsByItself(cycle)) {
+        return;
+      }
       for (const std::size_t at : cycle) {
         for (const int cell : conditionReads(at)) {
           if (isClients(cell) || (cell == m_cells.signal && !m_isWindow)) {
             error(LintRule::StopreMissing, m_statements[at].line,
                   fmt::format("The loop asks R{} again and again without a STOPRE: the control may "
-                              "never see what the client writes. Put a STOPRE into the loop, in "
-                              "front of the question.",
-                              cell));
+                              "never see what the client writes. {}",
+                              cell,
+                              m_isCredit ? "Count its passes, and leave it for a STOPRE when they "
+                                           "become too many."
+                                         : "Put a STOPRE into the loop, in front of the "
+                                           "question."));
             return;
           }
         }
@@ -546,6 +598,18 @@ class Linter {
       }
       found(cycle);
     }
+  }
+
+  /// It can be left by a question that asks no R-parameter and nothing of the main run: passes
+  /// are counted.
+  [[nodiscard]] bool endsByItself(const std::vector<std::size_t>& cycle) const {
+    return std::any_of(cycle.begin(), cycle.end(), [&](std::size_t at) {
+      const std::vector<std::size_t> next = nextOf(at);
+      return next.size() > 1 && conditionReads(at).empty() &&
+             std::any_of(next.begin(), next.end(), [&](std::size_t to) {
+               return std::find(cycle.begin(), cycle.end(), to) == cycle.end();
+             });
+    });
   }
 
   /// A loop that does not wait and ends by what it computes needs no question for a stop.
@@ -600,6 +664,7 @@ class Linter {
   const TemplateParameters& m_parameters;
   const CellMap& m_cells;
   bool m_isWindow;
+  bool m_isCredit;
   int m_layoutNumber;
   int m_stopCell = 0;
   std::set<int> m_slotCells;
@@ -621,7 +686,7 @@ std::error_code make_error_code(LintError code) {
 }
 
 std::string_view lintRuleName(LintRule rule) {
-  static constexpr std::array<std::string_view, 20> kNames{
+  static constexpr std::array<std::string_view, 21> kNames{
       "syntax",
       "unknown-name",
       "missing-label",
@@ -642,6 +707,7 @@ std::string_view lintRuleName(LintRule rule) {
       "rapid-motion",
       "not-checked",
       "no-end",
+      "feed-raised",
   };
   return kNames[static_cast<std::size_t>(rule) - 1];
 }

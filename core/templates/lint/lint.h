@@ -35,11 +35,13 @@ enum class LintRule {
   FeedNotFromClient,      ///< the feed the client writes is never used
   SlotNotRead,            ///< a coordinate of the client that no block moves to
   ClientCellOverwritten,  ///< a cell of the client written once the client may use it
-  MotionFromCells,        ///< method window: motion from the cells instead of the checked copy
-  RelativeMotion,         ///< coordinates taken as increments
-  RapidMotion,            ///< G0: the feed has no effect
-  NotChecked,             ///< what lies in another program is not seen from here
-  NoEnd,                  ///< the program runs off its last line
+  MotionFromCells,  ///< methods window and credit: motion from the cells instead of the checked
+                    ///< copy
+  RelativeMotion,   ///< coordinates taken as increments
+  RapidMotion,      ///< G0: the feed has no effect
+  NotChecked,       ///< what lies in another program is not seen from here
+  NoEnd,            ///< the program runs off its last line
+  FeedRaised,       ///< method credit: an override above 100 %
 };
 
 /// "stopre-missing", ...

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/program_transfer.h"
+
+#include <fmt/format.h>
+
+#include "streaming/run.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Result;
+using opcua::LinkError;
+
+/// The user may not, or this server cannot: a person at the control can.
+bool isRefusal(const base::Error& error) {
+  return error.code == LinkError::Rejected || error.code == LinkError::MethodMissing ||
+         error.code == LinkError::NotWritable;
+}
+
+base::Error refused(const base::Error& cause) {
+  return base::makeError(
+      StreamError::TransferRefused,
+      fmt::format("The control does not let Rivulet write and read part programs ({}) Grant the "
+                  "OPC UA user these rights, or bring the program there by hand.",
+                  cause.message),
+      cause.context);
+}
+
+/// @return true: the same; false: it may not be read
+Result<bool> compare(opcua::Control& control, const std::string& name, const std::string& text) {
+  const Result<std::string> there = control.downloadProgram(name);
+  if (!there) {
+    return isRefusal(there.error()) ? Result<bool>(false) : Result<bool>(base::fail(there.error()));
+  }
+  if (*there != text) {
+    return base::fail(StreamError::WrongProgram,
+                      "The program on the control differs from the one of these settings. Delete "
+                      "it there and start again.",
+                      name);
+  }
+  return true;
+}
+
+/// @return true: done; false: a person has to
+Result<bool> select(opcua::Control& control, const std::string& name) {
+  const Result<void> done = control.selectProgram(name);
+  if (!done) {
+    return isRefusal(done.error()) ? Result<bool>(false) : Result<bool>(base::fail(done.error()));
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<ProgramTransfer> transferProgram(opcua::Control& control, const std::string& name,
+                                        const std::string& text, TransferWay way) {
+  ProgramTransfer transfer;
+  Result<void> written;
+  if (way == TransferWay::Link) {
+    written = control.uploadProgram(name, text, true);
+    if (!written && !isRefusal(written.error())) {
+      return base::fail(written.error());
+    }
+    transfer.written = written.has_value();
+  }
+  Result<bool> compared = compare(control, name, text);
+  if (!written && (!compared || !*compared)) {
+    return base::fail(refused(written.error()));
+  }
+  const bool isAwaited =
+      way == TransferWay::ByHand && !compared && compared.error().code == LinkError::ProgramMissing;
+  if (isAwaited) {
+    return transfer;  // the person has not brought it yet
+  }
+  if (!compared) {
+    return base::fail(compared.error());
+  }
+  if (way == TransferWay::Link && !*compared) {
+    return base::fail(refused(base::makeError(LinkError::Rejected, "It may not be read.", name)));
+  }
+  transfer.compared = *compared;
+  if (way == TransferWay::Link) {
+    const Result<bool> selected = select(control, name);
+    if (!selected) {
+      return base::fail(selected.error());
+    }
+    transfer.selected = *selected;
+  }
+  return transfer;
+}
+
+}  // namespace rivulet::streaming
