@@ -455,6 +455,25 @@
     </message>
 </context>
 <context>
+    <name>GroupingTexts</name>
+    <message>
+        <source>Lists</source>
+        <translation>Listen</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Arrays by count</source>
+        <translation>Felder nach Anzahl</translation>
+    </message>
+    <message>
+        <source>Arrays by range</source>
+        <translation>Felder nach Bereich</translation>
+    </message>
+</context>
+<context>
     <name>PauseTexts</name>
     <message>
         <source>M</source>
@@ -769,6 +788,42 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The program turns %1, and the control does not have all of these axes.</source>
         <translation>Das Programm dreht %1, und die Steuerung hat nicht alle diese Achsen.</translation>
+    </message>
+    <message>
+        <source>No run of method window was left.</source>
+        <translation>Kein Lauf des Verfahrens Fenster ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Only method window goes on where a run was left.</source>
+        <translation>Nur das Verfahren Fenster kann einen unterbrochenen Lauf fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The control is asked where the run was left.</source>
+        <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde.</translation>
+    </message>
+    <message>
+        <source>Hold ordered.</source>
+        <translation>Halt angewiesen.</translation>
+    </message>
+    <message>
+        <source>Continue ordered.</source>
+        <translation>Weiter angewiesen.</translation>
+    </message>
+    <message>
+        <source>The run was left in front of point %1 of %2.</source>
+        <translation>Der Lauf wurde vor Punkt %1 von %2 unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Resume first asks the control.</source>
+        <translation>Fortsetzen fragt zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The run goes on at point %1.</source>
+        <translation>Der Lauf geht bei Punkt %1 weiter.</translation>
+    </message>
+    <message>
+        <source>Access: %1.</source>
+        <translation>Zugriff: %1.</translation>
     </message>
 </context>
 <context>
@@ -1571,6 +1626,66 @@ GPL-3.0-or-later</translation>
         <source>Windows have a layout of their own</source>
         <translation>Fenster haben eine eigene Belegung</translation>
     </message>
+    <message>
+        <source>Access</source>
+        <translation type="unfinished">Zugriff</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Arrays, or no start</source>
+        <translation>Felder, sonst kein Start</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listen</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation type="unfinished">Pausen</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Places where the axes will stand for a moment. Off the cut is behind a rapid or a retract, or at a sharp corner; the path shows them.</source>
+        <translation>Stellen, an denen die Achsen kurz stehen werden. Außerhalb des Schnitts heißt: hinter einem Eilgang oder Rückzug oder an einer scharfen Ecke; die Bahn zeigt sie.</translation>
+    </message>
+    <message>
+        <source>They cost</source>
+        <translation>Sie kosten</translation>
+    </message>
+    <message>
+        <source>Standing, braking and accelerating, computed with the axes of the virtual machine</source>
+        <translation>Stehen, Bremsen und Beschleunigen, berechnet mit den Achsen der virtuellen Maschine</translation>
+    </message>
+    <message>
+        <source>Automatic: before anything moves, the best form of access is proved on the control and used. The report names it.</source>
+        <translation>Automatisch: Bevor sich etwas bewegt, wird die beste Form des Zugriffs an der Steuerung erprobt und verwendet. Der Bericht nennt sie.</translation>
+    </message>
+    <message>
+        <source>Automatic: lists, as this method was published. Arrays need the contiguous layout.</source>
+        <translation>Automatisch: Listen, wie dieses Verfahren veröffentlicht wurde. Felder brauchen dichte Zellen.</translation>
+    </message>
+    <message>
+        <source>%1, of them %2 in the cut</source>
+        <translation>%1, davon %2 im Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished">%1 von %2</translation>
+    </message>
+    <message>
+        <source>being computed …</source>
+        <translation type="unfinished">wird berechnet …</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PathView</name>
@@ -1681,6 +1796,38 @@ GPL-3.0-or-later</translation>
     <message>
         <source>to %1</source>
         <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation type="unfinished">Pausen</translation>
+    </message>
+    <message>
+        <source>Mark where the run will pause</source>
+        <translation>Zeigt, wo der Lauf Pausen machen wird</translation>
+    </message>
+    <message>
+        <source>Pause off the cut, behind point %1, line %2</source>
+        <translation>Pause außerhalb des Schnitts, hinter Punkt %1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>Pause in the cut, behind point %1, line %2</source>
+        <translation>Pause im Schnitt, hinter Punkt %1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 pauses off the cut</source>
+        <translation>%1 Pausen außerhalb des Schnitts</translation>
+    </message>
+    <message>
+        <source>%1 in the cut</source>
+        <translation>%1 im Schnitt</translation>
+    </message>
+    <message>
+        <source>then a pause in the cut</source>
+        <translation>dann eine Pause im Schnitt</translation>
+    </message>
+    <message>
+        <source>then a pause off the cut</source>
+        <translation>dann eine Pause außerhalb des Schnitts</translation>
     </message>
 </context>
 <context>
@@ -1892,10 +2039,6 @@ GPL-3.0-or-later</translation>
         <translation>%1 ohne Pausen</translation>
     </message>
     <message>
-        <source>%1 with %2 pauses, of which %3 standing</source>
-        <translation>%1 mit %2 Pausen, davon %3 Stillstand</translation>
-    </message>
-    <message>
         <source>as detected</source>
         <translation>wie erkannt</translation>
     </message>
@@ -1970,6 +2113,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Cannot be streamed: it needs a transformation of the control.</source>
         <translation>Kann nicht gestreamt werden: braucht eine Transformation der Steuerung.</translation>
+    </message>
+    <message>
+        <source>%1 with %2 pauses, which cost %3</source>
+        <translation>%1 mit %2 Pausen, die %3 kosten</translation>
     </message>
 </context>
 <context>
@@ -2148,6 +2295,49 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Credit (experimental)</source>
         <translation>Kredit (experimentell)</translation>
     </message>
+    <message>
+        <source>Form</source>
+        <translation type="unfinished">Form</translation>
+    </message>
+    <message>
+        <source>%1, from point %2 on</source>
+        <translation>%1, ab Punkt %2</translation>
+    </message>
+    <message>
+        <source>%1 (proved)</source>
+        <translation>%1 (erprobt)</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResumeBar</name>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The control is asked where the run was left …</source>
+        <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde …</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run goes on at point %1 of %2, line %3: %4.</source>
+        <translation>Noch bewegt sich nichts. Der Lauf geht bei Punkt %1 von %2 weiter, Zeile %3: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>Das Werkzeug fährt zuerst %1 geradeaus zu diesem Punkt.</translation>
+    </message>
+    <message>
+        <source>Go on at point %1</source>
+        <translation>Weiter bei Punkt %1</translation>
+    </message>
+    <message>
+        <source>The run cannot be resumed: %1</source>
+        <translation>Der Lauf kann nicht fortgesetzt werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -2238,6 +2428,38 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>selection of the template and cycle start at the control</source>
         <translation>Anwahl des Programms und NC-Start an der Steuerung</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Fortsetzen …</translation>
+    </message>
+    <message>
+        <source>Continue; it stands in front of the next window</source>
+        <translation>Weiter; sie steht vor dem nächsten Fenster</translation>
+    </message>
+    <message>
+        <source>proof of the template on the virtual machine</source>
+        <translation>Erprobung der Vorlage an der virtuellen Maschine</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>The machine stands in front of the next window until Continue.</source>
+        <translation>Die Maschine steht vor dem nächsten Fenster, bis Weiter gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Only method window can hold.</source>
+        <translation>Nur das Verfahren Fenster kann anhalten.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
     </message>
 </context>
 <context>

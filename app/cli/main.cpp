@@ -169,6 +169,10 @@ int main(int argc, char** argv) {
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
+  feasibilityCommand
+      ->add_option("--preset", feasibility.preset,
+                   "Machine whose axes tell what pauses cost: preset or TOML file")
+      ->capture_default_str();
   addJson(feasibilityCommand, feasibility.json);
   feasibilityCommand->callback([&] {
     if (feasibility.program.empty() && !feasibility.pointDistanceMm) {

@@ -45,6 +45,12 @@ struct RunFinished {
   std::string recordingPath;  ///< empty: none could be written
 };
 
+/// The answer to a `ResumeQuestion`.
+struct ResumeFound {
+  std::optional<streaming::Resume> resume;  ///< nothing: see `error`
+  base::Error error;
+};
+
 struct CalibrationFinished {
   std::shared_ptr<const streaming::CalibrationRecord> record;  ///< null: see `error`
   base::Error error;
@@ -52,17 +58,25 @@ struct CalibrationFinished {
 
 using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, trace::Note,
-                 RunFinished, streaming::CalibrationProgress, CalibrationFinished>;
+                 RunFinished, streaming::CalibrationProgress, CalibrationFinished, ResumeFound>;
 
 struct ConnectOrder {
   std::string endpoint;
 };
 struct DisconnectOrder {};
+/// Where was this run left? Asked of the control; nothing is to move for it.
+struct ResumeQuestion {
+  std::shared_ptr<const gcode::Program> program;
+  streaming::RunSettings settings;  ///< of the run that was left
+  streaming::Checkpoint checkpoint;
+};
 struct StartOrder {
   std::shared_ptr<const gcode::Program> program;
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording
   std::string startedAtUtc;
+  /// A run that is resumed: asked once more right before it starts. Another answer is no start.
+  std::optional<ResumeQuestion> resumes;
 };
 
 struct CalibrateOrder {
@@ -70,7 +84,7 @@ struct CalibrateOrder {
   std::string startedAtUtc;
 };
 
-using SessionOrder =
-    std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder, CalibrateOrder>;
+using SessionOrder = std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder,
+                                  CalibrateOrder, ResumeQuestion>;
 
 }  // namespace rivulet::session

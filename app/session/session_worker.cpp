@@ -10,6 +10,9 @@
 #include "base/units.h"
 #include "opcua/open62541/ua_link.h"
 #include "report/machine_profile.h"
+#include "streaming/resume.h"
+#include "streaming/simulation/template_proof.h"
+#include "templates/generator.h"
 #include "trace/recording.h"
 
 namespace rivulet::session {
@@ -52,6 +55,7 @@ class SessionWorker::Orders final : public streaming::RunOrders {
   bool stopRequested(base::Instant) override {
     return m_worker.m_stopRun.load() || m_worker.m_quit.load();
   }
+  bool holdRequested(base::Instant) override { return m_worker.m_holdRun.load(); }
 
  private:
   SessionWorker& m_worker;
@@ -69,6 +73,7 @@ SessionWorker::~SessionWorker() {
 bool SessionWorker::order(SessionOrder order) {
   if (std::holds_alternative<StartOrder>(order) || std::holds_alternative<CalibrateOrder>(order)) {
     m_stopRun.store(false);
+    m_holdRun.store(false);
   }
   if (!m_orders.tryPush(std::move(order))) {
     return false;
@@ -79,6 +84,10 @@ bool SessionWorker::order(SessionOrder order) {
 
 void SessionWorker::stopRun() {
   m_stopRun.store(true);
+}
+
+void SessionWorker::holdRun(bool hold) {
+  m_holdRun.store(hold);
 }
 
 std::optional<SessionEvent> SessionWorker::take() {
@@ -114,6 +123,8 @@ void SessionWorker::work() {
         disconnect();
       } else if (const auto* startOrder = std::get_if<StartOrder>(&*order)) {
         start(*startOrder);
+      } else if (const auto* question = std::get_if<ResumeQuestion>(&*order)) {
+        answer(*question);
       } else if (const auto* calibrateOrder = std::get_if<CalibrateOrder>(&*order)) {
         calibrate(*calibrateOrder);
       }
@@ -198,6 +209,47 @@ bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) 
          report::requireCreditTest(report::profileFolder(), m_endpoint, *identity).has_value();
 }
 
+void SessionWorker::answer(const ResumeQuestion& question) {
+  if (!m_link) {
+    tell(ResumeFound{std::nullopt,
+                     base::makeError(opcua::LinkError::NotReachable,
+                                     "There is no connection to a control. Connect first.")});
+    return;
+  }
+  const auto resume =
+      streaming::resumeFrom(*m_link, *question.program, question.settings, question.checkpoint);
+  tell(resume ? ResumeFound{*resume, {}} : ResumeFound{std::nullopt, resume.error()});
+}
+
+base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming::RunSink& sink) {
+  const auto text = templates::generateTemplate(order.settings.parameters);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  if (m_proven != *text) {
+    streaming::LiveUpdate update;
+    update.state = streaming::RunState::Armed;
+    update.waitingFor = "proof";
+    sink.update(update);
+    if (base::Result<void> proven = streaming::requireProven(order.settings.parameters); !proven) {
+      return proven;
+    }
+    m_proven = *text;
+  }
+  if (order.resumes) {
+    const auto resume = streaming::resumeFrom(*m_link, *order.resumes->program,
+                                              order.resumes->settings, order.resumes->checkpoint);
+    if (!resume) {
+      return base::fail(resume.error());
+    }
+    if (!order.settings.resume || resume->point != order.settings.resume->point) {
+      return base::fail(streaming::StreamError::CannotResume,
+                        "The control has moved on since it was asked. Resume again.");
+    }
+  }
+  return {};
+}
+
 void SessionWorker::start(const StartOrder& order) {
   if (!m_link) {
     auto report = std::make_shared<streaming::RunReport>();
@@ -209,6 +261,13 @@ void SessionWorker::start(const StartOrder& order) {
   }
   Sink sink(*this);
   Orders orders(*this);
+  if (const base::Result<void> clear = checkBefore(order, sink); !clear) {
+    auto report = std::make_shared<streaming::RunReport>();
+    report->error = clear.error();
+    report->settings = order.settings;
+    tell(RunFinished{std::move(report), {}});
+    return;
+  }
   // The file is written by this thread between accesses: small appends into the page cache.
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       order.recordingPath.empty() ? nullptr : std::fopen(order.recordingPath.c_str(), "wb"),

@@ -6,6 +6,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 using nlohmann::json;
@@ -253,10 +254,23 @@ class TestCli : public QObject {
     QCOMPARE(judged.exit, 0);
     QVERIFY(judged.parsed()["feasible"].get<bool>());
     QVERIFY(judged.parsed()["waits"].get<bool>());
-    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 45);
-    QCOMPARE(judged.parsed()["planned_pauses_in_cut"].get<int>(), 3);
+    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 46);
+    QCOMPARE(judged.parsed()["planned_pauses_in_cut"].get<int>(), 12);
+    // Each with its place, and what all of them cost.
+    const json pauses = judged.parsed()["pauses"];
+    QCOMPARE(pauses.size(), std::size_t{46});
+    QCOMPARE(std::count_if(pauses.begin(), pauses.end(),
+                           [](const json& pause) { return pause["in_cut"].get<bool>(); }),
+             std::ptrdiff_t{12});
+    QVERIFY(pauses[0]["behind_point"].get<int>() >= 1 && pauses[0]["behind_point"].get<int>() <= 7);
+    QVERIFY(pauses[0]["line"].get<int>() > pauses[0]["behind_point"].get<int>());
+    QVERIFY(judged.parsed()["time_without_pauses_s"].get<double>() > 1.0);
+    const double costS = judged.parsed()["pauses_cost_s"].get<double>();
+    QVERIFY(costS > 12 * 0.04 && costS < 46 * 0.2);
+    // More pauses, but where they cost less.
+    QVERIFY(costS < judged.parsed()["even_pauses_cost_s"].get<double>());
     QCOMPARE(judged.parsed()["even_pauses"].get<int>(), 38);
-    QCOMPARE(judged.parsed()["even_pauses_in_cut"].get<int>(), 15);
+    QCOMPARE(judged.parsed()["even_pauses_in_cut"].get<int>(), 28);
     const json made = run(words("template --windows 3 --base-cell 5 --points 5 --json")).parsed();
     QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_5X3B5.MPF"));
     QCOMPARE(made["cells"]["run"].get<int>(), 5);

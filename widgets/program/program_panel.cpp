@@ -441,10 +441,10 @@ void ProgramPanel::showTimes() {
   m_figureValues[ProgrammedTime]->setText(
       m_times ? tr("%1 without pauses").arg(durationText(m_times->programmedS)) : unknown);
   m_figureValues[StreamedTime]->setText(m_times && m_times->run
-                                            ? tr("%1 with %2 pauses, of which %3 standing")
+                                            ? tr("%1 with %2 pauses, which cost %3")
                                                   .arg(durationText(m_times->run->totalS),
                                                        countText(m_times->run->pauses),
-                                                       durationText(m_times->run->standingS))
+                                                       durationText(m_times->run->pausesCostS()))
                                             : unknown);
   const QString machine =
       m_times ? tr("Computed with the axes of %1").arg(QString::fromStdString(m_times->machine))

@@ -34,9 +34,13 @@ void takeMoves(ProgramView& view) {
         positionMm.set(axis, view.startMm[axis]);
       }
     }
+    // As `gcode::streamPoints` does: a move that only turns is one, too.
     base::RotaryDeg rotaryDeg{};
-    for (std::size_t axis = 0; !rotary.empty() && axis < base::kRotaryAxisCount; ++axis) {
-      rotaryDeg[axis] = std::isnan(rotary[i].degrees[axis]) ? 0.0 : rotary[i].degrees[axis];
+    if (!rotary.empty()) {
+      rotaryDeg = rotary[i].degrees;
+      for (double& degrees : rotaryDeg) {
+        degrees = std::isnan(degrees) ? 0.0 : degrees;
+      }
     }
     if (!view.kinds.empty() && positionMm == beforeMm && rotaryDeg == beforeDeg) {
       continue;
