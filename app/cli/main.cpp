@@ -173,6 +173,10 @@ int main(int argc, char** argv) {
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
+  feasibilityCommand
+      ->add_option("--preset", feasibility.preset,
+                   "Machine whose axes tell what pauses cost: preset or TOML file")
+      ->capture_default_str();
   addJson(feasibilityCommand, feasibility.json);
   feasibilityCommand->callback([&] {
     if (feasibility.program.empty() && !feasibility.pointDistanceMm) {
@@ -317,6 +321,11 @@ int main(int argc, char** argv) {
   commissionCommand
       ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters nobody uses")
       ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  commissionCommand
+      ->add_option("--transfer", commission.transfer,
+                   "How the program of the test comes onto the control; by-hand: you, with --print")
+      ->check(CLI::IsMember({"auto", "by-hand"}))
       ->capture_default_str();
   commissionCommand->add_flag("--print", commission.printProgram,
                               "Print the program of the test, and do nothing else");

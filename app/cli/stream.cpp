@@ -267,25 +267,6 @@ base::Result<void> printSteps(const StreamOptions& options,
   return {};
 }
 
-/// What goes to a real control has run on the virtual one first.
-base::Result<void> proveProgram(const templates::TemplateParameters& parameters) {
-  const auto text = templates::generateTemplate(parameters);
-  const auto machine = machine::loadPreset("dmu75");
-  if (!text || !machine) {
-    return base::fail(text ? machine.error() : text.error());
-  }
-  const auto proof = streaming::proveTemplate(*text, parameters, *machine);
-  if (!proof) {
-    return base::fail(proof.error());
-  }
-  if (!proof->holds()) {
-    return base::fail(templates::LintError::Rejected,
-                      "The flexible program of these settings did not hold on the virtual machine "
-                      "and is not written to the control. See template --verify.");
-  }
-  return {};
-}
-
 /// Method credit only where its test has been passed. In virtual time it is made on the spot.
 base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
   if (!options.simulate) {
@@ -349,7 +330,7 @@ Exit stream(const StreamOptions& options) {
     return reportError(cells.error(), options.json);
   }
   if (!options.simulate) {
-    if (const auto proven = proveProgram(settings.parameters); !proven) {
+    if (const auto proven = streaming::requireProven(settings.parameters); !proven) {
       return reportError(proven.error(), options.json);
     }
   }

@@ -135,9 +135,8 @@ class Test {
     }
     const std::string name = commissioningFileName();
     const std::string text = commissioningProgram(m_plan.firstCell);
-    // Where it may not be selected from here, the operator does so before cycle start.
-    if (const auto done = transferProgram(m_control, name, text, TransferWay::Link); !done) {
-      return base::fail(done.error());
+    if (const auto there = transferProgram(m_control, name, text, m_plan.transfer); !there) {
+      return base::fail(there.error());
     }
     // A number left from an earlier test must not pass for the program's own.
     return set(Layout, 0.0);

@@ -183,6 +183,9 @@ bool Driver::submitCorrection() {
 }
 
 bool Driver::hasSlackFor(int nodes) const {
+  if (m_holding) {
+    return true;  // the machine waits anyway
+  }
   const Duration needed = kSlackFactor * expectedRead(nodes + 1);
   return m_link.now() + needed < m_method.progress().nextEarliest;
 }

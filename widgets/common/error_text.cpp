@@ -80,6 +80,12 @@ struct ErrorTexts {
       case TemplateError::BadCorrection:
         return tr(
             "The online correction is possible with method window, for X, Y and Z, up to 1 mm.");
+      case TemplateError::RotaryNeedsWindow:
+        return tr("Only method window streams rotary axes. Choose it.");
+      case TemplateError::TooManyAxes:
+        return tr("Too many axes. Choose at most five.");
+      case TemplateError::BadAxes:
+        return tr("These are no axes. Choose from X, Y, Z, A, B and C.");
     }
     return {};
   }
@@ -203,8 +209,20 @@ struct ErrorTexts {
         return tr(
             "The control adds up what is laid over its axes (MD36750 bit 0). Set the bit to 0, or "
             "do without online correction.");
+      case StreamError::Cancelled:
+        return tr("The test was broken off. Reset the control if its program still runs.");
+      case StreamError::NotCommissioned:
+        return tr(
+            "Method credit is experimental and starts only on a control that has passed its test. "
+            "Run rivulet-cli commission for this control, or choose method window.");
       case StreamError::CannotResume:
         return tr("Where the run was left is not known for certain. Start from the beginning.");
+      case StreamError::AxesNotChosen:
+        return tr(
+            "The program needs an axis that is not streamed. Bring it to where the program wants "
+            "it, or choose it.");
+      case StreamError::AxisMissing:
+        return tr("The control lacks an axis the program turns. Use a program for its axes.");
     }
     return {};
   }

@@ -236,6 +236,9 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       }
       m_delivered = m_filled;
       m_renumber = false;
+      if (m_filled == m_windowCount || m_filled >= m_latched + m_slots) {
+        m_progress.nextEarliest = m_windowEnds;  // until then there is nothing to be brought
+      }
       break;
     case Step::Run:
       m_run = m_runAsked;
@@ -291,7 +294,8 @@ void WindowMethod::observe(double latched, double executed, const Answer& answer
   m_progress.executed = windowBegin(m_executed);
   m_progress.stopsPassed = m_isCredit ? 0 : m_executed;
   const bool moreToBring = m_filled < m_windowCount && !m_stopWanted;
-  m_progress.nextEarliest = moreToBring ? now : answer.sent + takenTime();
+  m_windowEnds = answer.sent + takenTime();
+  m_progress.nextEarliest = moreToBring ? now : m_windowEnds;
   m_progress.nextLatest = moreToBring && m_delivered == m_latched
                               ? now + kOurTurn
                               : now + takenTimeMax() + kSlowerThanPlanned;

@@ -75,7 +75,8 @@ class WindowMethod final : public Method {
   bool m_waiting = false;
   bool m_stopWanted = false;
   bool m_holdWanted = false;
-  bool m_renumber = false;  ///< the number on the control is not ours: it is written again
+  bool m_renumber = false;       ///< the number on the control is not ours: it is written again
+  base::Instant m_windowEnds{};  ///< the window in motion, at the earliest
   Trouble m_trouble = Trouble::None;
   bool m_owned = false;         ///< the control has granted us its cells
   double m_run = 0.0;           ///< value of the run cell, as far as confirmed

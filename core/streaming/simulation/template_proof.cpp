@@ -422,4 +422,22 @@ base::Result<TemplateProof> proveTemplate(std::string_view text,
   return proof;
 }
 
+base::Result<void> requireProven(const templates::TemplateParameters& parameters) {
+  const auto text = templates::generateTemplate(parameters);
+  const auto machine = machine::loadPreset("dmu75");
+  if (!text || !machine) {
+    return base::fail(text ? machine.error() : text.error());
+  }
+  const auto proof = proveTemplate(*text, parameters, *machine);
+  if (!proof) {
+    return base::fail(proof.error());
+  }
+  if (!proof->holds()) {
+    return base::fail(templates::LintError::Rejected,
+                      "The flexible program of these settings did not hold on the virtual machine "
+                      "and is not written to the control. See template --verify.");
+  }
+  return {};
+}
+
 }  // namespace rivulet::streaming

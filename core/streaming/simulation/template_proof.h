@@ -45,4 +45,9 @@ struct TemplateProof {
     std::string_view text, const templates::TemplateParameters& parameters,
     const machine::MachineConfig& machine);
 
+/// What goes to a real control has run on the virtual one first: the generated program of the
+/// parameters is put to the proof on the machine of the paper.
+/// @return nothing if it holds; else LintError::Rejected, or the errors of `proveTemplate`
+[[nodiscard]] base::Result<void> requireProven(const templates::TemplateParameters& parameters);
+
 }  // namespace rivulet::streaming
