@@ -208,11 +208,15 @@
     </message>
     <message>
         <source>%1 turns on the path: only method window streams it, with this axis among those chosen.</source>
-        <translation>%1 dreht sich auf der Bahn: Nur das Verfahren Fenster streamt das, mit dieser Achse unter den gewählten.</translation>
+        <translation>%1 dreht auf der Bahn: nur die Methode window streamt das, mit dieser Achse unter den gewählten.</translation>
+    </message>
+    <message>
+        <source>%1 makes X, Y and Z those of the tool&apos;s tip while rotary axes turn, and no method switches it on at the control. Have the program written for the axes.</source>
+        <translation>%1 macht X, Y und Z zu denen der Werkzeugspitze, während Rundachsen drehen, und keine Methode schaltet das an der Steuerung ein. Das Programm für die Achsen ausgeben lassen.</translation>
     </message>
     <message>
         <source>%1 give the direction of the tool: the points carry it, but only the control could make rotary axes of it. Have the program written with A, B or C.</source>
-        <translation>%1 geben die Richtung des Werkzeugs an: Die Punkte tragen sie, aber nur die Steuerung könnte Rundachsen daraus machen. Lassen Sie das Programm mit A, B oder C ausgeben.</translation>
+        <translation>%1 geben die Richtung des Werkzeugs an: die Punkte tragen sie, aber nur die Steuerung könnte daraus Rundachsen machen. Das Programm mit A, B oder C ausgeben lassen.</translation>
     </message>
 </context>
 <context>
@@ -416,6 +420,38 @@
     <message>
         <source>The cells could not be put back and may hold test values. Set them at the control.</source>
         <translation>Die Zellen konnten nicht zurückgesetzt werden und enthalten vielleicht Testwerte. Setzen Sie sie an der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Only method window streams rotary axes. Choose it.</source>
+        <translation>Nur die Methode window streamt Rundachsen. Diese wählen.</translation>
+    </message>
+    <message>
+        <source>Too many axes. Choose at most five.</source>
+        <translation>Zu viele Achsen. Höchstens fünf wählen.</translation>
+    </message>
+    <message>
+        <source>These are no axes. Choose from X, Y, Z, A, B and C.</source>
+        <translation>Das sind keine Achsen. Aus X, Y, Z, A, B und C wählen.</translation>
+    </message>
+    <message>
+        <source>The program needs an axis that is not streamed. Bring it to where the program wants it, or choose it.</source>
+        <translation>Das Programm braucht eine Achse, die nicht gestreamt wird. Sie dorthin bringen, wo das Programm sie haben will, oder sie wählen.</translation>
+    </message>
+    <message>
+        <source>The control lacks an axis the program turns. Use a program for its axes.</source>
+        <translation>Der Steuerung fehlt eine Achse, die das Programm dreht. Ein Programm für ihre Achsen verwenden.</translation>
+    </message>
+    <message>
+        <source>Nothing can be said of this method beforehand.</source>
+        <translation>Über dieses Verfahren lässt sich vorher nichts sagen.</translation>
+    </message>
+    <message>
+        <source>The test was broken off. Reset the control if its program still runs.</source>
+        <translation>Der Test wurde abgebrochen. Setzen Sie die Steuerung zurück, falls ihr Programm noch läuft.</translation>
+    </message>
+    <message>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
+        <translation>Die Methode Kredit ist experimentell und startet nur an einer Steuerung, die ihren Test bestanden hat. Führen Sie rivulet-cli commission für diese Steuerung aus, oder wählen Sie die Methode Fenster.</translation>
     </message>
 </context>
 <context>
@@ -710,14 +746,6 @@ GPL-3.0-or-later</translation>
         <translation>Programm: %1, Fassung %2</translation>
     </message>
     <message>
-        <source>%1 turns rotary axes on the path. No method streams them.</source>
-        <translation>%1 dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
-    </message>
-    <message>
-        <source>The program turns rotary axes on the path. No method streams them.</source>
-        <translation>Das Programm dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
-    </message>
-    <message>
         <source>%1 moves no axis: there is nothing to stream.</source>
         <translation>%1 bewegt keine Achse: Es gibt nichts zu streamen.</translation>
     </message>
@@ -744,6 +772,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The calibration is of another version of the server and not used.</source>
         <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 needs a transformation of the control. No method streams it.</source>
+        <translation>%1 braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+    </message>
+    <message>
+        <source>The program needs a transformation of the control. No method streams it.</source>
+        <translation>Das Programm braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+    </message>
+    <message>
+        <source>The program turns rotary axes: choose method window.</source>
+        <translation>Das Programm dreht Rundachsen: Methode window wählen.</translation>
+    </message>
+    <message>
+        <source>The program turns %1, and the control does not have all of these axes.</source>
+        <translation>Das Programm dreht %1, und die Steuerung hat nicht alle diese Achsen.</translation>
     </message>
     <message>
         <source>No run of method window was left.</source>
@@ -797,8 +841,8 @@ GPL-3.0-or-later</translation>
         <translation>Messungen je Art</translation>
     </message>
     <message>
-        <source>Time at most</source>
-        <translation>Dauer höchstens</translation>
+        <source>At most</source>
+        <translation>Höchstens</translation>
     </message>
     <message>
         <source>any</source>
@@ -810,7 +854,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
-        <translation>Kein Programm, Zyklus oder anderer Client nutzt R%1 bis R%2: Sie dürfen beschrieben werden</translation>
+        <translation>Kein Programm, Zyklus oder Client nutzt R%1 bis R%2: Schreiben ist erlaubt</translation>
     </message>
     <message>
         <source>Calibrate</source>
@@ -1543,16 +1587,8 @@ GPL-3.0-or-later</translation>
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced.</source>
-        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf.</translation>
-    </message>
-    <message>
         <source>N (points per window)</source>
         <translation>N (Punkte je Fenster)</translation>
-    </message>
-    <message>
-        <source>Method window has a layout of its own</source>
-        <translation>Die Methode Fenster hat eine eigene Belegung</translation>
     </message>
     <message>
         <source>This method does not use δ: it watches a cell, not the tool</source>
@@ -1579,8 +1615,20 @@ GPL-3.0-or-later</translation>
         <translation>%1 × (wartet unter 1)</translation>
     </message>
     <message>
+        <source>Credit (experimental)</source>
+        <translation>Kredit (experimentell)</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: as window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
+        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test von rivulet-cli commission bestanden hat.</translation>
+    </message>
+    <message>
+        <source>Windows have a layout of their own</source>
+        <translation>Fenster haben eine eigene Belegung</translation>
+    </message>
+    <message>
         <source>Access</source>
-        <translation>Zugriff</translation>
+        <translation type="unfinished">Zugriff</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -1600,7 +1648,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Pauses</source>
-        <translation>Pausen</translation>
+        <translation type="unfinished">Pausen</translation>
     </message>
     <message>
         <source>Planned</source>
@@ -1632,11 +1680,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <translation type="unfinished">%1 von %2</translation>
     </message>
     <message>
         <source>being computed …</source>
-        <translation>wird berechnet …</translation>
+        <translation type="unfinished">wird berechnet …</translation>
     </message>
 </context>
 <context>
@@ -1751,7 +1799,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Pauses</source>
-        <translation>Pausen</translation>
+        <translation type="unfinished">Pausen</translation>
     </message>
     <message>
         <source>Mark where the run will pause</source>
@@ -2043,10 +2091,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Berechnet mit den Achsen von %1</translation>
     </message>
     <message>
-        <source>Cannot be streamed: rotary axes turn on the path.</source>
-        <translation>Nicht streambar: Rundachsen drehen auf der Bahn.</translation>
-    </message>
-    <message>
         <source>I, J, K are read as the centre itself</source>
         <translation>I, J, K gelten als Mittelpunkt selbst</translation>
     </message>
@@ -2065,6 +2109,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Cannot be streamed: no axis moves.</source>
         <translation>Nicht streambar: Keine Achse bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: it needs a transformation of the control.</source>
+        <translation>Kann nicht gestreamt werden: braucht eine Transformation der Steuerung.</translation>
     </message>
     <message>
         <source>%1 with %2 pauses, which cost %3</source>
@@ -2244,8 +2292,12 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Fenster</translation>
     </message>
     <message>
+        <source>Credit (experimental)</source>
+        <translation>Kredit (experimentell)</translation>
+    </message>
+    <message>
         <source>Form</source>
-        <translation>Form</translation>
+        <translation type="unfinished">Form</translation>
     </message>
     <message>
         <source>%1, from point %2 on</source>
@@ -2446,7 +2498,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Shots</source>
-        <translation>Messungen</translation>
+        <translation>Anzahl</translation>
     </message>
     <message>
         <source>Mean</source>

@@ -128,6 +128,7 @@ struct CommissionOptions {
   std::string preset = "dmu75";
   std::uint64_t seed = 1;
   int baseCell = 0;
+  std::string transfer = "auto";  ///< auto, by-hand
   bool printProgram = false;
   bool json = false;
 };

@@ -23,14 +23,21 @@ void print(const streaming::Commissioning& result) {
                                        "Use method window.");
 }
 
+bool isByHand(const CommissionOptions& options) {
+  return options.transfer == "by-hand";
+}
+
 /// What the operator has to do and to know, in front of a real control.
 void printSteps(const CommissionOptions& options) {
   fmt::print(stderr,
              "The test moves no axis. It writes R{} to R{} and takes some seconds.\n"
              "  1. Bring the channel to reset, in AUTO.\n"
-             "  2. The program {} is transferred and selected.\n"
+             "  2. {} {}.\n"
              "  3. Press cycle start. Ctrl-C breaks the test off.\n",
-             options.baseCell, options.baseCell + 9, streaming::commissioningFileName());
+             options.baseCell, options.baseCell + 9,
+             isByHand(options) ? "Store what --print writes as a part program, and select it:"
+                               : "This program is transferred and selected:",
+             streaming::commissioningFileName());
 }
 
 }  // namespace
@@ -49,12 +56,13 @@ Exit commission(const CommissionOptions& options) {
   if (!identity) {
     return reportError(identity.error(), options.json);
   }
-  if (!connection->control->isVirtualMachine()) {
+  if (!connection->control->isVirtualMachine() || isByHand(options)) {
     printSteps(options);
   }
   watchForInterrupt();
   streaming::CommissioningPlan plan;
   plan.firstCell = options.baseCell;
+  plan.transfer = isByHand(options) ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
   auto result =
       streaming::commission(*connection->link, *connection->control, plan,
                             [](streaming::CommissioningStep) { return !wasInterrupted(); });

@@ -39,7 +39,7 @@ CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
 
 void addPoint(CLI::App* command, OperatingOptions& point) {
   command->add_option("--method", point.method, "Streaming method")
-      ->check(CLI::IsMember({"window", "position", "signal", "credit"}))
+      ->check(CLI::IsMember({"window", "position", "signal", "credit", "file"}))
       ->capture_default_str();
   command
       ->add_option("--points", point.pointsPerLoop,
@@ -313,6 +313,11 @@ int main(int argc, char** argv) {
   commissionCommand
       ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters nobody uses")
       ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  commissionCommand
+      ->add_option("--transfer", commission.transfer,
+                   "How the program of the test comes onto the control; by-hand: you, with --print")
+      ->check(CLI::IsMember({"auto", "by-hand"}))
       ->capture_default_str();
   commissionCommand->add_flag("--print", commission.printProgram,
                               "Print the program of the test, and do nothing else");

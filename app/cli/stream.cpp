@@ -105,8 +105,8 @@ std::optional<base::Error> objection(const StreamOptions& options, const Connect
   point.deltaMm = settings.deltaMm;
   point.feedMmPerS = settings.feedMmPerS;
   const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
-  if (list.points.size() < 2) {
-    judged.feasible = true;  // a single point needs no refill
+  if (list.points.size() < 2 || point.method == base::MethodKind::File) {
+    judged.feasible = true;  // a single point needs no refill; method file waits
     return std::nullopt;
   }
   feasibility::AccessModel access;

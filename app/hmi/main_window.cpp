@@ -479,7 +479,7 @@ void MainWindow::showProgram(const session::LoadedProgram& loaded) {
         Severity::Error,
         points().empty()
             ? tr("%1 moves no axis: there is nothing to stream.").arg(name)
-            : tr("%1 turns rotary axes on the path. No method streams them.").arg(name));
+            : tr("%1 needs a transformation of the control. No method streams it.").arg(name));
   } else if (!m_program->isStreamable()) {
     m_messages->showMessage(Severity::Error,
                             tr("The path of %1 is not known everywhere: see the findings. It "
@@ -614,6 +614,8 @@ void MainWindow::showMachine(const session::MachineSeen& seen) {
   m_machine.message = QString::fromStdString(seen.message);
   m_machine.positionMm = seen.positionMm;
   m_machine.feedMmPerS = seen.feedMmPerS;
+  m_machine.rotaryAxes = seen.rotaryAxes;
+  m_machine.rotaryDeg = seen.rotaryDeg;
   m_machine.isStale = false;
   m_connection->setMachineState(m_machine);
   m_path->setToolPosition(seen.positionMm);
@@ -634,13 +636,13 @@ void MainWindow::judge() {
   m_verdict.reset();
   m_problem.reset();
   m_distances.reset();
-  const auto cells = templates::planCells(m_settings.stream.parameters);
-  const auto text = templates::generateTemplate(m_settings.stream.parameters);
+  const templates::TemplateParameters chosen = parameters();
+  const auto cells = templates::planCells(chosen);
+  const auto text = templates::generateTemplate(chosen);
   if (cells && text) {
-    m_template->setTemplate(
-        QString::fromStdString(*text),
-        QString::fromStdString(templates::templateFileName(m_settings.stream.parameters)), *cells,
-        templates::layoutNumber(m_settings.stream.parameters));
+    m_template->setTemplate(QString::fromStdString(*text),
+                            QString::fromStdString(templates::templateFileName(chosen)), *cells,
+                            templates::layoutNumber(chosen));
   } else {
     m_problem = widgets::errorText(cells ? text.error() : cells.error());
     m_template->setProblem(*m_problem);
@@ -683,6 +685,14 @@ void MainWindow::judge() {
   refreshStart();
 }
 
+templates::TemplateParameters MainWindow::parameters() const {
+  templates::TemplateParameters parameters = m_settings.stream.parameters;
+  if (m_view && base::streamsRotary(parameters.method)) {
+    parameters.rotaryAxes = m_view->turnedAxes;
+  }
+  return parameters;
+}
+
 QString MainWindow::startBlockedReason() const {
   const QString blocked = blockedReason();
   if (blocked.isEmpty() && m_machine.channelStatus.value_or(0) != 0) {
@@ -721,10 +731,18 @@ QString MainWindow::blockedReason() const {
   if (m_program->isUnderstood() && !m_program->isStreamable()) {
     return points().empty()
                ? tr("The program moves no axis.")
-               : tr("The program turns rotary axes on the path. No method streams them.");
+               : tr("The program needs a transformation of the control. No method streams it.");
   }
   if (!m_program->isStreamable()) {
     return tr("The path of the program is not known everywhere: see the findings.");
+  }
+  const base::RotarySet turned = m_view->turnedAxes;
+  if (base::any(turned) && !base::streamsRotary(m_settings.stream.parameters.method)) {
+    return tr("The program turns rotary axes: choose method window.");
+  }
+  if (!base::contains(m_machine.rotaryAxes, turned)) {
+    return tr("The program turns %1, and the control does not have all of these axes.")
+        .arg(QString::fromStdString(base::rotaryNames(turned)));
   }
   if (m_problem) {
     return *m_problem;
@@ -815,7 +833,7 @@ bool MainWindow::start() {
 streaming::RunSettings MainWindow::runSettings() const {
   const widgets::StreamSettings& stream = m_settings.stream;
   streaming::RunSettings settings;
-  settings.parameters = stream.parameters;
+  settings.parameters = parameters();
   settings.deltaMm = stream.deltaMm;
   settings.feedMmPerS = stream.feedMmPerS;
   switch (stream.access) {
@@ -955,8 +973,7 @@ void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
     // The stream leaves no slot to ask for these; that the program runs is what it lives on.
     m_machine.channelStatus = 1;
     m_machine.programStatus = 3;
-    m_machine.programName =
-        QString::fromStdString(templates::templateFileName(m_settings.stream.parameters));
+    m_machine.programName = QString::fromStdString(templates::templateFileName(parameters()));
     m_connection->setMachineState(m_machine);
   }
   if (update.sample) {
@@ -970,6 +987,9 @@ void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
     if (sample.positionMm) {
       m_machine.positionMm = sample.positionMm;
       m_path->setToolPosition(sample.positionMm);
+    }
+    if (update.sample->rotaryDeg) {
+      m_machine.rotaryDeg = update.sample->rotaryDeg;
     }
     if (sample.feedMmPerS) {
       m_machine.feedMmPerS = sample.feedMmPerS;

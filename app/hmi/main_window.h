@@ -76,6 +76,8 @@ class MainWindow final : public QMainWindow {
   /// Goes on at the place shown. @return false and shows why if something stands in the way
   bool resume();
 
+  /// The settings with the rotary axes the program turns.
+  [[nodiscard]] templates::TemplateParameters parameters() const;
   /// Why no run can be resumed; empty: `askResume` may be called.
   [[nodiscard]] QString resumeBlockedReason() const;
   [[nodiscard]] QString startBlockedReason() const;

@@ -36,6 +36,8 @@ struct MachineSeen {
   std::string message;
   base::Vec3 positionMm;
   double feedMmPerS = 0.0;
+  base::RotarySet rotaryAxes{};  ///< those the control has
+  base::RotaryDeg rotaryDeg{};
 };
 
 struct RunFinished {

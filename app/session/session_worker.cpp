@@ -3,12 +3,13 @@
 
 #include "session/session_worker.h"
 
-#include <array>
 #include <chrono>
 #include <cstdio>
+#include <vector>
 
 #include "base/units.h"
 #include "opcua/open62541/ua_link.h"
+#include "report/machine_profile.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
@@ -144,6 +145,8 @@ void SessionWorker::connect(const ConnectOrder& order) {
     return;
   }
   m_link = std::move(*link);
+  // A control that does not say has none; one that is gone again is noticed by the next look.
+  m_axes = streaming::readControlAxes(*m_link, kWatchDeadline).value_or(streaming::ControlAxes{});
   m_endpoint = order.endpoint;
   // A server that does not say who it is can be worked with all the same.
   m_server = m_link->identity().value_or(opcua::ServerIdentity{});
@@ -160,18 +163,20 @@ void SessionWorker::watch() {
     return;
   }
   using opcua::VariableKind;
-  static constexpr std::array<opcua::Variable, 9> kWatched{{
-      {VariableKind::ChannelStatus, 0},
-      {VariableKind::ProgramStatus, 0},
-      {VariableKind::Alarm, 0},
-      {VariableKind::ProgramName, 0},
-      {VariableKind::Message, 0},
-      {VariableKind::ActualPosition, 0},
-      {VariableKind::ActualPosition, 1},
-      {VariableKind::ActualPosition, 2},
+  std::vector<opcua::Variable> watched{
+      {VariableKind::ChannelStatus, 0},  {VariableKind::ProgramStatus, 0},
+      {VariableKind::Alarm, 0},          {VariableKind::ProgramName, 0},
+      {VariableKind::Message, 0},        {VariableKind::ActualPosition, 0},
+      {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2},
       {VariableKind::PathFeed, 0},
-  }};
-  const auto readings = streaming::readNow(*m_link, kWatched, kWatchDeadline);
+  };
+  const std::size_t firstRotary = watched.size();
+  for (const int axis : m_axes.index) {
+    if (axis >= 0) {
+      watched.push_back({VariableKind::ActualPosition, axis});
+    }
+  }
+  const auto readings = streaming::readNow(*m_link, watched, kWatchDeadline);
   if (!readings) {
     if (readings.error().code == opcua::LinkError::ConnectionLost) {
       m_link.reset();
@@ -187,7 +192,21 @@ void SessionWorker::watch() {
   seen.message = (*readings)[4].text;
   seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
   seen.feedMmPerS = base::mmPerSFromMmPerMin((*readings)[8].number);
+  seen.rotaryAxes = m_axes.set();
+  std::size_t next = firstRotary;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    seen.rotaryDeg[axis] = seen.rotaryAxes[axis] ? (*readings)[next++].number : 0.0;
+  }
   tellIfRoom(seen);
+}
+
+bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) const {
+  if (settings.parameters.method != base::MethodKind::Credit) {
+    return false;
+  }
+  const auto identity = m_link->identity();
+  return identity &&
+         report::requireCreditTest(report::profileFolder(), m_endpoint, *identity).has_value();
 }
 
 void SessionWorker::answer(const ResumeQuestion& question) {
@@ -263,8 +282,10 @@ void SessionWorker::start(const StartOrder& order) {
   recorder.writer = writer.get();
   recorder.start.toolVersion = RIVULET_VERSION;
   recorder.start.startedAtUtc = order.startedAtUtc;
+  streaming::RunSettings settings = order.settings;
+  settings.isCommissioned = hasPassedCreditTest(settings);
   auto report = std::make_shared<streaming::RunReport>(streaming::runJob(
-      *m_link, *m_link, *order.program, order.settings, orders, sink, std::move(recorder)));
+      *m_link, *m_link, *order.program, settings, orders, sink, std::move(recorder)));
   const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;

@@ -17,6 +17,7 @@
 #include "base/spsc_ring.h"
 #include "opcua/link.h"
 #include "session/session_event.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 
 namespace rivulet::opcua {
@@ -58,6 +59,8 @@ class SessionWorker {
   /// per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartOrder& order, streaming::RunSink& sink);
   void calibrate(const CalibrateOrder& order);
+  /// As the profile of the machine says.
+  [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
@@ -71,6 +74,7 @@ class SessionWorker {
   std::atomic<bool> m_holdRun{false};
   std::atomic<std::size_t> m_lost{0};
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
+  streaming::ControlAxes m_axes;          // of the control at the other end
   std::string m_proven;                   // text of the template proved last; streaming thread only
   std::string m_endpoint;                 // of `m_link`
   opcua::ServerIdentity m_server;

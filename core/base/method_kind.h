@@ -32,6 +32,11 @@ inline constexpr std::array<MethodKind, 2> kPaperMethods{MethodKind::Position, M
   return method == MethodKind::Window || method == MethodKind::Credit || method == MethodKind::File;
 }
 
+/// It can stream rotary axes beside X, Y and Z.
+[[nodiscard]] constexpr bool streamsRotary(MethodKind method) {
+  return method == MethodKind::Window || method == MethodKind::File;
+}
+
 /// The name used in files, on the command line and in templates.
 [[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
   switch (method) {

@@ -116,6 +116,10 @@ CodeText textOf(DiagnosticCode code) {
       return {"rotary-axes",
               "{} turns on the path: only method window streams it, with this axis among those "
               "chosen."};
+    case DiagnosticCode::ToolTip:
+      return {"tool-tip",
+              "{} makes X, Y and Z those of the tool's tip while rotary axes turn, and no method "
+              "switches it on at the control. Have the program written for the axes."};
     case DiagnosticCode::ToolDirections:
       return {"tool-directions",
               "{} give the direction of the tool: the points carry it, but only the control could "

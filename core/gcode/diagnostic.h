@@ -50,6 +50,7 @@ enum class DiagnosticCode {
   CycleNotRun,                  ///< argument: the cycle; the motions it would make are missing
   MachineCoordinates,           ///< argument: the word (SUPA, G53); the move is left out
   RotaryAxes,                   ///< argument: an axis that turns on the path
+  ToolTip,                      ///< argument: the word; X Y Z stay the tool's tip while axes turn
   ToolDirections,  ///< argument: the words; the points carry them, no method sends them
   NotAnyDialect,   ///< argument: what was found; the text is of no known dialect
   CentreReading,   ///< argument: the reading under which all arcs fit

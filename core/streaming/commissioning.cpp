@@ -11,6 +11,7 @@
 
 #include "base/contract.h"
 #include "streaming/job.h"
+#include "streaming/program_transfer.h"
 
 namespace rivulet::streaming {
 
@@ -22,8 +23,9 @@ using base::Result;
 using opcua::Variable;
 using opcua::VariableKind;
 
-/// Beyond every number of a flexible program: neither is taken for the other.
-constexpr int kLayoutNumber = 1'000'003;
+/// Beyond every number of a flexible program (`templates::layoutNumber` stays below 2^24): neither
+/// is taken for the other.
+constexpr int kLayoutNumber = 1 << 24;
 constexpr double kReset = 0.0;
 
 /// The dwells that keep the main run busy, and in front of which one it says where it is.
@@ -133,21 +135,8 @@ class Test {
     }
     const std::string name = commissioningFileName();
     const std::string text = commissioningProgram(m_plan.firstCell);
-    if (Result<void> done = m_control.uploadProgram(name, text, true); !done) {
-      return done;
-    }
-    const Result<std::string> there = m_control.downloadProgram(name);
-    if (!there) {
+    if (const auto there = transferProgram(m_control, name, text, m_plan.transfer); !there) {
       return base::fail(there.error());
-    }
-    if (*there != text) {
-      return base::fail(StreamError::WrongProgram,
-                        "The program on the control differs from the one transferred. Delete it "
-                        "there and start again.",
-                        name);
-    }
-    if (Result<void> done = m_control.selectProgram(name); !done) {
-      return done;
     }
     // A number left from an earlier test must not pass for the program's own.
     return set(Layout, 0.0);

@@ -19,11 +19,13 @@
 #include "base/instant.h"
 #include "base/result.h"
 #include "opcua/link.h"
+#include "streaming/program_transfer.h"
 
 namespace rivulet::streaming {
 
 struct CommissioningPlan {
   int firstCell = 0;  ///< of ten R-parameters in a row that nobody else uses
+  TransferWay transfer = TransferWay::Link;
   base::Duration requestDeadline = std::chrono::seconds{2};
   base::Duration startDeadline = std::chrono::minutes{5};  ///< for cycle start at the control
 };
@@ -59,7 +61,8 @@ enum class CommissioningStep {
 /// Transfers the program, reads it back, selects it, has it started (a virtual machine: starts it),
 /// asks, and judges what came back. A control that fails the test is a result, not an error.
 /// @param progress  told what is waited for; false ends the test
-/// @return ChannelBusy, ControlAlarm, NotStarted, WrongProgram, Cancelled, or what the link says
+/// @return ChannelBusy, ControlAlarm, NotStarted, WrongProgram, TransferRefused, StreamStalled,
+///         Cancelled, or what the link says
 [[nodiscard]] base::Result<Commissioning> commission(
     opcua::Link& link, opcua::Control& control, const CommissioningPlan& plan,
     const std::function<bool(CommissioningStep)>& progress = {});

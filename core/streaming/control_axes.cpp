@@ -108,7 +108,7 @@ Result<base::RotaryDeg> readAngles(opcua::Link& link, const ControlAxes& axes,
 
 templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
                                              const gcode::Trajectory& trajectory) {
-  if (parameters.method == base::MethodKind::Window) {
+  if (base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = gcode::turnedAxes(trajectory);
   }
   return parameters;
@@ -119,7 +119,7 @@ Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
                                const ControlAxes& axes, const base::RotaryDeg& atDeg) {
   const RotarySet turned = gcode::turnedAxes(trajectory);
   const RotarySet chosen = parameters.rotaryAxes;
-  if (base::any(turned) && parameters.method != base::MethodKind::Window) {
+  if (base::any(turned) && !base::streamsRotary(parameters.method)) {
     return base::fail(StreamError::ProgramNotStreamable,
                       fmt::format("The program turns {}: only method window streams rotary axes.",
                                   inWords(turned)));

@@ -166,9 +166,7 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
   if (chosenAxes(parameters) == 0) {
     return base::fail(TemplateError::NoAxis, "No axis is chosen: choose at least one of X, Y, Z.");
   }
-  const bool takesRotary =
-      parameters.method == base::MethodKind::Window || parameters.method == base::MethodKind::File;
-  if (base::any(parameters.rotaryAxes) && !takesRotary) {
+  if (base::any(parameters.rotaryAxes) && !base::streamsRotary(parameters.method)) {
     return base::fail(
         TemplateError::RotaryNeedsWindow,
         fmt::format("Method {} moves X, Y and Z only: choose method window for rotary axes.",

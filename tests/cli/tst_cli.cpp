@@ -38,6 +38,30 @@ QStringList words(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
+/// `rivulet-machine` while the object lives.
+class ServedMachine {
+ public:
+  explicit ServedMachine(const QString& preset) {
+#ifdef RIVULET_MACHINE
+    m_process.start(QStringLiteral(RIVULET_MACHINE), {QStringLiteral("--port"), QStringLiteral("0"),
+                                                      QStringLiteral("--preset"), preset});
+    while (!m_process.canReadLine() && m_process.waitForReadyRead(60000)) {
+    }
+    endpoint = QString::fromUtf8(m_process.readLine()).trimmed();
+#else
+    Q_UNUSED(preset);
+#endif
+  }
+  ~ServedMachine() {
+    m_process.kill();
+    m_process.waitForFinished(60000);
+  }
+  QString endpoint;  ///< empty: built without OPC UA
+
+ private:
+  QProcess m_process;
+};
+
 bool writeText(const QString& path, const QString& text) {
   QFile file(path);
   return file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(text.toUtf8()) >= 0;
@@ -292,6 +316,65 @@ class TestCli : public QObject {
       const bool isArray = fit["form"].get<std::string>().substr(0, 5) == "array";
       QVERIFY2(isArray ? std::abs(node) < 0.2 : node > 4.0, std::to_string(node).c_str());
     }
+  }
+
+  /// The axes the program turns are chosen by themselves; without them the run is refused.
+  void rotaryAxesAreStreamed() {
+    const QString program = file("five.mpf",
+                                 "G90 G94\nG1 X2 Z52 A2 C5 F3000\nX4 A3.5 C12\nA5\nX6 Y1 C20.25\n"
+                                 "X8 Y2 A4 C28\nC-3\nX9 Y2 A0 C0\nM30\n");
+    const auto stream = [&](const QStringList& more) {
+      return run(QStringList{QStringLiteral("stream"), program, QStringLiteral("--feed"),
+                             QStringLiteral("3000"), QStringLiteral("--points"),
+                             QStringLiteral("3"), QStringLiteral("--json")} +
+                 more);
+    };
+    const QString simulate = QStringLiteral("--simulate");
+    const QString preset = QStringLiteral("--preset");
+    const Outcome simulated = stream({simulate, preset, QStringLiteral("dmu75-5axis")});
+    QVERIFY2(simulated.exit == 0, qPrintable(simulated.output + simulated.errors));
+    const json result = simulated.parsed();
+    QCOMPARE(result["settings"]["axes"].get<std::string>(), std::string("XYZAC"));
+    QCOMPARE(result["executed"].get<int>(), 7);
+    QCOMPARE(result["checkpoint"]["start_deg"].size(), std::size_t{3});
+    const Outcome refused = stream({simulate});
+    QVERIFY(refused.exit != 0);
+    QVERIFY(refused.output.contains(QStringLiteral("has no axis A and C")));
+    const Outcome beside = stream({simulate, preset, QStringLiteral("dmu75-5axis"),
+                                   QStringLiteral("--axes"), QStringLiteral("XYZA")});
+    QVERIFY(beside.output.contains(QStringLiteral("Choose XYZAC")));
+    QCOMPARE(stream({simulate, QStringLiteral("--axes"), QStringLiteral("XQ")}).exit, 2);
+    const Outcome text = run(words("template --axes XYZAC --points 5 --verify"));
+    QVERIFY2(text.exit == 0, qPrintable(text.output + text.errors));
+    QVERIFY(text.output.contains(QStringLiteral("C=RIV_C[4]")));
+    QCOMPARE(run(words("template --method signal --axes XYZA")).exit, 2);
+  }
+
+  /// The same over OPC UA, as an operator starts it.
+  void rotaryAxesOverOpcUa() {
+    const ServedMachine five(QStringLiteral("dmu75-5axis"));
+    if (five.endpoint.isEmpty()) {
+      QSKIP("built without OPC UA");
+    }
+    const QString program = file("five-ua.mpf",
+                                 "G90 G94\nG1 X2 Z52 A2 C5 F3000\nX4 A3.5 C12\nA5\nX6 Y1 C20.25\n"
+                                 "X8 Y2 A4 C28\nC-3\nX9 Y2 A0 C0\nM30\n");
+    const auto stream = [&](const QString& endpoint) {
+      return run({QStringLiteral("stream"), program, QStringLiteral("--feed"),
+                  QStringLiteral("3000"), QStringLiteral("--points"), QStringLiteral("3"),
+                  QStringLiteral("--json"), QStringLiteral("--endpoint"), endpoint});
+    };
+    const Outcome outcome = stream(five.endpoint);
+    QVERIFY2(outcome.exit == 0, qPrintable(outcome.output + outcome.errors));
+    const json result = outcome.parsed();
+    QCOMPARE(result["outcome"].get<std::string>(), std::string("completed"));
+    QCOMPARE(result["settings"]["axes"].get<std::string>(), std::string("XYZAC"));
+    QCOMPARE(result["executed"].get<int>(), 7);
+    QCOMPARE(result["judged"].get<bool>(), true);
+    const ServedMachine three(QStringLiteral("dmu75"));
+    const Outcome refused = stream(three.endpoint);
+    QVERIFY(refused.exit != 0);
+    QVERIFY(refused.output.contains(QStringLiteral("has no axis A and C")));
   }
 
   void resumesOnlyFromAReport() {

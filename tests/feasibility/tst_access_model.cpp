@@ -92,9 +92,9 @@ class TestAccessModel : public QObject {
     const AccessLine write{microseconds{1400}, microseconds{4200}};
     const AccessModel model = measured(read, write);
     // Position: 0.8 + 12 + 1.4 + 12.6 ms for six cells.
-    QVERIFY(model.timePerNode(MethodKind::Position, 7) == microseconds{26800} / 6);
+    QVERIFY(model.timePerNode(MethodKind::Position, 7) == Duration{microseconds{26800}} / 6);
     // Signal, N = 7: a look and nine cells.
-    QVERIFY(model.timePerNode(MethodKind::Signal, 7) == microseconds{4800 + 1400 + 9 * 4200} / 10);
+    QVERIFY(model.timePerNode(MethodKind::Signal, 7) == Duration{microseconds{4800 + 1400 + 9 * 4200}} / 10);
     OperatingPoint point;
     point.method = MethodKind::Position;
     point.feedMmPerS = 10.0;

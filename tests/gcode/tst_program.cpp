@@ -115,6 +115,11 @@ class TestProgram : public QObject {
     QVERIFY(turned && turned->isStreamable());
     QVERIFY(gcode::turnedAxes(set->trajectory) == base::RotarySet{});
     QVERIFY(gcode::turnedAxes(turned->trajectory) == (base::RotarySet{false, true, false}));
+    const auto tip = gcode::interpretProgram("a.nc", "TRAORI\nG0 X1 B90\nG1 X2 B91 F60");
+    QVERIFY(tip && tip->isUnderstood() && !tip->isStreamable());
+    const auto tipOff =
+        gcode::interpretProgram("a.nc", "TRAORI\nG0 X1 B90\nTRAFOOF\nG1 X2 B91 F60");
+    QVERIFY(tipOff && tipOff->isStreamable());
     const auto directions = gcode::interpretProgram("a.nc", "G0 X1\nG1 X2 A3=0 B3=1 C3=1 F60");
     QVERIFY(directions && directions->isUnderstood() && !directions->isStreamable());
   }

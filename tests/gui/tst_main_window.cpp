@@ -489,14 +489,14 @@ class TestMainWindow : public QObject {
     plan.shots = 120;
     plan.budget = std::chrono::minutes{1};
     page->setPlan(plan);
-    const auto confirm = [page] {
+    const auto confirm = [&page] {
       for (QCheckBox* box : page->findChildren<QCheckBox*>()) {
         if (box->text().contains(QStringLiteral("R80 to R99"))) {
           box->setChecked(true);
         }
       }
     };
-    const auto shows = [page](const char* text) {
+    const auto shows = [&page](const char* text) {
       const auto labels = page->findChildren<QLabel*>();
       return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
         return label->isVisible() && label->text().contains(QString::fromLatin1(text));

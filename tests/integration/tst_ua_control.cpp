@@ -61,6 +61,23 @@ class TestUaControl : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// What is measured on one server is not taken for another, or another version.
+  void theServerSaysWhoItIs() {
+    for (const char* preset : {"ideal", "dmu75-arrays"}) {
+      LoopbackMachine::Options options;
+      options.preset = preset;
+      const LoopbackMachine cell(options);
+      const auto link = cell.connect();
+      const auto identity = link->identity();
+      QVERIFY(identity);
+      QCOMPARE(identity->applicationUri, std::string("urn:rivulet:machine"));
+      QCOMPARE(identity->productName, std::string("Rivulet virtual machine"));
+      QVERIFY(!identity->softwareVersion.empty());
+      QCOMPARE(identity->buildNumber, std::string(preset));
+      QVERIFY(*identity == *link->identity());
+    }
+  }
+
   void programsGoThereAndBack() {
     const LoopbackMachine cell;
     const auto link = cell.connect();

@@ -34,7 +34,7 @@ machine::MachineConfig weakMachine(base::Random& random) {
   for (auto& axis : config.rotaryAxes) {
     if (axis) {
       axis->speedDegPerSMax = 10.0 + 200.0 * random.uniform();
-      axis->accelerationDegPerS2Max = 50.0 + 1000.0 * random.uniform();
+      axis->accelerationDegPerS2Max = 200.0 + 1000.0 * random.uniform();
       axis->jerkDegPerS3Max = 1000.0 + 20000.0 * random.uniform();
     }
   }

@@ -31,6 +31,8 @@ class TestNodeMap : public QObject {
     row("/Channel/ProgramInfo/actLineNumber", VariableKind::LineNumber, 0);
     row("/Channel/ProgramInfo/selectedWorkPProg", VariableKind::ProgramName, 0);
     row("/Channel/ProgramInfo/msg", VariableKind::Message, 0);
+    row("/Channel/GeometricAxis/name[u1,4]", VariableKind::AxisName, 3);
+    row("/Channel/GeometricAxis/aaAcsRel[u1,5]", VariableKind::ActualPosition, 4);
   }
 
   void namesAreThoseOfTheControl() {

@@ -53,7 +53,7 @@ class Margins final : public streaming::RunSink {
   }
   void access(const trace::Access& access) override {
     ++accesses;
-    longest = std::max(longest, access.duration);
+    longest = std::max(longest, access.took);
   }
   void note(const trace::Note&) override {}
 

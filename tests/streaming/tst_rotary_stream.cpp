@@ -324,7 +324,9 @@ class TestRotaryStream : public QObject {
         if (!resume && isReset) {
           continue;  // the tool stands where the path passes twice, or beside it
         }
-        QVERIFY2(resume.has_value(), qPrintable(QString::fromStdString(resume.error().text())));
+        QVERIFY2(
+            resume.has_value(),
+            qPrintable(QString::fromStdString(resume ? std::string() : resume.error().text())));
         world.watcher.stopAt.reset();
         world.settings.stopDeadline = base::fromSeconds(60.0);
         world.settings.resume = *resume;

@@ -392,6 +392,25 @@ class TestWindowFaults : public QObject {
     }
   }
 
+  /// Windows that are files: old ones arrive late, and are refused.
+  void filesKeepThemToo() {
+    const std::vector<std::uint64_t> seeds = seedsToRun(150);
+    QStringList findings;
+    const Tally sum = examineAll(
+        seeds,
+        [](std::uint64_t seed, Tally& tally) {
+          return examineWindow(seed, tally, std::nullopt, MethodKind::File);
+        },
+        findings);
+    print("file", sum);
+    QVERIFY2(findings.isEmpty(),
+             qPrintable(QStringLiteral("%1 of %2\n").arg(findings.size()).arg(seeds.size()) +
+                        findings.mid(0, 20).join(u'\n')));
+    if (seeds.size() > 100) {
+      QVERIFY(sum.whole > 0 && sum.stopped > 0 && sum.lost > 0 && sum.resets > 0);
+    }
+  }
+
   void whatGoesWrongWithTheMethodsOfThePaperIsSeen() {
     const std::vector<std::uint64_t> seeds = seedsToRun(100);
     for (const MethodKind method : base::kPaperMethods) {

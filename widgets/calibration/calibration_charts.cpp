@@ -67,9 +67,10 @@ CalibrationChart::CalibrationChart(QWidget* parent)
 }
 
 void CalibrationChart::resizeEvent(QResizeEvent* event) {
-  QChartView::resizeEvent(event);
+  // The plot area first: the axes are laid out around it when the chart takes its new size.
   chart()->setPlotArea(QRectF(kLeftPx, kTopPx, std::max(10.0, width() - kLeftPx - kRightPx),
                               std::max(10.0, height() - kTopPx - kBottomPx)));
+  QChartView::resizeEvent(event);
 }
 
 void CalibrationChart::restyle(const QPalette& palette) {

@@ -40,8 +40,8 @@ QTableView* makeTable(QAbstractItemModel* model, QWidget* parent) {
   auto* table = new QTableView(parent);
   styleTable(table);
   table->setModel(model);
-  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setStretchLastSection(true);
   return table;
 }
 
@@ -92,10 +92,10 @@ CalibrationPage::CalibrationPage(QWidget* parent)
                           static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_lastCell)}) {
     choices->addWidget(widget);
   }
-  choices->addSpacing(16);
+  choices->addSpacing(8);
   choices->addWidget(m_shotsName);
   choices->addWidget(m_shots);
-  choices->addSpacing(16);
+  choices->addSpacing(8);
   choices->addWidget(m_budgetName);
   choices->addWidget(m_budget);
   choices->addStretch();
@@ -104,7 +104,7 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   actions->addWidget(m_progress, 1);
   actions->addWidget(m_cancel);
   actions->addSpacing(8);
-  actions->addWidget(m_hint, 2);
+  actions->addWidget(m_hint, 2, Qt::AlignVCenter);
 
   auto* linesPage = new QWidget(this);
   auto* lines = new QVBoxLayout(linesPage);
@@ -131,6 +131,7 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   layout->addLayout(actions);
   layout->addWidget(m_state);
   layout->addWidget(m_tabs, 1);
+  layout->addStretch();
 
   for (QSpinBox* cell : {m_firstCell, m_lastCell}) {
     connect(cell, &QSpinBox::valueChanged, this, &CalibrationPage::cellsChanged);
@@ -222,7 +223,7 @@ void CalibrationPage::retranslate() {
   m_cellsName->setText(tr("Cells"));
   m_to->setText(tr("to"));
   m_shotsName->setText(tr("Shots of each kind"));
-  m_budgetName->setText(tr("Time at most"));
+  m_budgetName->setText(tr("At most"));
   m_budget->setSuffix(QStringLiteral(" min"));
   m_budget->setSpecialValueText(tr("any"));
   m_arrays->setText(tr("Arrays too: to prove them, other values are in the cells for a moment"));
@@ -309,6 +310,7 @@ void CalibrationPage::refresh() {
 }
 
 void CalibrationPage::showState() {
+  m_tabs->setVisible(m_record != nullptr);
   if (!m_record) {
     m_state->setStatus(Status::Unknown,
                        tr("This machine is not calibrated: %1 per cell is assumed, as in [P1].")

@@ -130,6 +130,10 @@ struct DiagnosticTexts {
         return tr(
             "%1 turns on the path: only method window streams it, with this axis among those "
             "chosen.");
+      case DiagnosticCode::ToolTip:
+        return tr(
+            "%1 makes X, Y and Z those of the tool's tip while rotary axes turn, and no method "
+            "switches it on at the control. Have the program written for the axes.");
       case DiagnosticCode::ToolDirections:
         return tr(
             "%1 give the direction of the tool: the points carry it, but only the control could "

@@ -332,11 +332,12 @@ void ProgramPanel::showProgram() {
     if (found[2] > 0) {
       m_summary->setStatus(Status::Fault, tr("Cannot be streamed.") + QLatin1Char(' ') + counts);
     } else if (!program.isStreamable()) {
-      m_summary->setStatus(Status::Fault,
-                           (program.trajectory.points.empty()
-                                ? tr("Cannot be streamed: no axis moves.")
-                                : tr("Cannot be streamed: rotary axes turn on the path.")) +
-                               QLatin1Char(' ') + counts);
+      m_summary->setStatus(
+          Status::Fault,
+          (program.trajectory.points.empty()
+               ? tr("Cannot be streamed: no axis moves.")
+               : tr("Cannot be streamed: it needs a transformation of the control.")) +
+              QLatin1Char(' ') + counts);
     } else {
       m_summary->setStatus(found[1] > 0 ? Status::Attention : Status::Good, counts);
     }

@@ -38,6 +38,7 @@ struct ProgramView {
   bool dependsOnStart = false;
 
   gcode::PointList points;
+  base::RotarySet turnedAxes{};  ///< rotary axes the program turns on its path
   /// One per streamed point: the move that ends there.
   std::vector<gcode::MoveKind> kinds;
   std::vector<float> feedsMmPerS;

@@ -79,7 +79,9 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_useDelta(makeTouchButton(this)) {
   setMinimumWidth(330);
   for (const base::MethodKind method : base::kMethodKinds) {
-    m_method->addItem(QString(), static_cast<int>(method));
+    if (method != base::MethodKind::File) {  // for comparison, on the command line
+      m_method->addItem(QString(), static_cast<int>(method));
+    }
   }
   for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
     m_layout->addItem(QString(), static_cast<int>(layout));
@@ -200,11 +202,14 @@ void MethodPanel::retranslate() {
   m_method->setItemText(0, tr("Window"));
   m_method->setItemText(1, tr("Position"));
   m_method->setItemText(2, tr("Signal"));
+  m_method->setItemText(3, tr("Credit (experimental)"));
   m_method->setToolTip(
       tr("Window: the machine waits when the client is late; it never executes a point twice. "
          "Position: the client watches the tool and replaces points it has "
          "passed. Signal: the client watches a cell in which the program says "
-         "which half of the loop may be replaced."));
+         "which half of the loop may be replaced. Credit: as window, without a stop between "
+         "windows; it starts only on a control that has passed the test of rivulet-cli "
+         "commission."));
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
@@ -247,7 +252,7 @@ bool MethodPanel::usesDelta() const {
 }
 
 bool MethodPanel::isWindow() const {
-  return m_settings.parameters.method == base::MethodKind::Window;
+  return base::hasWindows(m_settings.parameters.method);
 }
 
 void MethodPanel::showSettings() {
@@ -265,7 +270,7 @@ void MethodPanel::showSettings() {
   const bool window = isWindow();
   m_pointsLabel->setText(window ? tr("N (points per window)") : tr("N (points per loop)"));
   m_layout->setEnabled(m_editable && !window);
-  m_layout->setToolTip(window ? tr("Method window has a layout of its own") : QString());
+  m_layout->setToolTip(window ? tr("Windows have a layout of their own") : QString());
   m_access->setToolTip(
       window ? tr("Automatic: before anything moves, the best form of access is proved on the "
                   "control and used. The report names it.")

@@ -166,9 +166,21 @@ void ReportPanel::showReport() {
   show(Program,
        report.programName.empty() ? noValue() : QString::fromStdString(report.programName));
   const bool position = report.settings.parameters.method == base::MethodKind::Position;
-  const bool window = report.settings.parameters.method == base::MethodKind::Window;
+  const auto methodText = [](base::MethodKind method) {
+    switch (method) {
+      case base::MethodKind::Position:
+        return tr("Position");
+      case base::MethodKind::Signal:
+        return tr("Signal");
+      case base::MethodKind::Credit:
+        return tr("Credit (experimental)");
+      case base::MethodKind::Window:
+        break;
+    }
+    return tr("Window");
+  };
   show(Method, QStringLiteral("%1, N = %2")
-                   .arg(position ? tr("Position") : (window ? tr("Window") : tr("Signal")),
+                   .arg(methodText(report.settings.parameters.method),
                         QString::number(report.settings.parameters.pointsPerLoop)));
   show(Feed, feedText(report.settings.feedMmPerS));
   show(Delta, position ? lengthText(report.settings.deltaMm) : noValue());
