@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AccessTexts</name>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
+        <translation>Zugriff angenommen wie in [P1]: %1 je Zelle. Siehe Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 is of another version of the server and not used.</source>
+        <translation>Zugriff angenommen wie in [P1]: %1 je Zelle. Die Kalibrierung vom %2 gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
+        <translation>Zugriff kalibriert am %1 (%2): t = %3; Lesen %4, Schreiben %5.</translation>
+    </message>
+    <message>
+        <source>99 % of the writes of %1 cells end within %2.</source>
+        <translation>99 % der Schreibzugriffe auf %1 Zellen enden innerhalb von %2.</translation>
+    </message>
+    <message>
+        <source>Measured were up to %1 cells.</source>
+        <translation>Gemessen wurden bis zu %1 Zellen.</translation>
+    </message>
+    <message>
+        <source>list</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>one by one</source>
+        <translation>einzeln</translation>
+    </message>
+    <message>
+        <source>array, by count</source>
+        <translation>Feld, mit Anzahl</translation>
+    </message>
+    <message>
+        <source>array, by range</source>
+        <translation>Feld, mit Bereich</translation>
+    </message>
+    <message>
+        <source>a server without a name</source>
+        <translation>ein Server ohne Namen</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -148,10 +191,6 @@
         <translation>%1 fährt in Maschinenkoordinaten, deren Lage im Werkstück unbekannt ist: Die Bewegung wird ausgelassen.</translation>
     </message>
     <message>
-        <source>%1 turns on the path: the points carry it, but no streaming method sends more than X, Y and Z.</source>
-        <translation>%1 dreht auf der Bahn: Die Punkte tragen es, aber kein Verfahren sendet mehr als X, Y und Z.</translation>
-    </message>
-    <message>
         <source>The file holds bytes that no NC text has: choose a text file, not an archive or a picture.</source>
         <translation>Die Datei enthält Bytes, die kein NC-Text hat: eine Textdatei wählen, kein Archiv oder Bild.</translation>
     </message>
@@ -166,6 +205,14 @@
     <message>
         <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
         <translation>Das Programm bewegt keine Achse: Es gibt nichts zu streamen. Ein Programm mit G0, G1, G2 oder G3 und X, Y oder Z wählen.</translation>
+    </message>
+    <message>
+        <source>%1 turns on the path: only method window streams it, with this axis among those chosen.</source>
+        <translation>%1 dreht auf der Bahn: Das überträgt nur die Methode Fenster, wenn diese Achse unter den gewählten ist.</translation>
+    </message>
+    <message>
+        <source>%1 give the direction of the tool: the points carry it, but only the control could make rotary axes of it. Have the program written with A, B or C.</source>
+        <translation>%1 geben die Richtung des Werkzeugs an: Die Punkte tragen sie, aber nur die Steuerung könnte Drehachsen daraus machen. Lassen Sie das Programm mit A, B oder C schreiben.</translation>
     </message>
 </context>
 <context>
@@ -361,6 +408,26 @@
     <message>
         <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
         <translation>Die Methode Kredit ist experimentell und startet nur an einer Steuerung, die ihren Test bestanden hat. Führen Sie rivulet-cli commission für diese Steuerung aus, oder wählen Sie die Methode Fenster.</translation>
+    </message>
+    <message>
+        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
+        <translation>Diese Zellen sind nicht verwendbar. Wählen Sie R-Parameter, die es gibt (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program runs on the control: nothing more was measured. The cells are as they were.</source>
+        <translation>Auf der Steuerung läuft ein Programm: Es wurde nicht weiter gemessen. Die Zellen sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The cells are as they were.</source>
+        <translation>Die Kalibrierung wurde abgebrochen. Die Zellen sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>The cells could not be put back and may hold test values. Set them at the control.</source>
+        <translation>Die Zellen konnten nicht zurückgesetzt werden und enthalten vielleicht Testwerte. Setzen Sie sie an der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Nothing can be said of this method beforehand.</source>
+        <translation>Über diese Methode lässt sich vorher nichts sagen.</translation>
     </message>
 </context>
 <context>
@@ -650,6 +717,125 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The program moves no axis.</source>
         <translation>Das Programm bewegt keine Achse.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>A calibration lasts.</source>
+        <translation>Eine Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>Calibration on R%1 to R%2 began.</source>
+        <translation>Kalibrierung auf R%1 bis R%2 begonnen.</translation>
+    </message>
+    <message>
+        <source>Calibrated. Saved %1.</source>
+        <translation>Kalibriert. %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The calibration is of another version of the server and not used.</source>
+        <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CalibrationPage</name>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Shots of each kind</source>
+        <translation>Messungen je Art</translation>
+    </message>
+    <message>
+        <source>Time at most</source>
+        <translation>Dauer höchstens</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Arrays too: to prove them, other values are in the cells for a moment</source>
+        <translation>Auch Felder: Zum Nachweis stehen einen Moment andere Werte in den Zellen</translation>
+    </message>
+    <message>
+        <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
+        <translation>Kein Programm, Zyklus oder anderer Client nutzt R%1 bis R%2: Sie dürfen beschrieben werden</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Geraden</translation>
+    </message>
+    <message>
+        <source>Spread (times in ms)</source>
+        <translation>Streuung (Zeiten in ms)</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>Which forms of access work …</source>
+        <translation>Welche Zugriffsarten gehen …</translation>
+    </message>
+    <message>
+        <source>A first look at each kind …</source>
+        <translation>Ein erster Blick auf jede Art …</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shots, %3</source>
+        <translation>%1 von %2 Messungen, %3</translation>
+    </message>
+    <message>
+        <source>Putting the cells back …</source>
+        <translation>Zellen werden zurückgesetzt …</translation>
+    </message>
+    <message>
+        <source>The last cell lies before the first.</source>
+        <translation>Die letzte Zelle liegt vor der ersten.</translation>
+    </message>
+    <message>
+        <source>Takes about %1.</source>
+        <translation>Dauert etwa %1.</translation>
+    </message>
+    <message>
+        <source>Confirm the cells to begin.</source>
+        <translation>Bestätigen Sie die Zellen, um zu beginnen.</translation>
+    </message>
+    <message>
+        <source>%1, %2, R%3 to R%4, took %5</source>
+        <translation>%1, %2, R%3 bis R%4, Dauer %5</translation>
+    </message>
+    <message>
+        <source>Outdated, not used: the server is another version now. %1</source>
+        <translation>Veraltet, nicht verwendet: Der Server hat jetzt eine andere Version. %1</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>Kalibriert: %1.</translation>
+    </message>
+    <message>
+        <source>Not all shots fitted the time: fewer are bold in the table.</source>
+        <translation>Nicht alle Messungen passten in die Zeit: Weniger stehen fett in der Tabelle.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
+        <translation>Diese Maschine ist nicht kalibriert: Angenommen sind %1 je Zelle wie in [P1].</translation>
     </message>
 </context>
 <context>
@@ -1044,6 +1230,91 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Reload</source>
         <translation>Neu laden</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FitModel</name>
+    <message>
+        <source>write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>Per request (a)</source>
+        <translation>Je Anfrage (a)</translation>
+    </message>
+    <message>
+        <source>Per cell (b)</source>
+        <translation>Je Zelle (b)</translation>
+    </message>
+    <message>
+        <source>± per cell</source>
+        <translation>± je Zelle</translation>
+    </message>
+    <message>
+        <source>Off the line</source>
+        <translation>Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::HistogramChart</name>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Dauer, ms</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>%1 %: %2</source>
+        <translation>%1 %: %2</translation>
+    </message>
+    <message>
+        <source>%1 beyond, the longest %2</source>
+        <translation>%1 jenseits, die längste %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LinesChart</name>
+    <message>
+        <source>Cells of the request</source>
+        <translation>Zellen der Anfrage</translation>
+    </message>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Dauer, ms</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>Lesen</translation>
     </message>
 </context>
 <context>
@@ -1845,6 +2116,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Credit (experimental)</source>
         <translation>Kredit (experimentell)</translation>
     </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -1935,6 +2210,57 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>selection of the template and cycle start at the control</source>
         <translation>Anwahl des Programms und NC-Start an der Steuerung</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SeriesModel</name>
+    <message>
+        <source>The control refused arrays of this size.</source>
+        <translation>Die Steuerung hat Felder dieser Größe abgelehnt.</translation>
+    </message>
+    <message>
+        <source>%1 were ordered; more did not fit the time.</source>
+        <translation>%1 waren bestellt; mehr passten nicht in die Zeit.</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>

@@ -3,88 +3,113 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 #include "cli/access_text.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
-#include "report/report_json.h"
-#include "streaming/calibration.h"
+#include "report/calibration_json.h"
 
 namespace rivulet::cli {
 
 namespace {
 
-constexpr int kFormatVersion = 1;
-
-nlohmann::ordered_json fitJson(const streaming::AccessFit& fit) {
-  return {{"overhead_ms", fit.overheadMs},
-          {"node_ms", fit.nodeMs},
-          {"node_deviation_ms", fit.nodeDeviationMs},
-          {"residual_ms", fit.residualMs}};
-}
-
-nlohmann::ordered_json calibrationJson(const streaming::Calibration& calibration,
-                                       const CalibrateOptions& options, const std::string& name) {
-  nlohmann::ordered_json json{{"rivulet_calibration", kFormatVersion},
-                              {"endpoint", name},
-                              {"first_cell", options.firstCell},
-                              {"last_cell", options.lastCell},
-                              {"shots", options.shots},
-                              {"read", fitJson(calibration.read)},
-                              {"write", fitJson(calibration.write)},
-                              {"series", nlohmann::ordered_json::array()}};
-  if (calibration.arrayRead && calibration.arrayWrite) {
-    json["array_read"] = fitJson(*calibration.arrayRead);
-    json["array_write"] = fitJson(*calibration.arrayWrite);
-  }
-  if (calibration.forms) {
-    json["best_form"] = opcua::groupingName(calibration.forms->best());
-    json["access_forms"] = report::accessFormsJson(*calibration.forms);
-  }
-  for (const streaming::AccessSeries& series : calibration.series) {
-    json["series"].push_back({{"write", series.write},
-                              {"nodes", series.nodes},
-                              {"list", series.grouping == opcua::Grouping::List},
-                              {"form", opcua::groupingName(series.grouping)},
-                              {"mean_ms", base::toMilliseconds(series.durations.mean)},
-                              {"deviation_ms", series.deviationMs},
-                              {"p50_ms", base::toMilliseconds(series.durations.p50)},
-                              {"p95_ms", base::toMilliseconds(series.durations.p95)},
-                              {"p99_ms", base::toMilliseconds(series.durations.p99)},
-                              {"max_ms", base::toMilliseconds(series.durations.max)}});
-  }
-  return json;
+std::string percentileText(const streaming::AccessSeries& series, int perMille) {
+  const auto value = series.percentile(perMille);
+  return value ? fmt::format("{:.2f}", base::toMilliseconds(*value)) : "-";
 }
 
 void print(const streaming::Calibration& calibration) {
-  fmt::print("  access      cells  form           mean   deviation     p95     p99     max (ms)\n");
+  fmt::print(
+      "  access form        cells  shots     mean  deviat.     p50     p90     p95     p99   p99.9 "
+      "    "
+      "max (ms)\n");
   for (const streaming::AccessSeries& series : calibration.series) {
-    fmt::print("  {:<10} {:>6}  {:<11} {:>7.2f}     {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f}\n",
-               series.write ? "write" : "read", series.nodes, opcua::groupingName(series.grouping),
-               base::toMilliseconds(series.durations.mean), series.deviationMs,
-               base::toMilliseconds(series.durations.p95),
-               base::toMilliseconds(series.durations.p99),
-               base::toMilliseconds(series.durations.max));
-  }
-  for (const bool write : {false, true}) {
-    const streaming::AccessFit& fit = write ? calibration.write : calibration.read;
-    fmt::print("{}: {:.2f} ms per request and {:.2f} ± {:.2f} ms per node (residual {:.2f} ms)\n",
-               write ? "write" : "read", fit.overheadMs, fit.nodeMs, fit.nodeDeviationMs,
-               fit.residualMs);
-  }
-  if (calibration.arrayRead && calibration.arrayWrite) {
+    const char* access = series.write ? "write" : "read";
+    if (series.refused) {
+      fmt::print("  {:<6} {:<11} {:>5}  refused by the control\n", access,
+                 opcua::groupingName(series.grouping), series.nodes);
+      continue;
+    }
     fmt::print(
-        "arrays: {:.2f} ms per read and {:.3f} ms per element, {:.2f} ms per write and {:.3f} "
-        "ms per element\n",
-        calibration.arrayRead->overheadMs, calibration.arrayRead->nodeMs,
-        calibration.arrayWrite->overheadMs, calibration.arrayWrite->nodeMs);
+        "  {:<6} {:<11} {:>5} {:>6} {:>8.2f} {:>8.2f} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7.2f}\n",
+        access, opcua::groupingName(series.grouping), series.nodes, series.shotsMade,
+        base::toMilliseconds(series.mean), series.deviationMs, percentileText(series, 500),
+        percentileText(series, 900), percentileText(series, 950), percentileText(series, 990),
+        percentileText(series, 999), base::toMilliseconds(series.max));
+  }
+  for (const streaming::AccessFit& fit : calibration.fits) {
+    fmt::print(
+        "{:<5} {:<11} {:6.2f} ms + n * {:6.3f} ms, {:.2f} ms apart from the line, at most {:.1f} "
+        "%\n",
+        fit.write ? "write" : "read", opcua::groupingName(fit.grouping), fit.overheadMs, fit.nodeMs,
+        fit.residualMs, 100.0 * fit.residualShare);
   }
   if (calibration.forms) {
-    fmt::print("best form: {}\n", accessText(calibration.forms->best(), calibration.forms));
+    fmt::print("best form: {}\n", accessText(calibration.best(), calibration.forms));
+  }
+  if (calibration.isCut()) {
+    fmt::print(
+        "{} shots of each kind did not fit the time of {:.0f} s: see the column of shots. --budget "
+        "0 "
+        "makes all of them.\n",
+        calibration.plan.shots, base::toSeconds(calibration.plan.budget));
   }
 }
+
+/// Named is not free: what stands in the cells of a real control is shown before it is written to.
+std::optional<base::Error> unconfirmed(const CalibrateOptions& options,
+                                       const Connection& connection,
+                                       const streaming::CalibrationPlan& plan) {
+  if (options.confirmed || connection.control->isVirtualMachine()) {
+    return std::nullopt;
+  }
+  const auto values = streaming::readScratchCells(*connection.link, plan);
+  if (!values) {
+    return values.error();
+  }
+  std::string text;
+  constexpr int kShown = 10;
+  int shown = 0;
+  for (const opcua::Assignment& cell : *values) {
+    if (cell.value != 0.0 && ++shown <= kShown) {
+      text += fmt::format("{}R{} = {}", text.empty() ? "" : ", ", cell.variable.index, cell.value);
+    }
+  }
+  return base::makeError(
+      streaming::CalibrationError::NoCells,
+      fmt::format(
+          "R{} to R{} of a real control will be written to, again and again with the values "
+          "that stand there, and for a moment with others. {} If no program and no cycle "
+          "uses them, give --yes.",
+          plan.firstCell, plan.lastCell,
+          text.empty() ? "All of them are 0 now."
+                       : "Now: " + text + (shown > kShown ? ", and more." : ".")));
+}
+
+class Bar {
+ public:
+  bool show(const streaming::CalibrationProgress& progress) {
+    const int percent = static_cast<int>(100.0 * progress.share);
+    if (isTerminal() && percent != m_percent) {
+      m_percent = percent;
+      fmt::print(stderr, "\r{} %, {} of {} shots, {:.0f} s left \x1b[K", percent,
+                 progress.shotsMade, progress.shotsPlanned, base::toSeconds(progress.left));
+      std::fflush(stderr);
+    }
+    return !wasInterrupted();
+  }
+  void clear() const {
+    if (m_percent >= 0) {
+      std::fputs("\r\x1b[K", stderr);
+    }
+  }
+
+ private:
+  int m_percent = -1;
+};
 
 }  // namespace
 
@@ -94,74 +119,84 @@ Exit calibrate(const CalibrateOptions& options) {
   if (!connection) {
     return reportError(connection.error(), options.json);
   }
-  watchForInterrupt();
-  int percent = -1;
-  const auto progress = [&percent](double share, base::Duration left) {
-    const int now = static_cast<int>(100.0 * share);
-    if (isTerminal() && now != percent) {
-      percent = now;
-      fmt::print(stderr, "\r{} %, {:.0f} s left \x1b[K", now, base::toSeconds(left));
-      std::fflush(stderr);
-    }
-    return !wasInterrupted();
-  };
   streaming::CalibrationPlan plan;
   plan.firstCell = options.firstCell;
   plan.lastCell = options.lastCell;
   plan.shots = options.shots;
+  plan.budget = base::fromSeconds(options.budgetS);
   plan.arrays = !options.noArrays;
-  const auto calibration = streaming::calibrate(*connection->link, plan, progress);
-  if (percent >= 0) {
-    std::fputs("\r\x1b[K", stderr);
+  if (const auto error = unconfirmed(options, *connection, plan)) {
+    return reportError(*error, options.json);
   }
+  streaming::CalibrationRecord record;
+  record.endpoint = connection->name;
+  record.measuredAtUtc = utcNow();
+  record.toolVersion = RIVULET_VERSION;
+  std::optional<streaming::CalibrationRecord> earlier;
+  const std::filesystem::path folder = report::calibrationFolder();
+  if (!options.simulate) {
+    const auto identity = connection->control->identity();
+    if (!identity) {
+      return reportError(identity.error(), options.json);
+    }
+    record.server = *identity;
+    // Only for the estimate; a file that cannot be read will be replaced.
+    if (auto found = report::findCalibration(folder, record.endpoint, record.server); found) {
+      earlier = std::move(*found);
+    }
+  }
+  if (isTerminal()) {
+    fmt::print(stderr, "R{} to R{}, about {:.0f} s. Ctrl-C ends it; the cells keep their values.\n",
+               plan.firstCell, plan.lastCell,
+               base::toSeconds(
+                   streaming::expectedDuration(plan, earlier ? &earlier->calibration : nullptr)));
+  }
+  watchForInterrupt();
+  Bar bar;
+  std::optional<Connection> again;
+  streaming::CalibrationHooks hooks;
+  hooks.progress = [&bar](const streaming::CalibrationProgress& progress) {
+    return bar.show(progress);
+  };
+  hooks.reconnect = [&]() -> opcua::Link* {
+    if (options.simulate) {
+      return nullptr;
+    }
+    auto opened = connectTo(options.endpoint);
+    if (!opened) {
+      return nullptr;
+    }
+    again = std::move(*opened);
+    return again->link;
+  };
+  auto calibration = streaming::calibrate(*connection->link, plan, hooks);
+  bar.clear();
   if (!calibration) {
     return reportError(calibration.error(), options.json);
   }
-  const nlohmann::ordered_json json = calibrationJson(*calibration, options, connection->name);
+  record.calibration = std::move(*calibration);
+  nlohmann::ordered_json json = report::calibrationJson(record);
+  std::vector<std::filesystem::path> files;
+  if (!options.simulate) {
+    files.push_back(report::calibrationPath(folder, record.endpoint, record.server));
+  }
   if (!options.output.empty()) {
-    std::ofstream file(options.output, std::ios::binary);
-    file << json.dump(2) << '\n';
-    file.flush();
-    if (!file) {
-      return reportError(
-          base::makeError(trace::TraceError::FileNotWritable,
-                          "The measurement cannot be written. Check folder and permissions.",
-                          options.output),
-          options.json);
+    files.emplace_back(options.output);
+  }
+  for (const std::filesystem::path& file : files) {
+    if (const auto saved = report::saveCalibration(file, record); !saved) {
+      return reportError(saved.error(), options.json);
     }
   }
   if (options.json) {
     printJson(json);
   } else {
-    print(*calibration);
+    print(record.calibration);
+    for (const std::filesystem::path& file : files) {
+      fmt::print("saved: {}\n", file.string());
+    }
   }
   return Exit::Done;
-}
-
-base::Result<double> measuredAccessMs(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
-  const auto malformed = [&path](const char* why) {
-    return base::fail(trace::TraceError::NotATrace, why, path);
-  };
-  if (!file || json.is_discarded() || !json.is_object() || !json.contains("rivulet_calibration")) {
-    return malformed("This is no file of rivulet-cli calibrate --output. Choose one.");
-  }
-  if (json["rivulet_calibration"] != kFormatVersion) {
-    return malformed("The file was written by another version of Rivulet. Measure again.");
-  }
-  double slowest = 0.0;
-  for (const char* kind : {"read", "write"}) {
-    if (!json.contains(kind) || !json[kind].is_object() || !json[kind].contains("node_ms") ||
-        !json[kind]["node_ms"].is_number()) {
-      return malformed("The file has no time per node. Measure again.");
-    }
-    slowest = std::max(slowest, json[kind]["node_ms"].get<double>());
-  }
-  if (!(slowest > 0.0)) {
-    return malformed("The time per node in the file is not above zero. Measure again.");
-  }
-  return slowest;
 }
 
 }  // namespace rivulet::cli

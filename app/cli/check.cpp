@@ -84,7 +84,8 @@ void print(const gcode::Program& program) {
   fmt::print("{}\n",
              program.isStreamable() ? "The whole path is known: the program can be streamed."
              : program.isUnderstood()
-                 ? "The whole path is known, but it turns rotary axes: no method streams it."
+                 ? "The whole path is known, but it is given by directions of the tool: no method "
+                   "streams them."
                  : "The path is not known everywhere: the program cannot be streamed.");
 }
 
@@ -114,7 +115,7 @@ void printTable(const std::vector<Checked>& all) {
                program.statistics.points, count(gcode::Severity::Error),
                count(gcode::Severity::Warning),
                program.isStreamable()   ? "streamable"
-               : program.isUnderstood() ? "rotary axes"
+               : program.isUnderstood() ? "directions"
                                         : "not understood");
   }
   fmt::print("{} of {} understood\n", understood, all.size());

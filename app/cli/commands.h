@@ -59,7 +59,8 @@ struct FeasibilityOptions {
   ResamplingOptions resampling;
   std::optional<double> pointDistanceMm;  ///< d_min where no program is given
   double accessTimeMs = 4.3;
-  std::string calibration;  ///< file whose time per node takes its place; empty: none
+  std::string calibration;  ///< file of `calibrate` that takes its place; empty: none
+  std::string endpoint;     ///< machine whose calibration takes its place; empty: none
   double deltaSafety = 1.5;
   bool json = false;
 };
@@ -111,7 +112,9 @@ struct CalibrateOptions {
   std::uint64_t seed = 1;
   int firstCell = 0;
   int lastCell = 0;
-  int shots = 50;
+  int shots = 500;
+  double budgetS = 900.0;  ///< 0: as long as it takes
+  bool confirmed = false;  ///< the cells of a real control are free
   bool noArrays = false;
   std::string output;
   bool json = false;
@@ -130,9 +133,6 @@ struct CommissionOptions {
 };
 /// Whether method credit may run on this machine; its profile remembers the answer.
 [[nodiscard]] Exit commission(const CommissionOptions& options);
-
-/// The larger time per node of a file of `calibrate`, ms. @return NotATrace
-[[nodiscard]] base::Result<double> measuredAccessMs(const std::string& path);
 
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"

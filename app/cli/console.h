@@ -25,9 +25,6 @@ void printJson(const nlohmann::ordered_json& json);
 /// @return the exit code that belongs to the error
 Exit reportError(const base::Error& error, bool asJson);
 
-/// The present time, "2026-05-04T09:30:00Z".
-[[nodiscard]] std::string utcNow();
-
 /// The exit code for a failure: connection trouble is 3, everything else that was given 2.
 [[nodiscard]] Exit exitFor(const base::Error& error);
 
@@ -42,6 +39,7 @@ struct OperatingOptions {
   double deltaMm = 0.3;
   double feedMmPerMin = 0.0;
   std::string layout = "paper";
+  std::string axes;  ///< letters; empty: X Y Z, for a run also what the program turns
 
   /// Checked and in internal units. The names are checked by the option parser.
   [[nodiscard]] templates::TemplateParameters parameters() const;

@@ -8,8 +8,10 @@
 #include <algorithm>
 
 #include "base/units.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "gcode/program.h"
+#include "report/calibration_json.h"
 #include "report/report_json.h"
 #include "streaming/pause_placement.h"
 
@@ -49,15 +51,30 @@ Exit feasibility(const FeasibilityOptions& options) {
   point.deltaMm = options.point.deltaMm;
   point.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   feasibility::AccessModel access;
-  double accessTimeMs = options.accessTimeMs;
+  access.accessTime = base::fromMilliseconds(options.accessTimeMs);
+  CalibrationChoice calibrated;
   if (!options.calibration.empty()) {
-    const base::Result<double> measured = measuredAccessMs(options.calibration);
-    if (!measured) {
-      return reportError(measured.error(), options.json);
+    auto record = report::readCalibration(options.calibration);
+    if (!record) {
+      return reportError(record.error(), options.json);
     }
-    accessTimeMs = *measured;
+    calibrated.record = std::move(*record);
+  } else if (!options.endpoint.empty()) {
+    auto connection = connectTo(options.endpoint);
+    if (!connection) {
+      return reportError(connection.error(), options.json);
+    }
+    auto choice = calibrationOf(*connection);
+    if (!choice) {
+      return reportError(choice.error(), options.json);
+    }
+    calibrated = std::move(*choice);
   }
-  access.accessTime = base::fromMilliseconds(accessTimeMs);
+  opcua::Grouping form = opcua::Grouping::List;
+  if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+    form = formOf(point.method, record->calibration);
+    access = report::accessModel(record->calibration, form);
+  }
   feasibility::SafetyFactors safety;
   safety.delta = options.deltaSafety;
 
@@ -106,6 +123,7 @@ Exit feasibility(const FeasibilityOptions& options) {
     json["points_per_loop"] = point.pointsPerLoop;
     json["delta_mm"] = point.deltaMm;
     json["feed_mm_per_min"] = options.point.feedMmPerMin;
+    json["access_time"] = accessSourceJson(calibrated, form, *verdict);
     printJson(json);
   } else {
     if (distances.windowSteps > 0) {
@@ -118,6 +136,7 @@ Exit feasibility(const FeasibilityOptions& options) {
           distances.windowPlace.lastLine.value);
     }
     print(*verdict);
+    fmt::print("{}\n", accessSourceText(calibrated, form, *verdict));
     if (pauses) {
       fmt::print(
           "  {} planned pauses, one between windows, {} of them in the cut (no way to cut the "

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "experiments/catalogue.h"
+#include "templates/cells.h"
 
 namespace {
 
@@ -23,13 +24,22 @@ const CLI::Validator kPositive(
     },
     "POSITIVE");
 
+/// Letters of axes.
+const CLI::Validator kAxes(
+    [](std::string& text) {
+      rivulet::templates::TemplateParameters parameters;
+      const auto chosen = rivulet::templates::chooseAxes(parameters, text);
+      return chosen ? std::string() : chosen.error().message;
+    },
+    "AXES");
+
 CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
   return command->add_option("--feed", point.feedMmPerMin, "Feed F, mm/min")->check(kPositive);
 }
 
 void addPoint(CLI::App* command, OperatingOptions& point) {
   command->add_option("--method", point.method, "Streaming method")
-      ->check(CLI::IsMember({"window", "position", "signal", "credit"}))
+      ->check(CLI::IsMember({"window", "position", "signal", "credit", "file"}))
       ->capture_default_str();
   command
       ->add_option("--points", point.pointsPerLoop,
@@ -49,6 +59,12 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
                    "How slots lie in the R-parameters (methods position and signal)")
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--axes", point.axes,
+          "Axes to move, of XYZABC; rotary ones in degrees (method window). Without it XYZ "
+          "and, in a run, the rotary axes the program turns")
+      ->check(kAxes);
   command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
   command
@@ -144,8 +160,12 @@ int main(int argc, char** argv) {
       ->add_option("--access-time", feasibility.accessTimeMs, "OPC UA access time per node, ms")
       ->check(kPositive)
       ->capture_default_str();
-  feasibilityCommand->add_option("--calibration", feasibility.calibration,
-                                 "Measured access time: file of calibrate --output");
+  auto* calibrationFile = feasibilityCommand->add_option(
+      "--calibration", feasibility.calibration, "Measured access time: file of calibrate --output");
+  feasibilityCommand
+      ->add_option("--endpoint", feasibility.endpoint,
+                   "Measured access time: what calibrate has kept of this OPC UA server")
+      ->excludes(calibrationFile);
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
@@ -258,6 +278,13 @@ int main(int argc, char** argv) {
   calibrateCommand->add_option("--shots", calibrate.shots, "Requests of each kind")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
+  calibrateCommand
+      ->add_option("--budget", calibrate.budgetS,
+                   "Seconds for all of it; the longest kinds get fewer shots to keep it; 0: any")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  calibrateCommand->add_flag("--yes", calibrate.confirmed,
+                             "The cells of the real control are free to be written");
   calibrateCommand->add_option("-o,--output", calibrate.output,
                                "File for feasibility --calibration");
   addJson(calibrateCommand, calibrate.json);

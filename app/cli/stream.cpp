@@ -9,14 +9,17 @@
 
 #include "base/units.h"
 #include "cli/access_text.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "machine/config.h"
+#include "report/calibration_json.h"
 #include "report/machine_profile.h"
 #include "report/report_json.h"
 #include "streaming/commissioning.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -84,27 +87,42 @@ class ConsoleSink final : public streaming::RunSink {
   streaming::RunState m_state = streaming::RunState::Idle;
 };
 
+/// What was said before anything moved.
+struct Judgement {
+  bool feasible = false;
+  opcua::Grouping form = opcua::Grouping::List;  ///< the run is expected to use
+  std::optional<feasibility::Verdict> verdict;   ///< nothing for a single point
+};
+
 /// Judged before anything moves. @return why the run must not start; nothing if it may
 std::optional<base::Error> objection(const StreamOptions& options, const Connection& connection,
                                      const gcode::Program& program,
-                                     const streaming::RunSettings& settings, bool& feasible) {
+                                     const streaming::RunSettings& settings,
+                                     const CalibrationChoice& calibrated, Judgement& judged) {
   feasibility::OperatingPoint point;
   point.method = settings.parameters.method;
   point.pointsPerLoop = settings.parameters.pointsPerLoop;
   point.deltaMm = settings.deltaMm;
   point.feedMmPerS = settings.feedMmPerS;
   const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
-  if (list.points.size() < 2) {
-    feasible = true;  // a single point needs no refill
+  if (list.points.size() < 2 || point.method == base::MethodKind::File) {
+    judged.feasible = true;  // a single point needs no refill; method file waits
     return std::nullopt;
   }
-  const auto verdict =
-      feasibility::judge(point, feasibility::programDistances(list.points, point.pointsPerLoop));
+  feasibility::AccessModel access;
+  if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+    judged.form = settings.access == streaming::AccessChoice::Fixed ? settings.grouping
+                                                                    : record->calibration.best();
+    access = report::accessModel(record->calibration, judged.form);
+  }
+  const auto verdict = feasibility::judge(
+      point, feasibility::programDistances(list.points, point.pointsPerLoop), access);
   if (!verdict) {
     return verdict.error();
   }
-  feasible = verdict->feasible;
-  if (feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
+  judged.feasible = verdict->feasible;
+  judged.verdict = *verdict;
+  if (judged.feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
     return std::nullopt;
   }
   return base::makeError(
@@ -134,12 +152,12 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   const auto first = number("/checkpoint/first_point");
   const auto points = number("/settings/points_per_loop");
   const auto windows = number("/settings/windows");
-  const auto base = number("/settings/base_cell");
+  const auto baseCell = number("/settings/base_cell");
   const std::array<std::optional<double>, 3> start{number("/checkpoint/start_mm/0"),
                                                    number("/checkpoint/start_mm/1"),
                                                    number("/checkpoint/start_mm/2")};
-  if (!run || !first || *first < 0.0 || !points || !windows || !base || !start[0] || !start[1] ||
-      !start[2]) {
+  if (!run || !first || *first < 0.0 || !points || !windows || !baseCell || !start[0] ||
+      !start[1] || !start[2]) {
     return base::fail(streaming::StreamError::CannotResume,
                       "This is no report of a run of method window or credit. Give the output of "
                       "stream --json of the run to be resumed.",
@@ -156,7 +174,12 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
       json.value(nlohmann::json::json_pointer("/settings/slow_down"), earlier.parameters.slowDown);
   earlier.parameters.pointsPerLoop = static_cast<int>(*points);
   earlier.parameters.windows = static_cast<int>(*windows);
-  earlier.parameters.baseCell = static_cast<int>(*base);
+  earlier.parameters.baseCell = static_cast<int>(*baseCell);
+  const std::string axes =
+      json.value(nlohmann::json::json_pointer("/settings/axes"), std::string("XYZ"));
+  if (const auto chosen = templates::chooseAxes(earlier.parameters, axes); !chosen) {
+    return base::fail(chosen.error());
+  }
   streaming::Checkpoint checkpoint;
   checkpoint.runNumber = static_cast<int>(*run);
   checkpoint.firstPoint = static_cast<std::size_t>(*first);
@@ -164,10 +187,15 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   checkpoint.pausesPlaced =
       json.value(nlohmann::json::json_pointer("/checkpoint/pauses_placed"), true);
   checkpoint.startMm = {*start[0], *start[1], *start[2]};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    checkpoint.startDeg[axis] =
+        number(fmt::format("/checkpoint/start_deg/{}", axis).c_str()).value_or(0.0);
+  }
   return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
 }
 
-void print(const streaming::RunReport& report, bool feasible) {
+void print(const streaming::RunReport& report, const CalibrationChoice& calibrated,
+           const Judgement& judged) {
   fmt::print("{}: {} of {} points executed", streaming::outcomeName(report.outcome),
              report.counters.executed, report.counters.total);
   if (report.integrity.judged) {
@@ -195,7 +223,10 @@ void print(const streaming::RunReport& report, bool feasible) {
              base::toMilliseconds(report.access.perNode.mean),
              base::toMilliseconds(report.access.perNode.p99),
              base::toMilliseconds(report.access.perNode.max));
-  if (!feasible) {
+  if (judged.verdict) {
+    fmt::print("{}\n", accessSourceText(calibrated, judged.form, *judged.verdict));
+  }
+  if (!judged.feasible) {
     fmt::print("The settings were outside the feasible region.\n");
   }
   if (report.error.code) {
@@ -288,6 +319,9 @@ Exit stream(const StreamOptions& options) {
   program->trajectory = options.resampling.resampled(std::move(program->trajectory));
   streaming::RunSettings settings;
   settings.parameters = options.point.parameters();
+  if (options.point.axes.empty()) {
+    settings.parameters = streaming::withTurnedAxes(settings.parameters, program->trajectory);
+  }
   settings.deltaMm = options.point.deltaMm;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   settings.grouping = options.access == "single" ? opcua::Grouping::Single : opcua::Grouping::List;
@@ -322,8 +356,19 @@ Exit stream(const StreamOptions& options) {
     }
     settings.isCommissioned = true;
   }
-  bool feasible = false;
-  if (const auto error = objection(options, *connection, *program, settings, feasible)) {
+  CalibrationChoice calibrated;
+  if (!options.simulate) {
+    auto choice = calibrationOf(*connection);
+    if (!choice) {
+      return reportError(choice.error(), options.json);
+    }
+    calibrated = std::move(*choice);
+    if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+      settings.calibration = std::make_shared<const streaming::Calibration>(record->calibration);
+    }
+  }
+  Judgement judged;
+  if (const auto error = objection(options, *connection, *program, settings, calibrated, judged)) {
     return reportError(*error, options.json);
   }
 
@@ -373,14 +418,17 @@ Exit stream(const StreamOptions& options) {
   const bool recorded = !writer || writer->ok();
   if (options.json) {
     nlohmann::ordered_json json = report::runJson(report);
-    json["feasible"] = feasible;
+    json["feasible"] = judged.feasible;
+    if (judged.verdict) {
+      json["access_time"] = accessSourceJson(calibrated, judged.form, *judged.verdict);
+    }
     json["endpoint"] = connection->name;
     if (!options.record.empty()) {
       json["recording"] = options.record;
     }
     printJson(json);
   } else {
-    print(report, feasible);
+    print(report, calibrated, judged);
   }
   if (!recorded) {
     fmt::print(stderr, "rivulet-cli: {}: The recording is incomplete: the disk took no more.\n",

@@ -24,8 +24,10 @@
 #include <algorithm>
 
 #include "base/units.h"
+#include "report/calibration_json.h"
 #include "templates/generator.h"
 #include "trace/file.h"
+#include "widgets/calibration/calibration_page.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/log_view.h"
 #include "widgets/common/message_area.h"
@@ -56,6 +58,13 @@ constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
 constexpr int kReckonMs = 400;
 /// From here on the points a program leaves open are made anew.
 constexpr double kToolMovedMm = 0.01;
+
+/// Where the command line looks as well.
+std::filesystem::path calibrationFolder() {
+  return std::filesystem::path(
+             QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString()) /
+         "rivulet" / "calibrations";
+}
 
 widgets::ConnectionState connectionState(session::LinkState state) {
   switch (state) {
@@ -139,11 +148,13 @@ void MainWindow::buildPages() {
   m_feasibility = new widgets::FeasibilityPage(m_tabs);
   m_trace = new widgets::TracePage(m_tabs);
   m_template = new widgets::TemplatePage(m_tabs);
+  m_calibration = new widgets::CalibrationPage(m_tabs);
   m_reportPanel = new widgets::ReportPanel(m_tabs);
   m_log = new widgets::LogView(m_tabs);
   for (QWidget* page : {static_cast<QWidget*>(m_programPage), static_cast<QWidget*>(m_feasibility),
                         static_cast<QWidget*>(m_trace), static_cast<QWidget*>(m_template),
-                        static_cast<QWidget*>(m_reportPanel), static_cast<QWidget*>(m_log)}) {
+                        static_cast<QWidget*>(m_calibration), static_cast<QWidget*>(m_reportPanel),
+                        static_cast<QWidget*>(m_log)}) {
     m_tabs->addTab(page, QString());
   }
   columns->addWidget(m_tabs);
@@ -237,6 +248,18 @@ void MainWindow::connectPages() {
           [this](const std::shared_ptr<const session::RegionOutcome>& outcome) {
             showRegion(*outcome);
           });
+  connect(m_calibration, &widgets::CalibrationPage::calibrationRequested, this,
+          &MainWindow::calibrate);
+  connect(m_calibration, &widgets::CalibrationPage::cancelRequested, &m_session,
+          &session::StreamSession::stop);
+  connect(&m_session, &session::StreamSession::calibrationProgressed, this,
+          [this](const streaming::CalibrationProgress& progress) {
+            if (m_session.isCalibrating()) {
+              m_calibration->setProgress(progress);
+            }
+          });
+  connect(&m_session, &session::StreamSession::calibrationFinished, this,
+          &MainWindow::showCalibrated);
   connect(m_template, &widgets::TemplatePage::saveRequested, this,
           [this](const QString& path) { saveText(path, m_template->text()); });
   connect(m_log, &widgets::LogView::saveRequested, this,
@@ -320,8 +343,8 @@ void MainWindow::connectPages() {
 void MainWindow::retranslate() {
   setWindowTitle(m_program ? tr("%1 – Rivulet").arg(QString::fromStdString(m_program->name))
                            : tr("Rivulet"));
-  const QStringList titles{tr("Program"),  tr("Feasibility"), tr("Traces"),
-                           tr("Template"), tr("Report"),      tr("Log")};
+  const QStringList titles{tr("Program"),     tr("Feasibility"), tr("Traces"), tr("Template"),
+                           tr("Calibration"), tr("Report"),      tr("Log")};
   for (int i = 0; i < m_tabs->count(); ++i) {
     m_tabs->setTabText(i, titles[i]);
   }
@@ -506,6 +529,7 @@ void MainWindow::showLink(const session::LinkChanged& change) {
   switch (change.state) {
     case session::LinkState::Connected:
       m_messages->clear();
+      loadCalibration();
       log(Severity::Note,
           change.isVirtualMachine
               ? tr("Connected to the virtual machine at %1.").arg(m_settings.endpoint)
@@ -547,6 +571,7 @@ void MainWindow::judge() {
   point.pointsPerLoop = m_settings.stream.parameters.pointsPerLoop;
   point.deltaMm = m_settings.stream.deltaMm;
   point.feedMmPerS = m_settings.stream.feedMmPerS;
+  const feasibility::AccessModel access = accessModel();
   m_verdict.reset();
   m_problem.reset();
   m_distances.reset();
@@ -570,7 +595,7 @@ void MainWindow::judge() {
       m_distances = feasibility::programDistances(points(), point.pointsPerLoop);
     }
     if (!m_problem && m_distances) {
-      const auto verdict = feasibility::judge(point, *m_distances);
+      const auto verdict = feasibility::judge(point, *m_distances, access);
       if (verdict) {
         m_verdict = *verdict;
       } else {
@@ -581,11 +606,13 @@ void MainWindow::judge() {
     m_problem = tr("The program has fewer than two points.");
   }
   m_programPanel->setDistances(m_distances);
-  m_path->setOperatingPoint(point);
+  m_path->setOperatingPoint(point, access);
   m_reckonTimer.start();
   m_method->setVerdict(m_verdict, m_problem);
   widgets::FeasibilityModel model;
   model.operatingPoint = point;
+  model.access = access;
+  model.source = m_access;
   if (m_distances) {
     model.distances = *m_distances;
   }
@@ -599,6 +626,9 @@ void MainWindow::judge() {
 QString MainWindow::startBlockedReason() const {
   if (m_session.isRunning()) {
     return tr("A run lasts.");
+  }
+  if (m_session.isCalibrating()) {
+    return tr("A calibration lasts.");
   }
   if (m_link.state != session::LinkState::Connected) {
     return tr("Connect to a control first.");
@@ -642,7 +672,8 @@ void MainWindow::refreshStart() {
         (running ? tr("Running: %1, version %2") : tr("Program: %1, version %2"))
             .arg(QString::fromStdString(m_program->name), QString::fromStdString(m_program->hash)));
   }
-  m_connection->setDisconnectEnabled(!running);
+  m_connection->setDisconnectEnabled(!running && !m_session.isCalibrating());
+  m_calibration->setBlocked(calibrationBlockedReason());
   m_openAction->setEnabled(!running);
 }
 
@@ -701,6 +732,13 @@ bool MainWindow::start() {
   settings.parameters = m_settings.stream.parameters;
   settings.deltaMm = m_settings.stream.deltaMm;
   settings.feedMmPerS = m_settings.stream.feedMmPerS;
+  if (base::hasWindows(settings.parameters.method)) {
+    settings.access = streaming::AccessChoice::Best;  // the others are kept as they were published
+  }
+  if (m_access.isUsed()) {
+    settings.calibration = std::shared_ptr<const streaming::Calibration>(
+        m_access.record, &m_access.record->calibration);
+  }
   followTool();
   m_timer.cancel();
   m_path->setExecuted(0);
@@ -813,6 +851,96 @@ void MainWindow::showFinished(const session::RunFinished& finished) {
     m_reckonTimer.start();
   }
   Q_EMIT runFinished(m_report);
+}
+
+QString MainWindow::calibrationBlockedReason() const {
+  if (m_session.isRunning()) {
+    return tr("A run lasts.");
+  }
+  if (m_link.state != session::LinkState::Connected) {
+    return tr("Connect to a control first.");
+  }
+  if (m_machine.channelStatus.value_or(0) != 0) {
+    return tr("A program runs on the control.");
+  }
+  return {};
+}
+
+void MainWindow::calibrate(const streaming::CalibrationPlan& plan) {
+  const QString blocked = calibrationBlockedReason();
+  if (!blocked.isEmpty()) {
+    m_messages->showMessage(Severity::Warning, blocked);
+    return;
+  }
+  m_messages->clear();
+  m_session.calibrate(plan);
+  m_calibration->setProgress(streaming::CalibrationProgress{});
+  log(Severity::Note, tr("Calibration on R%1 to R%2 began.")
+                          .arg(QString::number(plan.firstCell), QString::number(plan.lastCell)));
+  refreshStart();
+}
+
+void MainWindow::showCalibrated(const session::CalibrationFinished& finished) {
+  m_calibration->setProgress(std::nullopt);
+  if (!finished.record) {
+    const QString text = widgets::errorText(finished.error);
+    const bool wanted = finished.error.code == streaming::CalibrationError::Cancelled;
+    m_messages->showMessage(wanted ? Severity::Note : Severity::Error, text);
+    log(wanted ? Severity::Note : Severity::Error, text);
+    refreshStart();
+    return;
+  }
+  m_access.record = finished.record;
+  m_access.isOutdated = false;
+  m_calibration->setRecord(m_access.record, false);
+  const std::filesystem::path path = report::calibrationPath(
+      calibrationFolder(), finished.record->endpoint, finished.record->server);
+  if (const auto saved = report::saveCalibration(path, *finished.record); !saved) {
+    m_messages->showMessage(Severity::Error, widgets::errorText(saved.error()));
+  } else {
+    log(Severity::Note, tr("Calibrated. Saved %1.").arg(QString::fromStdString(path.string())));
+  }
+  judge();
+}
+
+void MainWindow::loadCalibration() {
+  m_access.record.reset();
+  m_access.isOutdated = false;
+  auto found = report::findCalibration(calibrationFolder(),
+                                       m_settings.endpoint.trimmed().toStdString(), m_link.server);
+  if (!found) {
+    log(Severity::Warning, widgets::errorText(found.error()));
+  } else if (*found) {
+    m_access.isOutdated = (*found)->isOutdated(m_link.server);
+    m_access.record = std::make_shared<const streaming::CalibrationRecord>(std::move(**found));
+    if (m_access.isOutdated) {
+      log(Severity::Warning,
+          tr("The calibration is of another version of the server and not used."));
+    }
+  }
+  m_calibration->setRecord(m_access.record, m_access.isOutdated);
+  judge();
+}
+
+feasibility::AccessModel MainWindow::accessModel() {
+  const bool window = base::hasWindows(m_settings.stream.parameters.method);
+  const int points = m_settings.stream.parameters.pointsPerLoop;
+  constexpr int kAxes = static_cast<int>(base::kAxisCount);
+  m_access.form = opcua::Grouping::List;
+  m_access.cellsMax = kAxes;
+  if (window) {
+    constexpr int kHeader = 3;  // count, feed and check number go with the points
+    m_access.cellsMax = kAxes * std::max(points, 1) + kHeader;
+  } else if (m_settings.stream.parameters.method == base::MethodKind::Signal) {
+    m_access.cellsMax = kAxes * std::max(points / 2, 1) + 1;
+  }
+  if (!m_access.isUsed()) {
+    return {};
+  }
+  if (window) {
+    m_access.form = m_access.record->calibration.best();
+  }
+  return report::accessModel(m_access.record->calibration, m_access.form);
 }
 
 void MainWindow::log(Severity severity, const QString& text) {

@@ -20,6 +20,7 @@
 #include "session/program_timer.h"
 #include "session/region_worker.h"
 #include "session/stream_session.h"
+#include "widgets/calibration/access_source.h"
 #include "widgets/connection/machine_view.h"
 #include "widgets/feasibility/simulated_region.h"
 
@@ -30,6 +31,7 @@ class QMenu;
 class QTabWidget;
 
 namespace rivulet::widgets {
+class CalibrationPage;
 class ConnectionPanel;
 class FeasibilityPage;
 class FileBanner;
@@ -75,6 +77,8 @@ class MainWindow final : public QMainWindow {
   /// The pages, for pictures and tests.
   [[nodiscard]] QTabWidget* pages() const { return m_tabs; }
   [[nodiscard]] widgets::TracePage* tracePage() const { return m_trace; }
+  [[nodiscard]] widgets::CalibrationPage* calibrationPage() const { return m_calibration; }
+  [[nodiscard]] const widgets::AccessSource& accessSource() const { return m_access; }
   [[nodiscard]] widgets::ProgramPage* programPage() const { return m_programPage; }
   [[nodiscard]] std::shared_ptr<const gcode::Program> program() const { return m_program; }
 
@@ -102,6 +106,14 @@ class MainWindow final : public QMainWindow {
   void showMachine(const session::MachineSeen& seen);
   void showUpdate(const streaming::LiveUpdate& update);
   void showFinished(const session::RunFinished& finished);
+  /// Begins on cells the operator has confirmed, if nothing stands in the way.
+  void calibrate(const streaming::CalibrationPlan& plan);
+  [[nodiscard]] QString calibrationBlockedReason() const;
+  void showCalibrated(const session::CalibrationFinished& finished);
+  /// Takes what was measured on this machine before, if anything was.
+  void loadCalibration();
+  /// What access costs with the present method, and where the figures come from.
+  [[nodiscard]] feasibility::AccessModel accessModel();
   void simulateRegion(const widgets::SimulationWanted& wanted);
   void showRegion(const session::RegionOutcome& outcome);
 
@@ -140,6 +152,7 @@ class MainWindow final : public QMainWindow {
   std::optional<QString> m_problem;
   session::LinkChanged m_link;
   widgets::MachineView m_machine;
+  widgets::AccessSource m_access;
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_runBegan;
   std::shared_ptr<const streaming::RunReport> m_report;
@@ -154,6 +167,7 @@ class MainWindow final : public QMainWindow {
   widgets::PathView* m_path = nullptr;
   widgets::FeasibilityPage* m_feasibility = nullptr;
   widgets::TracePage* m_trace = nullptr;
+  widgets::CalibrationPage* m_calibration = nullptr;
   widgets::TemplatePage* m_template = nullptr;
   widgets::ReportPanel* m_reportPanel = nullptr;
   widgets::LogView* m_log = nullptr;

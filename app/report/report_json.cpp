@@ -90,6 +90,7 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"windows_ahead", settings.parameters.windowsAhead},
           {"slow_down", settings.parameters.slowDown},
           {"layout", templates::layoutName(settings.parameters.layout)},
+          {"axes", templates::axisLetters(settings.parameters)},
           {"delta_mm", settings.deltaMm},
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
           {"grouping", opcua::groupingName(settings.grouping)},
@@ -140,7 +141,8 @@ ordered_json runJson(const streaming::RunReport& report) {
         {"first_point", checkpoint.firstPoint},
         {"granted", checkpoint.granted},
         {"pauses_placed", checkpoint.pausesPlaced},
-        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}}};
+        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}},
+        {"start_deg", checkpoint.startDeg}};
   }
   if (report.stopConfirmedAfter) {
     json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);

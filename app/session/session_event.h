@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "gcode/program.h"
+#include "streaming/calibration_record.h"
 #include "streaming/run.h"
 #include "trace/recording.h"
 
@@ -23,6 +24,7 @@ struct LinkChanged {
   LinkState state = LinkState::Disconnected;
   base::Error error;  ///< why, for Disconnected and Lost; code clear otherwise
   bool isVirtualMachine = false;
+  opcua::ServerIdentity server;  ///< for Connected
 };
 
 /// The control as it was seen between runs.
@@ -41,8 +43,14 @@ struct RunFinished {
   std::string recordingPath;  ///< empty: none could be written
 };
 
-using SessionEvent = std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate,
-                                  trace::Note, RunFinished>;
+struct CalibrationFinished {
+  std::shared_ptr<const streaming::CalibrationRecord> record;  ///< null: see `error`
+  base::Error error;
+};
+
+using SessionEvent =
+    std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, trace::Note,
+                 RunFinished, streaming::CalibrationProgress, CalibrationFinished>;
 
 struct ConnectOrder {
   std::string endpoint;
@@ -55,6 +63,12 @@ struct StartOrder {
   std::string startedAtUtc;
 };
 
-using SessionOrder = std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder>;
+struct CalibrateOrder {
+  streaming::CalibrationPlan plan;
+  std::string startedAtUtc;
+};
+
+using SessionOrder =
+    std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder, CalibrateOrder>;
 
 }  // namespace rivulet::session

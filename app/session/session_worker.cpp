@@ -19,6 +19,7 @@ namespace {
 /// How often the control is looked at between runs.
 constexpr std::chrono::milliseconds kWatchInterval{250};
 constexpr std::chrono::seconds kWatchDeadline{2};
+constexpr std::chrono::milliseconds kProgressInterval{50};
 /// How long the thread waits for room when the GUI is busy, per attempt.
 constexpr std::chrono::milliseconds kRoomInterval{2};
 
@@ -66,7 +67,7 @@ SessionWorker::~SessionWorker() {
 }
 
 bool SessionWorker::order(SessionOrder order) {
-  if (std::holds_alternative<StartOrder>(order)) {
+  if (std::holds_alternative<StartOrder>(order) || std::holds_alternative<CalibrateOrder>(order)) {
     m_stopRun.store(false);
   }
   if (!m_orders.tryPush(std::move(order))) {
@@ -113,6 +114,8 @@ void SessionWorker::work() {
         disconnect();
       } else if (const auto* startOrder = std::get_if<StartOrder>(&*order)) {
         start(*startOrder);
+      } else if (const auto* calibrateOrder = std::get_if<CalibrateOrder>(&*order)) {
+        calibrate(*calibrateOrder);
       }
     }
     watch();
@@ -122,22 +125,24 @@ void SessionWorker::work() {
 
 void SessionWorker::connect(const ConnectOrder& order) {
   m_link.reset();
-  tell(LinkChanged{LinkState::Connecting, {}, false});
+  tell(LinkChanged{LinkState::Connecting, {}, false, {}});
   opcua::ConnectOptions options;
   options.endpoint = order.endpoint;
   auto link = opcua::UaLink::connect(options);
   if (!link) {
-    tell(LinkChanged{LinkState::Disconnected, link.error(), false});
+    tell(LinkChanged{LinkState::Disconnected, link.error(), false, {}});
     return;
   }
   m_link = std::move(*link);
   m_endpoint = order.endpoint;
-  tell(LinkChanged{LinkState::Connected, {}, m_link->isVirtualMachine()});
+  // A server that does not say who it is can be worked with all the same.
+  m_server = m_link->identity().value_or(opcua::ServerIdentity{});
+  tell(LinkChanged{LinkState::Connected, {}, m_link->isVirtualMachine(), m_server});
 }
 
 void SessionWorker::disconnect() {
   m_link.reset();
-  tell(LinkChanged{LinkState::Disconnected, {}, false});
+  tell(LinkChanged{LinkState::Disconnected, {}, false, {}});
 }
 
 void SessionWorker::watch() {
@@ -160,7 +165,7 @@ void SessionWorker::watch() {
   if (!readings) {
     if (readings.error().code == opcua::LinkError::ConnectionLost) {
       m_link.reset();
-      tell(LinkChanged{LinkState::Lost, readings.error(), false});
+      tell(LinkChanged{LinkState::Lost, readings.error(), false, {}});
     }
     return;
   }
@@ -219,7 +224,54 @@ void SessionWorker::start(const StartOrder& order) {
   tell(RunFinished{std::move(report), recorded ? order.recordingPath : std::string()});
   if (lost) {
     m_link.reset();
-    tell(LinkChanged{LinkState::Lost, error, false});
+    tell(LinkChanged{LinkState::Lost, error, false, {}});
+  }
+}
+
+void SessionWorker::calibrate(const CalibrateOrder& order) {
+  if (!m_link) {
+    tell(CalibrationFinished{
+        nullptr, base::makeError(opcua::LinkError::NotReachable,
+                                 "There is no connection to a control. Connect first.")});
+    return;
+  }
+  std::unique_ptr<opcua::UaLink> again;
+  base::Instant nextTold{};
+  streaming::CalibrationHooks hooks;
+  hooks.progress = [&](const streaming::CalibrationProgress& progress) {
+    // More than a display shows would only fill the ring.
+    if (m_link->now() >= nextTold) {
+      nextTold = m_link->now() + kProgressInterval;
+      tellIfRoom(progress);
+    }
+    return !m_stopRun.load() && !m_quit.load();
+  };
+  hooks.reconnect = [&]() -> opcua::Link* {
+    opcua::ConnectOptions options;
+    options.endpoint = m_endpoint;
+    auto link = opcua::UaLink::connect(options);
+    if (link) {
+      again = std::move(*link);
+    }
+    return again.get();
+  };
+  auto calibration = streaming::calibrate(*m_link, order.plan, hooks);
+  if (calibration) {
+    auto record = std::make_shared<streaming::CalibrationRecord>();
+    record->endpoint = m_endpoint;
+    record->server = m_server;
+    record->measuredAtUtc = order.startedAtUtc;
+    record->toolVersion = RIVULET_VERSION;
+    record->calibration = std::move(*calibration);
+    tell(CalibrationFinished{std::move(record), {}});
+    return;
+  }
+  const base::Error error = calibration.error();
+  tell(CalibrationFinished{nullptr, error});
+  if (error.code == opcua::LinkError::ConnectionLost) {
+    // The new connection was for the cells only: the operator decides whether to go on.
+    m_link.reset();
+    tell(LinkChanged{LinkState::Lost, error, false, {}});
   }
 }
 

@@ -34,7 +34,8 @@ class SessionWorker {
 
   /// @return false if more orders wait than anybody can have meant
   bool order(SessionOrder order);
-  /// Takes effect within a driver's look at its orders, 20 ms.
+  /// Takes effect within a driver's look at its orders, 20 ms; cancels a calibration behind the
+  /// request under way.
   void stopRun();
   /// The oldest event not taken yet.
   std::optional<SessionEvent> take();
@@ -51,6 +52,7 @@ class SessionWorker {
   void start(const StartOrder& order);
   /// As the profile of the machine says.
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
+  void calibrate(const CalibrateOrder& order);
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
@@ -63,7 +65,8 @@ class SessionWorker {
   std::atomic<bool> m_stopRun{false};
   std::atomic<std::size_t> m_lost{0};
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
-  std::string m_endpoint;                 // of the link
+  std::string m_endpoint;                 // of `m_link`
+  opcua::ServerIdentity m_server;
   std::thread m_thread;
 };
 

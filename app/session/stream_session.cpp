@@ -34,12 +34,20 @@ void StreamSession::disconnectFrom() {
 
 void StreamSession::start(std::shared_ptr<const gcode::Program> program,
                           const streaming::RunSettings& settings, const QString& recordingPath) {
-  if (m_running) {
+  if (m_running || m_calibrating) {
     return;
   }
   m_running = m_worker->order(
       StartOrder{std::move(program), settings, recordingPath.toStdString(),
                  QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+}
+
+void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
+  if (m_running || m_calibrating) {
+    return;
+  }
+  m_calibrating = m_worker->order(
+      CalibrateOrder{plan, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
 }
 
 void StreamSession::stop() {
@@ -59,6 +67,11 @@ void StreamSession::drain() {
     } else if (const auto* finished = std::get_if<RunFinished>(&*event)) {
       m_running = false;
       Q_EMIT runFinished(*finished);
+    } else if (const auto* progress = std::get_if<streaming::CalibrationProgress>(&*event)) {
+      Q_EMIT calibrationProgressed(*progress);
+    } else if (const auto* calibrated = std::get_if<CalibrationFinished>(&*event)) {
+      m_calibrating = false;
+      Q_EMIT calibrationFinished(*calibrated);
     }
   }
 }

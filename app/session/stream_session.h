@@ -31,8 +31,11 @@ class StreamSession final : public QObject {
   void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
              const QString& recordingPath);
   void stop();
+  /// Measures what access costs, on cells the operator has confirmed. `stop` cancels.
+  void calibrate(const streaming::CalibrationPlan& plan);
 
   [[nodiscard]] bool isRunning() const { return m_running; }
+  [[nodiscard]] bool isCalibrating() const { return m_calibrating; }
 
  Q_SIGNALS:
   void linkChanged(const rivulet::session::LinkChanged& change);
@@ -40,6 +43,8 @@ class StreamSession final : public QObject {
   void updateArrived(const rivulet::streaming::LiveUpdate& update);
   void noteArrived(const rivulet::trace::Note& note);
   void runFinished(const rivulet::session::RunFinished& finished);
+  void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
+  void calibrationFinished(const rivulet::session::CalibrationFinished& finished);
 
  private:
   void drain();
@@ -47,6 +52,7 @@ class StreamSession final : public QObject {
   std::unique_ptr<SessionWorker> m_worker;
   QTimer m_timer;
   bool m_running = false;
+  bool m_calibrating = false;
 };
 
 }  // namespace rivulet::session

@@ -39,7 +39,8 @@ std::vector<Border> sweepBorders(const OperatingPoint& operatingPoint,
                                  const SweepRange& range, const AccessModel& access,
                                  const SafetyFactors& safety) {
   const std::vector<double> values = abscissas(axis, range);
-  const PollTime poll = pollTime(access.accessTime);
+  const PollTime poll =
+      pollTime(access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop));
   const SafetyFactors asPublished{1.0, 1.0, 1.0};
   std::vector<Border> borders;
   for (const MethodEquation& entry : equationsOf(operatingPoint.method, distances)) {

@@ -82,6 +82,8 @@ double windowLengthMmBound(const ProgramDistances& distances, int steps) {
 double marginOf(Equation equation, const OperatingPoint& operatingPoint,
                 const ProgramDistances& distances, base::Duration pollTime,
                 const AccessModel& access, const SafetyFactors& safety) {
+  const base::Duration accessTime =
+      access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop);
   switch (equation) {
     case Equation::PointDistance:
       return pointDistanceMargin(operatingPoint.feedMmPerS, pollTime, distances.pointDistanceMmMin,
@@ -89,11 +91,10 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
     case Equation::Delta:
       return deltaMargin(operatingPoint.feedMmPerS, pollTime, operatingPoint.deltaMm, safety.delta);
     case Equation::Window:
-      return windowMargin(operatingPoint.feedMmPerS, access.accessTime,
-                          operatingPoint.pointsPerLoop, distances.pointDistanceMmMin,
-                          safety.window);
+      return windowMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
+                          distances.pointDistanceMmMin, safety.window);
     case Equation::Reach:
-      return reachMargin(operatingPoint.feedMmPerS, access.accessTime, operatingPoint.pointsPerLoop,
+      return reachMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
                          distances.windowSteps > 0
                              ? windowLengthMmBound(distances, operatingPoint.pointsPerLoop)
                              : operatingPoint.pointsPerLoop * distances.pointDistanceMmMin,
@@ -101,14 +102,19 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
     case Equation::RealWindow:
       break;
   }
-  return realWindowMargin(
-      operatingPoint.feedMmPerS, access.accessTime, operatingPoint.pointsPerLoop,
-      windowLengthMmBound(distances, operatingPoint.pointsPerLoop / 2), safety.window);
+  return realWindowMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
+                          windowLengthMmBound(distances, operatingPoint.pointsPerLoop / 2),
+                          safety.window);
 }
 
 base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramDistances& distances,
                             const AccessModel& access, const SafetyFactors& safety) {
   const bool position = operatingPoint.method == base::MethodKind::Position;
+  if (operatingPoint.method == base::MethodKind::File) {
+    return base::fail(FeasibilityError::NothingKnown,
+                      "What storing a program costs is known of no control, so nothing can be said "
+                      "of method file beforehand. Its axes wait where the client is late.");
+  }
   // Written so that a value which is not a number is refused as well.
   if (!(operatingPoint.feedMmPerS > 0.0) || !std::isfinite(operatingPoint.feedMmPerS)) {
     return base::fail(
@@ -127,8 +133,10 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
         fmt::format("N is {}: choose at least 2 points per loop.", operatingPoint.pointsPerLoop));
   }
 
-  const base::Duration poll = pollTime(access.accessTime).max;
   Verdict verdict;
+  verdict.accessTime = access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop);
+  verdict.accessMeasured = access.measured.has_value();
+  const base::Duration poll = pollTime(verdict.accessTime).max;
   bool first = true;
   for (const MethodEquation& entry : equationsOf(operatingPoint.method, distances)) {
     const Condition condition{

@@ -15,6 +15,7 @@
 #include "base/instant.h"
 #include "base/method_kind.h"
 #include "base/result.h"
+#include "feasibility/access_model.h"
 #include "gcode/trajectory.h"
 
 namespace rivulet::feasibility {
@@ -23,6 +24,7 @@ enum class FeasibilityError {
   FeedNotPositive = 1,
   DeltaNotPositive,
   TooFewPointsPerLoop,  ///< N < 2
+  NothingKnown,         ///< method file: what a transfer costs is known of no control
 };
 
 [[nodiscard]] std::error_code make_error_code(FeasibilityError code);
@@ -43,10 +45,6 @@ struct OperatingPoint {
   int pointsPerLoop = 7;  ///< N, >= 2; method window: points per window
   double deltaMm = 0.3;   ///< δ; used by method position only
   double feedMmPerS = 500.0 / 60.0;
-};
-
-struct AccessModel {
-  base::Duration accessTime = std::chrono::microseconds{4300};  ///< [P1] Table I, per node
 };
 
 /// Each multiplies the left side of its inequality; 1 is the inequality as published.
@@ -92,7 +90,9 @@ struct Verdict {
   std::vector<Condition> conditions;
   /// Largest feed at which all deciding conditions hold; method window: without waiting.
   double feedMmPerSMax = 0.0;
-  double deltaMmMin = 0.0;  ///< smallest δ at this feed (method position; else 0)
+  double deltaMmMin = 0.0;      ///< smallest δ at this feed (method position; else 0)
+  base::Duration accessTime{};  ///< t as it went into the equations: see `AccessModel`
+  bool accessMeasured = false;  ///< from a calibration, else assumed
 };
 
 /// Position is decided by (1) and (2) with the longer poll time; signal by (3). If the

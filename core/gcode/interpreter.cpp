@@ -1450,7 +1450,7 @@ class Interpreter {
     move.toolDirection = (1.0 / length) * direction;
     if (!m_directionReported) {
       m_directionReported = true;
-      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::RotaryAxes,
+      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::ToolDirections,
                         "A3 B3 C3");
     }
   }

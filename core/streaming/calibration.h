@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Measures what access to a control costs: reads and writes of 1 to 100 R-parameters, in a list
-/// and one by one, and as arrays where they work. Works only on cells the user has named; while
-/// measuring it writes the values that stand there, so that nothing is lost by an error or a
-/// cancel. @threadsafety runs on the calling thread.
+/// Measures what access to a control costs: reads and writes of 1 to 100 R-parameters, one by one,
+/// in a list, and in each array form that has been proved. Works only on cells the user has named;
+/// while it measures it writes the values that stand there, so that nothing is lost by an error or
+/// a cancel, and at the end it puts them back and looks whether they are there.
+/// @threadsafety runs on the calling thread.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -15,7 +17,7 @@
 #include "base/result.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
-#include "trace/analysis/statistics.h"
+#include "trace/analysis/histogram.h"
 
 namespace rivulet::streaming {
 
@@ -23,6 +25,7 @@ enum class CalibrationError {
   NoCells = 1,  ///< the range is empty or not a range of R-parameters
   ChannelBusy,  ///< a program runs: its cells must not be touched
   Cancelled,
+  NotRestored,  ///< the cells do not have the values they had
 };
 
 [[nodiscard]] std::error_code make_error_code(CalibrationError code);
@@ -30,10 +33,14 @@ enum class CalibrationError {
 struct CalibrationPlan {
   int firstCell = 0;  ///< scratch R-parameters, both ends included
   int lastCell = 0;
-  int shots = 50;  ///< requests of each kind, >= 2
+  int shots = 500;  ///< requests of each kind, >= 2
+  /// Time for all of it; zero: as long as it takes. Where it is short, the kinds that take longest
+  /// get fewer shots (`AccessSeries::shotsMade`), but never fewer than a first look at each.
+  base::Duration budget{};
   /// Arrays too, where there are cells enough to prove that they work; the proof writes other
   /// values for a moment.
   bool arrays = true;
+  std::uint64_t seed = 1;  ///< of the order in which the kinds take turns
   base::Duration deadline = std::chrono::seconds{5};
 };
 
@@ -42,35 +49,96 @@ struct AccessSeries {
   bool write = false;
   int nodes = 1;
   opcua::Grouping grouping = opcua::Grouping::List;
-  trace::DurationStatistics durations;
-  double deviationMs = 0.0;  ///< standard deviation
+  int shotsMade = 0;     ///< 0: refused by the control
+  bool refused = false;  ///< a form that works with fewer cells, but not with so many
+  base::Duration min{};
+  base::Duration mean{};
+  base::Duration max{};
+  double deviationMs = 0.0;                    ///< standard deviation
+  std::vector<trace::Percentile> percentiles;  ///< those the number of shots carries
+  trace::Histogram histogram;
+
+  /// Nothing where there were too few shots. @param perMille  500, 900, 950, 990 or 999
+  [[nodiscard]] std::optional<base::Duration> percentile(int perMille) const;
+  /// The 99th percentile, or the longest where there were too few shots for one.
+  [[nodiscard]] base::Duration tail() const;
 };
 
-/// duration = overhead + nodes · node time, fitted to the averages of the lists; with arrays an
-/// element takes the place of a node.
+/// duration = overhead + cells · time per cell: a least-squares line through the averages of one
+/// form and direction, with neither figure below zero. Each average counts as much as it is
+/// certain: its variance is that of the mean plus half a per cent of itself, which stands for what
+/// a straight line cannot say.
 struct AccessFit {
-  double overheadMs = 0.0;
-  double nodeMs = 0.0;
-  double residualMs = 0.0;       ///< root mean square
-  double nodeDeviationMs = 0.0;  ///< from the growth of the variance with the nodes
+  bool write = false;
+  opcua::Grouping grouping = opcua::Grouping::List;
+  double overheadMs = 0.0;       ///< a
+  double nodeMs = 0.0;           ///< b
+  double residualMs = 0.0;       ///< root mean square over the sizes
+  double residualShare = 0.0;    ///< largest distance of an average from the line, over the average
+  double nodeDeviationMs = 0.0;  ///< of one cell, from the growth of the variance with the cells
+
+  /// a + b·n, never below zero.
+  [[nodiscard]] base::Duration at(double nodes) const;
 };
 
 struct Calibration {
-  std::vector<AccessSeries> series;
-  AccessFit read;
-  AccessFit write;
+  CalibrationPlan plan;
+  base::Duration took{};
+  std::vector<AccessSeries> series;  ///< by form, direction and size
+  std::vector<AccessFit> fits;       ///< of every form that was measured, reads and writes
   std::optional<AccessForms> forms;  ///< which forms were proved; nothing: not tried
-  /// Of the best array form, where one works. As much per element as a list per node: the control
-  /// charges elements. Next to nothing: it charges the array as one node.
-  std::optional<AccessFit> arrayRead;
-  std::optional<AccessFit> arrayWrite;
+
+  /// Null where the form was not measured.
+  [[nodiscard]] const AccessFit* fit(bool write, opcua::Grouping grouping) const;
+  /// The 99th percentile of a request, between the sizes that were measured in a straight line and
+  /// beyond them along the fit. @param nodes >= 1 @return nothing where the form was not measured
+  [[nodiscard]] std::optional<base::Duration> tail(bool write, opcua::Grouping grouping,
+                                                   int nodes) const;
+  /// The best form that works: what a run with free choice of access will use.
+  [[nodiscard]] opcua::Grouping best() const;
+  /// Some kind got fewer shots than were ordered.
+  [[nodiscard]] bool isCut() const;
 };
 
-/// @param progress  told the share done, 0 to 1, and the time still needed; false cancels
-/// @return NoCells, ChannelBusy, Cancelled, or what the link says
-[[nodiscard]] base::Result<Calibration> calibrate(
-    opcua::Link& link, const CalibrationPlan& plan,
-    const std::function<bool(double share, base::Duration left)>& progress = {});
+/// A moment of a calibration.
+struct CalibrationProgress {
+  enum class Phase {
+    Forms,  ///< which forms of access work
+    First,  ///< a few shots of each kind, which say how long the rest takes
+    Shots,
+    Restore,
+  };
+  Phase phase = Phase::Forms;
+  double share = 0.0;     ///< of the time, 0 to 1; never falls
+  base::Duration left{};  ///< estimate
+  int shotsMade = 0;
+  int shotsPlanned = 0;
+};
+
+/// What a calibration tells and asks while it lasts. Both may be empty.
+struct CalibrationHooks {
+  /// False cancels.
+  std::function<bool(const CalibrationProgress&)> progress;
+  /// Asked once, when the connection has broken: a new one, only to put the cells back; null if
+  /// there is none.
+  std::function<opcua::Link*()> reconnect;
+};
+
+/// How long a calibration will take, with its proof and its end.
+/// @param earlier  of the same control, for its costs; null: 4.3 ms per cell ([P1] Table I)
+[[nodiscard]] base::Duration expectedDuration(const CalibrationPlan& plan,
+                                              const Calibration* earlier = nullptr);
+
+/// The channel must be in reset; it is looked at again and again, and a program that is started
+/// meanwhile ends the calibration at once.
+/// @return NoCells, ChannelBusy, Cancelled, NotRestored, or what the link says. Whatever it is, the
+///         message says what the cells hold
+[[nodiscard]] base::Result<Calibration> calibrate(opcua::Link& link, const CalibrationPlan& plan,
+                                                  const CalibrationHooks& hooks = {});
+
+/// The values of the cells, to be shown before they are confirmed. @return NoCells, link errors
+[[nodiscard]] base::Result<std::vector<opcua::Assignment>> readScratchCells(
+    opcua::Link& link, const CalibrationPlan& plan);
 
 }  // namespace rivulet::streaming
 

@@ -11,6 +11,7 @@
 
 #include "base/contract.h"
 #include "streaming/job.h"
+#include "streaming/program_transfer.h"
 
 namespace rivulet::streaming {
 
@@ -22,8 +23,9 @@ using base::Result;
 using opcua::Variable;
 using opcua::VariableKind;
 
-/// Beyond every number of a flexible program: neither is taken for the other.
-constexpr int kLayoutNumber = 1'000'003;
+/// Beyond every number of a flexible program (`templates::layoutNumber` stays below 2^24): neither
+/// is taken for the other.
+constexpr int kLayoutNumber = 1 << 24;
 constexpr double kReset = 0.0;
 
 /// The dwells that keep the main run busy, and in front of which one it says where it is.

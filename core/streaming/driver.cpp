@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "streaming/calibration.h"
+
 namespace rivulet::streaming {
 
 namespace {
@@ -28,7 +30,25 @@ constexpr int kSlackFactor = 2;
 /// Request durations the live margin is computed from.
 constexpr std::size_t kRecentMax = 100;
 
+/// Files travel more slowly than variables.
+constexpr Duration kStoreDeadline = std::chrono::seconds{10};
+
 constexpr double kChannelReset = 0.0;
+
+/// Cells of the longest request the method makes while it streams.
+int longestWrite(const templates::TemplateParameters& parameters) {
+  constexpr int kWindowHeader = 3;  // count, feed, check
+  int axes = static_cast<int>(std::count(parameters.axes.begin(), parameters.axes.end(), true));
+  axes += static_cast<int>(
+      std::count(parameters.rotaryAxes.begin(), parameters.rotaryAxes.end(), true));
+  if (parameters.method == base::MethodKind::Position) {
+    return axes;
+  }
+  if (parameters.method == base::MethodKind::Signal) {
+    return axes * (parameters.pointsPerLoop / 2) + 1;
+  }
+  return axes * parameters.pointsPerLoop + kWindowHeader;
+}
 
 }  // namespace
 
@@ -46,6 +66,26 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
   m_display.push_back({opcua::VariableKind::PathFeed, 0});
   m_status.push_back({opcua::VariableKind::ChannelStatus, 0});
   m_status.push_back({opcua::VariableKind::Alarm, 0});
+  if (settings.calibration) {
+    const int nodes = longestWrite(settings.parameters);
+    m_calibratedTail = settings.calibration->tail(true, settings.grouping, nodes);
+    if (!m_calibratedTail) {
+      // A form that was not measured: lists always are.
+      m_calibratedTail = settings.calibration->tail(true, opcua::Grouping::List, nodes);
+    }
+  }
+}
+
+void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
+  if (m_display.size() <= base::kAxisCount) {
+    return;  // a method that reads the axes itself
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (axisOf[axis] >= 0) {
+      m_displayRotary.push_back(axis);
+      m_display.insert(m_display.end() - 1, {opcua::VariableKind::ActualPosition, axisOf[axis]});
+    }
+  }
 }
 
 StreamEnd Driver::run() {
@@ -103,8 +143,28 @@ void Driver::checkOrders() {
 }
 
 bool Driver::hasSlackFor(int nodes) const {
-  const Duration needed = kSlackFactor * (m_settings.accessTime * (nodes + 1));
+  const Duration needed = kSlackFactor * expectedRead(nodes + 1);
   return m_link.now() + needed < m_method.progress().nextEarliest;
+}
+
+Duration Driver::expectedRead(int nodes) const {
+  const AccessFit* fit =
+      m_settings.calibration ? m_settings.calibration->fit(false, opcua::Grouping::List) : nullptr;
+  return fit == nullptr ? m_settings.accessTime * nodes : fit->at(nodes);
+}
+
+std::optional<Duration> Driver::slowAccess() const {
+  std::optional<Duration> slow;
+  if (!m_recentAccess.empty()) {
+    std::vector<Duration> sorted(m_recentAccess.begin(), m_recentAccess.end());
+    std::sort(sorted.begin(), sorted.end());
+    slow = trace::quantile(sorted, 99);
+  }
+  // A hundredth is seen among a hundred; until then what was measured before speaks too.
+  if (m_recentAccess.size() < kRecentMax && m_calibratedTail) {
+    slow = std::max(slow.value_or(*m_calibratedTail), *m_calibratedTail);
+  }
+  return slow;
 }
 
 bool Driver::wantsStatus() const {
@@ -157,6 +217,12 @@ void Driver::submitMethod() {
   if (action->kind == Action::Kind::Read) {
     pending.nodes = static_cast<int>(action->variables.size());
     pending.id = m_link.read(action->variables, m_settings.requestDeadline, m_settings.grouping);
+  } else if (action->kind == Action::Kind::Store) {
+    pending.write = true;
+    pending.nodes = 0;
+    pending.id = m_link.store(std::string(action->name), std::string(action->text),
+                              m_settings.requestDeadline + kStoreDeadline);
+    m_counters.sent += action->points;
   } else {
     pending.write = true;
     pending.nodes = static_cast<int>(action->assignments.size());
@@ -203,7 +269,9 @@ void Driver::handle(const opcua::Event& event) {
     return;
   }
   m_sink.access({event.sent, event.at - event.sent, pending.write, pending.nodes});
-  m_recentAccess.push_back(event.at - event.sent);
+  if (pending.nodes > 0) {
+    m_recentAccess.push_back(event.at - event.sent);
+  }
   if (m_recentAccess.size() > kRecentMax) {
     m_recentAccess.pop_front();
   }
@@ -261,7 +329,7 @@ void Driver::handleMethod(const opcua::Event& event) {
   if (const std::optional<base::Vec3> position = m_method.positionMm();
       position && !event.readings.empty() && event.at >= m_nextDisplay) {
     m_nextDisplay = event.at + kDisplayInterval;
-    publish(trace::LiveSample{event.at, position, std::nullopt});
+    publish(trace::LiveSample{event.at, position, std::nullopt, {}});
   }
 }
 
@@ -281,10 +349,16 @@ void Driver::handleMonitor(const opcua::Event& event) {
     }
     return;
   }
-  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0};
+  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0, {}};
   if (event.readings.size() > base::kAxisCount) {
     sample.positionMm =
         base::Vec3{event.readings[0].number, event.readings[1].number, event.readings[2].number};
+    if (!m_displayRotary.empty()) {
+      sample.rotaryDeg.emplace();
+      for (std::size_t i = 0; i < m_displayRotary.size(); ++i) {
+        (*sample.rotaryDeg)[m_displayRotary[i]] = event.readings[base::kAxisCount + i].number;
+      }
+    }
   }
   if (const auto measured = m_detector.add(event.at, *sample.feedMmPerS)) {
     // The same stand-still may have been inferred from the handshake already.
@@ -382,10 +456,9 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
   update.counters = m_counters;
   update.sample = std::move(sample);
   const Progress& progress = m_method.progress();
-  if (!m_recentAccess.empty() && progress.lastProgress != Instant{} && !progress.allSent) {
-    std::vector<Duration> sorted(m_recentAccess.begin(), m_recentAccess.end());
-    std::sort(sorted.begin(), sorted.end());
-    update.margin = progress.nextEarliest - update.at - trace::quantile(sorted, 99);
+  const std::optional<Duration> slow = slowAccess();
+  if (slow && progress.lastProgress != Instant{} && !progress.allSent) {
+    update.margin = progress.nextEarliest - update.at - *slow;
   }
   m_lastPublished = update.at;
   m_sink.update(update);

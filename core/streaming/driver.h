@@ -8,6 +8,7 @@
 /// @threadsafety runs on the thread that calls `run`; the sink is called on that thread.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -53,6 +54,9 @@ class Driver {
   Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
          RunSink& sink, std::size_t total, opcua::Assignment stop);
 
+  /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
+  void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
+
   /// Streams until the program on the control has ended, or until nothing more can be done.
   [[nodiscard]] StreamEnd run();
 
@@ -79,6 +83,10 @@ class Driver {
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
   [[nodiscard]] bool hasSlackFor(int nodes) const;
+  /// Of one read of so many variables.
+  [[nodiscard]] base::Duration expectedRead(int nodes) const;
+  /// The 99th percentile of the accesses of late.
+  [[nodiscard]] std::optional<base::Duration> slowAccess() const;
   [[nodiscard]] bool wantsStatus() const;
   void publish(std::optional<trace::LiveSample> sample = std::nullopt);
   void publishPause(const trace::Pause& pause);
@@ -98,7 +106,8 @@ class Driver {
   std::optional<Pending> m_methodPending;
   std::optional<Pending> m_monitorPending;
   bool m_monitorIsStatus = false;
-  std::vector<opcua::Variable> m_display;  // what a display read asks for
+  std::vector<opcua::Variable> m_display;    // what a display read asks for; the feed last
+  std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
   std::vector<opcua::Variable> m_status;
   base::Instant m_nextDisplay{};
   base::Instant m_nextStatus{};
@@ -114,6 +123,7 @@ class Driver {
   std::size_t m_stopsSeen = 0;
   std::size_t m_brokenSeen = 0;
   std::deque<base::Duration> m_recentAccess;
+  std::optional<base::Duration> m_calibratedTail;  // of the longest request of the method
   StreamEnd m_end;
   bool m_done = false;
 };

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/method_kind.h"
 #include "base/result.h"
@@ -30,6 +31,8 @@
 
 namespace rivulet::streaming {
 
+struct Calibration;
+
 enum class StreamError {
   ProgramNotStreamable = 1,  ///< findings of severity error, or fewer than one point
   WrongProgram,              ///< the control does not run the expected template
@@ -44,9 +47,11 @@ enum class StreamError {
   WindowDamaged,    ///< the control refused a window that did not fit its check number
   ClientSilent,     ///< the control gave up waiting for the client (method window)
   CannotResume,     ///< where the run was left cannot be told for certain
-  Cancelled,        ///< by whoever waits for it
   TransferRefused,  ///< no right to write part programs through the server
+  Cancelled,        ///< by whoever waits for it
   NotCommissioned,  ///< method credit on a control that has not passed its test
+  AxesNotChosen,    ///< the program moves axes that are not among those to be streamed
+  AxisMissing,      ///< the control has no such axis
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -62,6 +67,7 @@ enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding };
 struct Resume {
   std::size_t point = 0;  ///< the first to be streamed, counted in that list
   base::Vec3 startMm;     ///< where the tool stood before the first run
+  base::RotaryDeg startDeg{};
 };
 
 /// What has to be known of a run of method window or credit to take it up again (`resumeFrom`).
@@ -71,6 +77,7 @@ struct Checkpoint {
   base::Vec3 startMm;          ///< where the tool stood before the first run
   bool granted = false;        ///< the control is known to have obeyed this run
   bool pausesPlaced = true;    ///< its windows were cut by `placePauses`, else evenly
+  base::RotaryDeg startDeg{};
 };
 
 /// How a run comes by its form of access.
@@ -93,6 +100,10 @@ struct RunSettings {
   base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
+  /// What access to this control was measured to cost, of this version of its server; null: it was
+  /// not. Takes the place of `accessTime`, and of the 99th percentile of the live margin while the
+  /// run has too few accesses of its own.
+  std::shared_ptr<const Calibration> calibration;
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
   /// Method credit: this control has passed the commissioning test. Nothing starts without.
   bool isCommissioned = false;

@@ -5,10 +5,12 @@
 /// talks to it over OPC UA, in real time. Pictures of every page stay in the build folder.
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -16,12 +18,14 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.h"
 #include "hmi/main_window.h"
 #include "opcua/error.h"
 #include "trace/file.h"
 #include "trace/recording.h"
+#include "widgets/calibration/calibration_page.h"
 #include "widgets/common/message_area.h"
 #include "widgets/feasibility/feasibility_page.h"
 #include "widgets/program/file_bars.h"
@@ -39,17 +43,18 @@ constexpr int kSoonMs = 20000;
 /// Bound of a run of the scorpion at the slowest feed used here, about 130 s of motion.
 constexpr int kRunMs = 300000;
 constexpr std::size_t kScorpionPoints = 270;
+constexpr int kCalibrationPage = 4;
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
 /// rivulet-machine on a free port, ended with the object.
 class MachineProcess {
  public:
-  MachineProcess() {
+  explicit MachineProcess(const char* preset = "dmu75", const QString& port = QStringLiteral("0")) {
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     m_process.start(QStringLiteral(RIVULET_MACHINE),
-                    {QStringLiteral("--port"), QStringLiteral("0"), QStringLiteral("--seed"),
-                     QStringLiteral("1")});
+                    {QStringLiteral("--port"), port, QStringLiteral("--seed"), QStringLiteral("1"),
+                     QStringLiteral("--preset"), QString::fromLatin1(preset)});
     while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
       m_process.waitForReadyRead(kSoonMs);
     }
@@ -95,9 +100,10 @@ widgets::StreamSettings streamSettings(base::MethodKind method, int points, doub
 /// A picture of the whole window on every page; blank ones fail.
 void picturePages(MainWindow& window, const QString& prefix) {
   QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
-  const QStringList names{QStringLiteral("program"), QStringLiteral("feasibility"),
-                          QStringLiteral("traces"),  QStringLiteral("template"),
-                          QStringLiteral("report"),  QStringLiteral("log")};
+  const QStringList names{QStringLiteral("program"),     QStringLiteral("feasibility"),
+                          QStringLiteral("traces"),      QStringLiteral("template"),
+                          QStringLiteral("calibration"), QStringLiteral("report"),
+                          QStringLiteral("log")};
   const int present = window.pages()->currentIndex();
   for (int page = 0; page < window.pages()->count(); ++page) {
     window.pages()->setCurrentIndex(page);
@@ -348,6 +354,112 @@ class TestMainWindow : public QObject {
     QVERIFY(banner->findChild<QPushButton*>()->isVisible());
     QTest::mouseClick(banner->findChild<QPushButton*>(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(QString::fromStdString(m_window->program()->hash) != hash, kSoonMs);
+  }
+
+  /// Cells confirmed on the page, a machine that takes its time, a file that is found again; and
+  /// not used for another version of the server.
+  void calibrates() {
+    QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+         QStringLiteral("/rivulet/calibrations"))
+        .removeRecursively();
+    m_machine = std::make_unique<MachineProcess>("dmu75-arrays");
+    auto* page = m_window->calibrationPage();
+    m_window->pages()->setCurrentIndex(kCalibrationPage);
+    streaming::CalibrationPlan plan;
+    plan.firstCell = 80;
+    plan.lastCell = 99;
+    plan.shots = 120;
+    plan.budget = std::chrono::minutes{1};
+    page->setPlan(plan);
+    const auto confirm = [page] {
+      for (QCheckBox* box : page->findChildren<QCheckBox*>()) {
+        if (box->text().contains(QStringLiteral("R80 to R99"))) {
+          box->setChecked(true);
+        }
+      }
+    };
+    const auto shows = [page](const char* text) {
+      const auto labels = page->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+        return label->isVisible() && label->text().contains(QString::fromLatin1(text));
+      });
+    };
+    confirm();
+    QVERIFY(!button(QStringLiteral("Calibrate"))->isEnabled());
+    QVERIFY(shows("Connect to a control first."));
+    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    QVERIFY(!m_window->accessSource().record);
+    const double assumedMmPerS = m_window->verdict()->feedMmPerSMax;
+    QVERIFY(button(QStringLiteral("Calibrate"))->isEnabled());
+
+    // Cancelled: the cells are free again, nothing is kept.
+    auto* messages = m_window->findChild<widgets::MessageArea*>();
+    QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
+    QVERIFY(!m_window->start());
+    auto* bar = page->findChild<QProgressBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && bar->value() > 30, kSoonMs);
+    page->cancelRequested();
+    QTRY_VERIFY_WITH_TIMEOUT(messages->text().contains(QStringLiteral("cancelled")), kSoonMs);
+    QVERIFY(!m_window->accessSource().record && !bar->isVisible());
+
+    confirm();
+    QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(shows("shots,"), kSoonMs);
+    QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/calibrating.png")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->accessSource().isUsed(), kRunMs);
+    const streaming::CalibrationRecord& record = *m_window->accessSource().record;
+    QCOMPARE(record.endpoint, m_machine->endpoint().toStdString());
+    QCOMPARE(record.server.buildNumber, std::string("dmu75-arrays"));
+    QVERIFY(record.calibration.best() == opcua::Grouping::ArrayCount);
+    for (const streaming::AccessSeries& series : record.calibration.series) {
+      QVERIFY(series.shotsMade >= 5 && series.shotsMade <= 120);
+    }
+    // A window costs as much as a cell now: the machine is kept up with at many times the feed.
+    QVERIFY(m_window->verdict()->accessMeasured);
+    QVERIFY(m_window->verdict()->feedMmPerSMax > 3.0 * assumedMmPerS);
+    picturePages(*m_window, QStringLiteral("calibrated-light-en"));
+    m_window->setLanguage(QStringLiteral("de"));
+    m_window->setTheme(widgets::Theme::Dark);
+    picturePages(*m_window, QStringLiteral("calibrated-dark-de"));
+    m_window->setLanguage(QStringLiteral("en"));
+    m_window->setTheme(widgets::Theme::Light);
+
+    // The next window finds it again.
+    const std::string measuredAt = record.measuredAtUtc;
+    const QString endpoint = m_machine->endpoint();
+    m_window = std::make_unique<MainWindow>(settings(), false);
+    m_window->show();
+    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    QVERIFY(m_window->accessSource().isUsed());
+    QCOMPARE(m_window->accessSource().record->measuredAtUtc, measuredAt);
+    QVERIFY(m_window->verdict()->accessMeasured);
+
+    // Another version at the same address: shown, not used.
+    m_machine.reset();
+    m_machine = std::make_unique<MachineProcess>("dmu75", endpoint.section(QLatin1Char(':'), -1));
+    QCOMPARE(m_machine->endpoint(), endpoint);
+    m_window = std::make_unique<MainWindow>(settings(), false);
+    m_window->show();
+    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    QVERIFY(m_window->accessSource().record && !m_window->accessSource().isUsed());
+    QVERIFY(!m_window->verdict()->accessMeasured);
+    QVERIFY(std::abs(m_window->verdict()->feedMmPerSMax / assumedMmPerS - 1.0) < 1e-9);
+    picturePages(*m_window, QStringLiteral("outdated"));
+
+    // The machine goes away in the middle: one sentence, and the page is ready again.
+    page = m_window->calibrationPage();
+    m_window->pages()->setCurrentIndex(kCalibrationPage);
+    page->setPlan(plan);
+    confirm();
+    QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
+    bar = page->findChild<QProgressBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->value() > 30, kSoonMs);
+    m_machine->kill();
+    messages = m_window->findChild<widgets::MessageArea*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), kSoonMs);
+    QVERIFY(!m_window->startBlockedReason().isEmpty());
   }
 
   /// The network cable is pulled: one clear sentence, nothing goes on by itself.

@@ -9,6 +9,7 @@
 #include "feasibility/verdict.h"
 #include "gcode/error.h"
 #include "opcua/error.h"
+#include "streaming/calibration.h"
 #include "streaming/run.h"
 #include "templates/cells.h"
 #include "trace/control_trace.h"
@@ -53,6 +54,8 @@ struct ErrorTexts {
         return tr("The feed F must be greater than zero.");
       case FeasibilityError::DeltaNotPositive:
         return tr("The distance δ must be greater than zero.");
+      case FeasibilityError::NothingKnown:
+        return tr("Nothing can be said of this method beforehand.");
       case FeasibilityError::TooFewPointsPerLoop:
         return tr("N is too small. Choose at least 2 points per loop.");
     }
@@ -124,6 +127,24 @@ struct ErrorTexts {
         return tr("A program of this name is already on the control.");
       case LinkError::TooManyItems:
         return tr("The request is larger than the server takes. Choose a smaller N.");
+    }
+    return {};
+  }
+
+  static QString text(streaming::CalibrationError code) {
+    using streaming::CalibrationError;
+    switch (code) {
+      case CalibrationError::NoCells:
+        return tr("These cells cannot be used. Choose R-parameters that exist (MD28050).");
+      case CalibrationError::ChannelBusy:
+        return tr(
+            "A program runs on the control: nothing more was measured. The cells are as they "
+            "were.");
+      case CalibrationError::Cancelled:
+        return tr("The calibration was cancelled. The cells are as they were.");
+      case CalibrationError::NotRestored:
+        return tr(
+            "The cells could not be put back and may hold test values. Set them at the control.");
     }
     return {};
   }
@@ -204,6 +225,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<opcua::LinkError>(code)) {
     return ErrorTexts::text(static_cast<opcua::LinkError>(code.value()));
+  }
+  if (belongsTo<streaming::CalibrationError>(code)) {
+    return ErrorTexts::text(static_cast<streaming::CalibrationError>(code.value()));
   }
   if (belongsTo<streaming::StreamError>(code)) {
     return ErrorTexts::text(static_cast<streaming::StreamError>(code.value()));

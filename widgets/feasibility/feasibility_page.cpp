@@ -30,12 +30,14 @@ constexpr int kButtonRoomPx = 28;  // beside the text, both sides together
 FeasibilityPage::FeasibilityPage(QWidget* parent)
     : Page(parent),
       m_hint(new StatusLabel(this)),
+      m_access(new StatusLabel(this)),
       m_simulate(new QPushButton(this)),
       m_progress(new QProgressBar(this)),
       m_cancel(new QPushButton(this)),
       m_tabs(new QTabWidget(this)),
       m_legend(new LegendStrip(this)) {
   m_hint->setWordWrap(true);
+  m_access->setWordWrap(true);
   for (const SweepAxis axis :
        {SweepAxis::PointDistance, SweepAxis::PointsPerLoop, SweepAxis::Delta}) {
     auto* chart = new RegionChart(axis, this);
@@ -49,6 +51,7 @@ FeasibilityPage::FeasibilityPage(QWidget* parent)
   layout->addWidget(m_hint);
   layout->addWidget(m_tabs, 1);
   layout->addWidget(m_legend);
+  layout->addWidget(m_access);
   m_progress->setRange(0, 100);
   for (QPushButton* button : {m_simulate, m_cancel}) {
     button->setMinimumHeight(kTouchHeightPx);
@@ -83,6 +86,7 @@ void FeasibilityPage::setModel(const FeasibilityModel& model) {
   dropStaleRegions();
   showSimulation();
   showHint();
+  showAccess();
   showLegend();
 }
 
@@ -167,6 +171,7 @@ void FeasibilityPage::retranslate() {
   }
   showSimulation();
   showHint();
+  showAccess();
   showLegend();
 }
 
@@ -175,6 +180,16 @@ void FeasibilityPage::restyle() {
     chart->restyle(palette());
   }
   showLegend();
+}
+
+void FeasibilityPage::showAccess() {
+  m_access->setVisible(m_model.has_value());
+  if (m_model) {
+    const feasibility::OperatingPoint& point = m_model->operatingPoint;
+    const AccessSourceText shown = accessSourceText(
+        m_model->source, m_model->access.timePerNode(point.method, point.pointsPerLoop));
+    m_access->setStatus(shown.status, shown.text);
+  }
 }
 
 void FeasibilityPage::showHint() {

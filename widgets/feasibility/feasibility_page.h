@@ -51,6 +51,7 @@ class FeasibilityPage final : public Page {
 
  private:
   void showHint();
+  void showAccess();
   void showLegend();
   void showSimulation();
   void dropStaleRegions();
@@ -59,6 +60,7 @@ class FeasibilityPage final : public Page {
   std::optional<int> m_percent;
   bool m_editable = true;
   StatusLabel* m_hint;
+  StatusLabel* m_access;
   QPushButton* m_simulate;
   QProgressBar* m_progress;
   QPushButton* m_cancel;

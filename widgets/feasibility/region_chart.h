@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/calibration/access_source.h"
 #include "widgets/feasibility/simulated_region.h"
 
 class QAreaSeries;
@@ -30,6 +31,7 @@ struct FeasibilityModel {
   feasibility::ProgramDistances distances;
   std::vector<double> smallestDistancesMm;  ///< of neighbouring points, ascending, at most 200
   feasibility::AccessModel access;
+  AccessSource source;  ///< of `access`, to be shown
   feasibility::SafetyFactors safety;
 };
 

@@ -112,9 +112,9 @@ PathClasses classesByFeed(const ProgramView& view) {
   return classes;
 }
 
-std::vector<float> localMargins(const ProgramView& view, const feasibility::OperatingPoint& point) {
+std::vector<float> localMargins(const ProgramView& view, const feasibility::OperatingPoint& point,
+                                const feasibility::AccessModel& access) {
   const std::vector<gcode::StreamPoint>& points = view.points.points;
-  const feasibility::AccessModel access;
   const feasibility::SafetyFactors safety;
   std::vector<float> margins(points.size(), std::numeric_limits<float>::infinity());
   if (points.size() < 2 || !(point.feedMmPerS > 0.0) || point.pointsPerLoop < 2) {
@@ -127,21 +127,22 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
   }
   // Both margins are proportional to the length: one evaluation does for all.
   double perMm = 0.0;
+  const base::Duration accessTime = access.timePerNode(point.method, point.pointsPerLoop);
   switch (point.method) {
     case base::MethodKind::Position:
-      perMm = feasibility::pointDistanceMargin(point.feedMmPerS,
-                                               feasibility::pollTime(access.accessTime).max, 1.0,
-                                               safety.pointDistance);
+      perMm = feasibility::pointDistanceMargin(
+          point.feedMmPerS, feasibility::pollTime(accessTime).max, 1.0, safety.pointDistance);
       break;
     case base::MethodKind::Signal:
-      perMm = feasibility::realWindowMargin(point.feedMmPerS, access.accessTime,
-                                            point.pointsPerLoop, 1.0, safety.window);
+      perMm = feasibility::realWindowMargin(point.feedMmPerS, accessTime, point.pointsPerLoop, 1.0,
+                                            safety.window);
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop / 2));
       break;
     case base::MethodKind::Window:
     case base::MethodKind::Credit:
-      perMm = feasibility::reachMargin(point.feedMmPerS, access.accessTime, point.pointsPerLoop,
-                                       1.0, safety.window);
+    case base::MethodKind::File:  // is not judged
+      perMm = feasibility::reachMargin(point.feedMmPerS, accessTime, point.pointsPerLoop, 1.0,
+                                       safety.window);
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop));
       break;
   }
@@ -151,14 +152,15 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
   return margins;
 }
 
-PathClasses classesByMargin(const ProgramView& view, const feasibility::OperatingPoint& point) {
+PathClasses classesByMargin(const ProgramView& view, const feasibility::OperatingPoint& point,
+                            const feasibility::AccessModel& access) {
   PathClasses classes;
   classes.colouring = PathColouring::Margin;
   classes.count = kMarginClasses;
   classes.highestWins = true;
   classes.borders = {kMarginAmple, kMarginFair, kMarginNone};
   classes.ofPoint.reserve(view.points.points.size());
-  for (const float margin : localMargins(view, point)) {
+  for (const float margin : localMargins(view, point, access)) {
     const bool keeps = static_cast<double>(margin) > kMarginNone;
     classes.ofPoint.push_back(margin >= static_cast<float>(kMarginAmple)  ? 0
                               : margin >= static_cast<float>(kMarginFair) ? 1

@@ -49,12 +49,14 @@ inline constexpr std::size_t kTimeClasses = 5;
 
 /// By the margin each move has: with the method position its own length in (1), with signal the
 /// shortest window of ⌊N/2⌋ steps it belongs to in (3), with window that of M steps in the reach.
-/// The smallest margin of moves drawn as one is shown.
+/// The smallest margin of moves drawn as one is shown. @param access  as in the verdict
 [[nodiscard]] PathClasses classesByMargin(const ProgramView& view,
-                                          const feasibility::OperatingPoint& point);
+                                          const feasibility::OperatingPoint& point,
+                                          const feasibility::AccessModel& access = {});
 /// The margins themselves; infinite for the first point, which no move of the program leads to.
 [[nodiscard]] std::vector<float> localMargins(const ProgramView& view,
-                                              const feasibility::OperatingPoint& point);
+                                              const feasibility::OperatingPoint& point,
+                                              const feasibility::AccessModel& access = {});
 
 /// @param atS  one per streamed point, ascending
 [[nodiscard]] PathClasses classesByTime(const std::vector<float>& atS);

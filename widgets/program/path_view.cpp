@@ -139,11 +139,15 @@ void PathView::setTimes(std::shared_ptr<const ProgramTimes> times) {
   setScale();
 }
 
-void PathView::setOperatingPoint(const feasibility::OperatingPoint& point) {
+void PathView::setOperatingPoint(const feasibility::OperatingPoint& point,
+                                 const feasibility::AccessModel& access) {
   const bool same = point.method == m_point.method &&
                     point.pointsPerLoop == m_point.pointsPerLoop &&
-                    point.feedMmPerS == m_point.feedMmPerS;
+                    point.feedMmPerS == m_point.feedMmPerS &&
+                    access.timePerNode(point.method, point.pointsPerLoop) ==
+                        m_access.timePerNode(point.method, point.pointsPerLoop);
   m_point = point;
+  m_access = access;
   if (!same && m_colouring == PathColouring::Margin) {
     recolour();
   }
@@ -238,7 +242,7 @@ void PathView::recolour() {
         classes = classesByFeed(*m_program);
         break;
       case PathColouring::Margin:
-        classes = classesByMargin(*m_program, m_point);
+        classes = classesByMargin(*m_program, m_point, m_access);
         break;
       case PathColouring::Time:
         // Until the times are known the path is shown as one class.

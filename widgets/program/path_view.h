@@ -36,7 +36,8 @@ class PathView final : public Page {
   /// When each point is passed; null: not known (yet).
   void setTimes(std::shared_ptr<const ProgramTimes> times);
   /// What margins are reckoned for.
-  void setOperatingPoint(const feasibility::OperatingPoint& point);
+  void setOperatingPoint(const feasibility::OperatingPoint& point,
+                         const feasibility::AccessModel& access = {});
   /// Counts in the streamed points.
   void setExecuted(std::size_t count);
   /// @param positionMm  workpiece frame; nothing hides the tool
@@ -77,6 +78,7 @@ class PathView final : public Page {
   std::shared_ptr<const ProgramView> m_program;
   std::shared_ptr<const ProgramTimes> m_times;
   feasibility::OperatingPoint m_point;
+  feasibility::AccessModel m_access;
   PathColouring m_colouring = PathColouring::Kind;
   PathClasses m_classes;  ///< without `ofPoint`
   std::vector<bool> m_present;

@@ -72,7 +72,9 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_useDelta(makeTouchButton(this)) {
   setMinimumWidth(330);
   for (const base::MethodKind method : base::kMethodKinds) {
-    m_method->addItem(QString(), static_cast<int>(method));
+    if (method != base::MethodKind::File) {  // for comparison, on the command line
+      m_method->addItem(QString(), static_cast<int>(method));
+    }
   }
   for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
     m_layout->addItem(QString(), static_cast<int>(layout));

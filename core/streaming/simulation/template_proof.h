@@ -38,7 +38,8 @@ struct TemplateProof {
 };
 
 /// @param text        the program; the client believes it to be that of `parameters`
-/// @param machine     whose number of R-parameters is set to that of `parameters`
+/// @param machine     whose number of R-parameters is set to that of `parameters`; rotary axes it
+///                    lacks are added
 /// @return the errors of `planCells`
 [[nodiscard]] base::Result<TemplateProof> proveTemplate(
     std::string_view text, const templates::TemplateParameters& parameters,

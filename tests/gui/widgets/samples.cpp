@@ -8,6 +8,8 @@
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "machine/machine.h"
+#include "streaming/simulation/simulated_link.h"
 
 namespace rivulet::test {
 
@@ -211,6 +213,21 @@ streaming::RunReport report() {
   report.programName = "POCKET_60x40.MPF";
   report.settings.feedMmPerS = base::mmPerSFromMmPerMin(500.0);
   return report;
+}
+
+std::shared_ptr<const streaming::CalibrationRecord> calibrationRecord() {
+  machine::Machine machine(machine::loadPreset("dmu75-arrays").value(), 5);
+  streaming::SimulatedLink link(machine);
+  streaming::CalibrationPlan plan;
+  plan.firstCell = 50;
+  plan.lastCell = 99;
+  plan.budget = std::chrono::minutes{2};
+  auto record = std::make_shared<streaming::CalibrationRecord>();
+  record->endpoint = "opc.tcp://127.0.0.1:4840";
+  record->server = {"urn:maker:control", "SINUMERIK OPC UA", "3.2 SP1", "117"};
+  record->measuredAtUtc = "2026-05-04T09:30:00Z";
+  record->calibration = streaming::calibrate(link, plan).value();
+  return record;
 }
 
 }  // namespace rivulet::test

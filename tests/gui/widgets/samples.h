@@ -10,6 +10,7 @@
 
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
+#include "streaming/calibration_record.h"
 #include "streaming/run.h"
 #include "trace/control_trace.h"
 #include "widgets/connection/machine_view.h"
@@ -43,6 +44,10 @@ namespace rivulet::test {
 [[nodiscard]] std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS);
 [[nodiscard]] std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace);
 [[nodiscard]] streaming::RunReport report();
+
+/// A calibration of the virtual machine in virtual time, of 50 cells, with little time for the long
+/// kinds.
+[[nodiscard]] std::shared_ptr<const streaming::CalibrationRecord> calibrationRecord();
 
 /// A simulated region that fits a model and a chart's grid; some points run, some fail.
 [[nodiscard]] widgets::SimulatedRegion simulatedRegion(const widgets::FeasibilityModel& model,

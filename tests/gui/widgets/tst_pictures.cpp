@@ -12,6 +12,7 @@
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "templates/generator.h"
+#include "widgets/calibration/calibration_page.h"
 #include "widgets/common/log_view.h"
 #include "widgets/common/message_area.h"
 #include "widgets/common/theme.h"
@@ -186,6 +187,39 @@ std::unique_ptr<QWidget> templatePage() {
   return page;
 }
 
+enum class Calibrated { Never, Now, Outdated, Busy, Spread };
+
+std::unique_ptr<QWidget> calibrationPage(Calibrated state) {
+  auto page = std::make_unique<CalibrationPage>();
+  if (state != Calibrated::Never) {
+    page->setRecord(test::calibrationRecord(), state == Calibrated::Outdated);
+  }
+  if (state == Calibrated::Outdated) {
+    page->setBlocked(QStringLiteral("R50: MD28050"));
+  } else if (state == Calibrated::Busy) {
+    streaming::CalibrationProgress progress;
+    progress.phase = streaming::CalibrationProgress::Phase::Shots;
+    progress.share = 0.37;
+    progress.left = std::chrono::seconds{341};
+    progress.shotsMade = 5231;
+    progress.shotsPlanned = 14'200;
+    page->setProgress(progress);
+  } else if (state == Calibrated::Spread) {
+    page->showSpread(3);
+  }
+  return page;
+}
+
+std::unique_ptr<QWidget> calibratedRegion() {
+  auto page = std::make_unique<FeasibilityPage>();
+  FeasibilityModel model = test::feasibilityModel(base::MethodKind::Window, 1500.0);
+  model.source = {test::calibrationRecord(), false, opcua::Grouping::ArrayCount, 24};
+  model.access.measured = feasibility::MeasuredAccess{{std::chrono::microseconds{5150}, {}},
+                                                      {std::chrono::microseconds{5600}, {}}};
+  page->setModel(model);
+  return page;
+}
+
 std::unique_ptr<QWidget> logView() {
   auto view = std::make_unique<LogView>();
   const QDateTime at(QDate(2026, 3, 4), QTime(9, 15, 2, 125));
@@ -272,6 +306,12 @@ std::vector<Sample> samples() {
       {"trace_live", {1000, 640}, [] { return tracePage(false); }},
       {"trace_control", {1000, 640}, [] { return tracePage(true); }},
       {"template", {900, 560}, [] { return templatePage(); }},
+      {"calibration_never", {780, 640}, [] { return calibrationPage(Calibrated::Never); }},
+      {"calibration_lines", {780, 640}, [] { return calibrationPage(Calibrated::Now); }},
+      {"calibration_spread", {780, 640}, [] { return calibrationPage(Calibrated::Spread); }},
+      {"calibration_busy", {780, 640}, [] { return calibrationPage(Calibrated::Busy); }},
+      {"calibration_outdated", {780, 640}, [] { return calibrationPage(Calibrated::Outdated); }},
+      {"feasibility_calibrated", {900, 600}, [] { return calibratedRegion(); }},
       {"report", {700, 520}, [] { return reportPanel(false); }},
       {"report_faulty", {700, 520}, [] { return reportPanel(true); }},
       {"log", {800, 300}, [] { return logView(); }},

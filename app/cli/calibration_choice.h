@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Which calibration a command goes by, and what it says about it. @threadsafety main thread.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "cli/connection.h"
+#include "feasibility/access_model.h"
+#include "feasibility/verdict.h"
+#include "streaming/calibration_record.h"
+
+namespace rivulet::cli {
+
+/// A calibration of the machine at hand, or why there is none.
+struct CalibrationChoice {
+  std::optional<streaming::CalibrationRecord> record;
+  bool outdated = false;    ///< of another version of the server: not to be used
+  std::string unreadable;   ///< why the machine's file cannot be used; empty: it can
+  std::string otherServer;  ///< what the server says of itself now, where `outdated`
+
+  /// Null where there is none that holds.
+  [[nodiscard]] const streaming::CalibrationRecord* usable() const;
+};
+
+/// The file of the machine, as `calibrate` has left it. @return what the server's answer says
+[[nodiscard]] base::Result<CalibrationChoice> calibrationOf(const Connection& connection);
+
+/// The form a run of this method uses where it may choose.
+[[nodiscard]] opcua::Grouping formOf(base::MethodKind method,
+                                     const streaming::Calibration& calibration);
+
+/// "calibrated on 2026-05-04T09:30:00Z …", "assumed [P1]: 4.3 ms per cell".
+[[nodiscard]] std::string accessSourceText(const CalibrationChoice& choice, opcua::Grouping form,
+                                           const feasibility::Verdict& verdict);
+[[nodiscard]] nlohmann::ordered_json accessSourceJson(const CalibrationChoice& choice,
+                                                      opcua::Grouping form,
+                                                      const feasibility::Verdict& verdict);
+
+/// The present time, "2026-05-04T09:30:00Z".
+[[nodiscard]] std::string utcNow();
+
+}  // namespace rivulet::cli

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What access to the control is taken to cost: the one figure of [P1], or what was measured.
+/// @threadsafety pure.
+#pragma once
+
+#include <optional>
+
+#include "base/instant.h"
+#include "base/method_kind.h"
+
+namespace rivulet::feasibility {
+
+/// Duration of a request with n cells: a + b·n.
+struct AccessLine {
+  base::Duration overhead{};  ///< a
+  base::Duration perNode{};   ///< b, per cell; of an array that costs as much as one cell: zero
+  /// Never below a microsecond: a fitted line may go through zero where nothing was measured.
+  [[nodiscard]] base::Duration of(int nodes) const;
+};
+
+/// Of the form of access a run uses (a list, arrays, one by one).
+struct MeasuredAccess {
+  AccessLine read;
+  AccessLine write;
+};
+
+struct AccessModel {
+  base::Duration accessTime = std::chrono::microseconds{4300};  ///< [P1] Table I, per node
+  /// A calibration of the control; takes the place of `accessTime`.
+  std::optional<MeasuredAccess> measured = std::nullopt;
+
+  /// t of the equations. Assumed: `accessTime`. Measured: what the requests of one turn of the
+  /// client take, divided by the number of their cells, so that each equation, which multiplies t
+  /// by that number, has just the measured time of the turn in it:
+  ///
+  /// | method   | one turn                                   | cells     | t                      |
+  /// |----------|--------------------------------------------|-----------|------------------------|
+  /// | position | read X Y Z, write X Y Z                    | 6         | (r(3) + w(3)) / 6      |
+  /// | signal   | read the signal, write half a loop         | 3⌊N/2⌋+1  | (r(1) + w(3⌊N/2⌋)) / … |
+  /// | window   | write a window, write its number, look on  | 3N+5      | (w(3N+3)+w(1)+r(1)) / …|
+  ///
+  /// Method credit is as method window, but looks at two cells: r(2).
+  /// r(n), w(n) = a + b·n of reads and writes. With a = 0 and b = t for both, t comes out: [P1] is
+  /// the special case. With arrays that cost as much as one cell (b = 0) the time for a window is
+  /// 2·a_w + a_r, whatever N is, so that the reach grows with N.
+  /// @param pointsPerLoop  N >= 2 (method window: >= 1)
+  /// @deviation [P1] charges each cell the same and has no overhead per request. Of method position
+  /// it is the longer turn; the shorter, three reads, is taken as half of it, as in [P1].
+  [[nodiscard]] base::Duration timePerNode(base::MethodKind method, int pointsPerLoop) const;
+};
+
+}  // namespace rivulet::feasibility

@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/calibration/calibration_page.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "feasibility/access_model.h"
+#include "widgets/calibration/calibration_charts.h"
+#include "widgets/calibration/calibration_models.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/table_style.h"
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kButtonRoomPx = 28;  // beside the text, both sides together
+constexpr int kCellMax = 9999;
+constexpr int kFirstCell = 50;
+constexpr int kLastCell = 99;
+constexpr int kShotsMax = 100'000;
+constexpr int kMinutesMax = 600;
+constexpr int kMinutes = 10;
+
+/// Rows of a calibration are many: those in sight are enough to size the columns by.
+QTableView* makeTable(QAbstractItemModel* model, QWidget* parent) {
+  auto* table = new QTableView(parent);
+  styleTable(table);
+  table->setModel(model);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  return table;
+}
+
+}  // namespace
+
+CalibrationPage::CalibrationPage(QWidget* parent)
+    : Page(parent),
+      m_cellsName(new QLabel(this)),
+      m_firstCell(new QSpinBox(this)),
+      m_to(new QLabel(this)),
+      m_lastCell(new QSpinBox(this)),
+      m_shotsName(new QLabel(this)),
+      m_shots(new QSpinBox(this)),
+      m_budgetName(new QLabel(this)),
+      m_budget(new QSpinBox(this)),
+      m_arrays(new QCheckBox(this)),
+      m_confirm(new QCheckBox(this)),
+      m_start(makeTouchButton(this)),
+      m_progress(new QProgressBar(this)),
+      m_cancel(makeTouchButton(this)),
+      m_hint(new StatusLabel(this)),
+      m_state(new StatusLabel(this)),
+      m_tabs(new QTabWidget(this)),
+      m_lines(new LinesChart(this)),
+      m_linesLegend(new LegendStrip(this)),
+      m_fits(new FitModel(this)),
+      m_series(new SeriesModel(this)),
+      m_histogram(new HistogramChart(this)),
+      m_histogramLegend(new LegendStrip(this)) {
+  for (QSpinBox* cell : {m_firstCell, m_lastCell}) {
+    cell->setRange(0, kCellMax);
+    cell->setPrefix(QStringLiteral("R"));
+  }
+  m_firstCell->setValue(kFirstCell);
+  m_lastCell->setValue(kLastCell);
+  m_shots->setRange(2, kShotsMax);
+  m_shots->setValue(streaming::CalibrationPlan{}.shots);
+  m_budget->setRange(0, kMinutesMax);
+  m_budget->setValue(kMinutes);
+  m_arrays->setChecked(true);
+  m_progress->setRange(0, 1000);
+  m_hint->setWordWrap(true);
+  m_state->setWordWrap(true);
+
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(8);
+  for (QWidget* widget : {static_cast<QWidget*>(m_cellsName), static_cast<QWidget*>(m_firstCell),
+                          static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_lastCell)}) {
+    choices->addWidget(widget);
+  }
+  choices->addSpacing(16);
+  choices->addWidget(m_shotsName);
+  choices->addWidget(m_shots);
+  choices->addSpacing(16);
+  choices->addWidget(m_budgetName);
+  choices->addWidget(m_budget);
+  choices->addStretch();
+  auto* actions = new QHBoxLayout;
+  actions->addWidget(m_start);
+  actions->addWidget(m_progress, 1);
+  actions->addWidget(m_cancel);
+  actions->addSpacing(8);
+  actions->addWidget(m_hint, 2);
+
+  auto* linesPage = new QWidget(this);
+  auto* lines = new QVBoxLayout(linesPage);
+  lines->setContentsMargins(0, 6, 0, 0);
+  lines->addWidget(m_lines, 3);
+  lines->addWidget(m_linesLegend);
+  m_fitTable = makeTable(m_fits, this);
+  lines->addWidget(m_fitTable, 2);
+  auto* spreadPage = new QWidget(this);
+  auto* spread = new QVBoxLayout(spreadPage);
+  spread->setContentsMargins(0, 6, 0, 0);
+  m_seriesTable = makeTable(m_series, this);
+  spread->addWidget(m_seriesTable, 3);
+  spread->addWidget(m_histogram, 3);
+  spread->addWidget(m_histogramLegend);
+  m_tabs->addTab(linesPage, QString());
+  m_tabs->addTab(spreadPage, QString());
+  m_tabs->setDocumentMode(true);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(choices);
+  layout->addWidget(m_arrays);
+  layout->addWidget(m_confirm);
+  layout->addLayout(actions);
+  layout->addWidget(m_state);
+  layout->addWidget(m_tabs, 1);
+
+  for (QSpinBox* cell : {m_firstCell, m_lastCell}) {
+    connect(cell, &QSpinBox::valueChanged, this, &CalibrationPage::cellsChanged);
+  }
+  for (QSpinBox* figure : {m_shots, m_budget}) {
+    connect(figure, &QSpinBox::valueChanged, this, &CalibrationPage::refresh);
+  }
+  connect(m_arrays, &QCheckBox::toggled, this, &CalibrationPage::refresh);
+  connect(m_confirm, &QCheckBox::toggled, this, &CalibrationPage::refresh);
+  connect(m_start, &QPushButton::clicked, this, [this] {
+    const streaming::CalibrationPlan chosen = plan();
+    m_confirm->setChecked(false);  // once: the next time somebody else may use them
+    Q_EMIT calibrationRequested(chosen);
+  });
+  connect(m_cancel, &QPushButton::clicked, this, &CalibrationPage::cancelRequested);
+  connect(m_seriesTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &CalibrationPage::showSelected);
+  retranslate();
+  restyle();
+}
+
+void CalibrationPage::setBlocked(const QString& reason) {
+  if (m_blocked != reason) {
+    m_blocked = reason;
+    refresh();
+  }
+}
+
+void CalibrationPage::setRecord(std::shared_ptr<const streaming::CalibrationRecord> record,
+                                bool outdated) {
+  m_record = std::move(record);
+  m_outdated = outdated;
+  const streaming::Calibration* calibration = m_record ? &m_record->calibration : nullptr;
+  m_lines->setCalibration(calibration);
+  m_fits->setFits(calibration != nullptr ? calibration->fits : std::vector<streaming::AccessFit>{});
+  m_series->setSeries(
+      calibration != nullptr ? calibration->series : std::vector<streaming::AccessSeries>{},
+      calibration != nullptr ? calibration->plan.shots : 0);
+  if (m_series->rowCount() > 0) {
+    m_seriesTable->selectRow(0);
+  }
+  showSelected();
+  refresh();
+}
+
+void CalibrationPage::setProgress(const std::optional<streaming::CalibrationProgress>& progress) {
+  m_progressShown = progress;
+  refresh();
+}
+
+streaming::CalibrationPlan CalibrationPage::plan() const {
+  streaming::CalibrationPlan plan;
+  plan.firstCell = m_firstCell->value();
+  plan.lastCell = m_lastCell->value();
+  plan.shots = m_shots->value();
+  plan.budget = std::chrono::minutes{m_budget->value()};
+  plan.arrays = m_arrays->isChecked();
+  return plan;
+}
+
+void CalibrationPage::setPlan(const streaming::CalibrationPlan& plan) {
+  m_firstCell->setValue(plan.firstCell);
+  m_lastCell->setValue(plan.lastCell);
+  m_shots->setValue(plan.shots);
+  m_budget->setValue(
+      static_cast<int>(std::chrono::ceil<std::chrono::minutes>(plan.budget).count()));
+  m_arrays->setChecked(plan.arrays);
+}
+
+void CalibrationPage::showSpread(int row) {
+  m_tabs->setCurrentIndex(1);
+  m_seriesTable->selectRow(row);
+}
+
+/// Other cells are not confirmed.
+void CalibrationPage::cellsChanged() {
+  m_confirm->setChecked(false);
+  retranslate();
+}
+
+void CalibrationPage::showSelected() {
+  const int row = m_seriesTable->currentIndex().row();
+  m_histogram->setSeries(
+      row < 0 || row >= m_series->rowCount() ? std::nullopt : std::optional(m_series->series(row)));
+  showLegends();
+}
+
+void CalibrationPage::retranslate() {
+  m_cellsName->setText(tr("Cells"));
+  m_to->setText(tr("to"));
+  m_shotsName->setText(tr("Shots of each kind"));
+  m_budgetName->setText(tr("Time at most"));
+  m_budget->setSuffix(QStringLiteral(" min"));
+  m_budget->setSpecialValueText(tr("any"));
+  m_arrays->setText(tr("Arrays too: to prove them, other values are in the cells for a moment"));
+  m_confirm->setText(
+      tr("No program, cycle or other client uses R%1 to R%2: they may be written")
+          .arg(QString::number(m_firstCell->value()), QString::number(m_lastCell->value())));
+  m_start->setText(tr("Calibrate"));
+  m_cancel->setText(tr("Cancel"));
+  for (QPushButton* button : {m_start, m_cancel}) {
+    button->setMinimumWidth(button->sizeHint().width() + kButtonRoomPx);
+  }
+  m_tabs->setTabText(0, tr("Lines"));
+  m_tabs->setTabText(1, tr("Spread (times in ms)"));
+  m_fits->retranslate();
+  m_series->retranslate();
+  m_lines->retranslate();
+  m_histogram->retranslate();
+  refresh();
+  showLegends();
+}
+
+void CalibrationPage::restyle() {
+  m_lines->restyle(palette());
+  m_histogram->restyle(palette());
+  showLegends();
+}
+
+void CalibrationPage::showLegends() {
+  m_linesLegend->setEntries(m_lines->legend());
+  m_histogramLegend->setEntries(m_histogram->legend());
+}
+
+void CalibrationPage::refresh() {
+  const bool busy = m_progressShown.has_value();
+  const bool range = m_lastCell->value() >= m_firstCell->value();
+  m_start->setVisible(!busy);
+  m_start->setEnabled(m_blocked.isEmpty() && range && m_confirm->isChecked());
+  m_progress->setVisible(busy);
+  m_cancel->setVisible(busy);
+  for (QWidget* widget : {static_cast<QWidget*>(m_firstCell), static_cast<QWidget*>(m_lastCell),
+                          static_cast<QWidget*>(m_shots), static_cast<QWidget*>(m_budget),
+                          static_cast<QWidget*>(m_arrays), static_cast<QWidget*>(m_confirm)}) {
+    widget->setEnabled(!busy);
+  }
+  showState();
+  if (busy) {
+    using Phase = streaming::CalibrationProgress::Phase;
+    const streaming::CalibrationProgress& progress = *m_progressShown;
+    m_progress->setValue(static_cast<int>(std::lround(1000.0 * progress.share)));
+    const QString left = tr("%1 left").arg(durationText(base::toSeconds(progress.left)));
+    switch (progress.phase) {
+      case Phase::Forms:
+        m_hint->setStatus(Status::Busy, tr("Which forms of access work …"));
+        break;
+      case Phase::First:
+        m_hint->setStatus(Status::Busy, tr("A first look at each kind …"));
+        break;
+      case Phase::Shots:
+        m_hint->setStatus(
+            Status::Busy,
+            tr("%1 of %2 shots, %3")
+                .arg(countText(static_cast<std::size_t>(progress.shotsMade)),
+                     countText(static_cast<std::size_t>(progress.shotsPlanned)), left));
+        break;
+      case Phase::Restore:
+        m_hint->setStatus(Status::Busy, tr("Putting the cells back …"));
+        break;
+    }
+    return;
+  }
+  if (!m_blocked.isEmpty()) {
+    m_hint->setStatus(Status::Attention, m_blocked);
+  } else if (!range) {
+    m_hint->setStatus(Status::Attention, tr("The last cell lies before the first."));
+  } else {
+    const base::Duration expected =
+        streaming::expectedDuration(plan(), m_record ? &m_record->calibration : nullptr);
+    const QString takes = tr("Takes about %1.").arg(durationText(base::toSeconds(expected)));
+    m_hint->setStatus(Status::Plain,
+                      m_confirm->isChecked()
+                          ? takes
+                          : takes + QLatin1Char(' ') + tr("Confirm the cells to begin."));
+  }
+}
+
+void CalibrationPage::showState() {
+  if (!m_record) {
+    m_state->setStatus(Status::Unknown,
+                       tr("This machine is not calibrated: %1 per cell is assumed, as in [P1].")
+                           .arg(millisecondsText(feasibility::AccessModel{}.accessTime)));
+    return;
+  }
+  const streaming::Calibration& calibration = m_record->calibration;
+  const QString what = tr("%1, %2, R%3 to R%4, took %5")
+                           .arg(dateText(m_record->measuredAtUtc), serverText(m_record->server),
+                                QString::number(calibration.plan.firstCell),
+                                QString::number(calibration.plan.lastCell),
+                                durationText(base::toSeconds(calibration.took)));
+  if (m_outdated) {
+    m_state->setStatus(Status::Attention,
+                       tr("Outdated, not used: the server is another version now. %1").arg(what));
+    return;
+  }
+  QString text = tr("Calibrated: %1.").arg(what);
+  if (calibration.isCut()) {
+    text += QLatin1Char(' ') + tr("Not all shots fitted the time: fewer are bold in the table.");
+  }
+  m_state->setStatus(Status::Good, text);
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Measuring what access to the control costs: which cells, how long it will take, how far it is,
+/// and what came out, now or earlier. @threadsafety GUI thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "streaming/calibration_record.h"
+#include "widgets/calibration/access_source.h"
+#include "widgets/common/page.h"
+
+class QCheckBox;
+class QGroupBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTableView;
+class QTabWidget;
+
+namespace rivulet::widgets {
+
+class FitModel;
+class HistogramChart;
+class LegendStrip;
+class LinesChart;
+class SeriesModel;
+
+class CalibrationPage final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit CalibrationPage(QWidget* parent = nullptr);
+
+  /// @param reason  why no calibration can be made now; empty: it can
+  void setBlocked(const QString& reason);
+  /// What was measured on this machine, now or earlier; null: nothing.
+  void setRecord(std::shared_ptr<const streaming::CalibrationRecord> record, bool outdated);
+  /// @param progress  of the calibration under way; none: there is none
+  void setProgress(const std::optional<streaming::CalibrationProgress>& progress);
+  /// What the operator has chosen. The cells are confirmed only with the signal.
+  [[nodiscard]] streaming::CalibrationPlan plan() const;
+  void setPlan(const streaming::CalibrationPlan& plan);
+  /// Shows the spread of a kind in place of the lines. @param row  of the table
+  void showSpread(int row);
+
+ Q_SIGNALS:
+  /// The cells were named and confirmed.
+  void calibrationRequested(const rivulet::streaming::CalibrationPlan& plan);
+  void cancelRequested();
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  void cellsChanged();
+  void showSelected();
+  void refresh();
+  void showState();
+  void showLegends();
+
+  QString m_blocked;
+  std::shared_ptr<const streaming::CalibrationRecord> m_record;
+  bool m_outdated = false;
+  std::optional<streaming::CalibrationProgress> m_progressShown;
+
+  QLabel* m_cellsName;
+  QSpinBox* m_firstCell;
+  QLabel* m_to;
+  QSpinBox* m_lastCell;
+  QLabel* m_shotsName;
+  QSpinBox* m_shots;
+  QLabel* m_budgetName;
+  QSpinBox* m_budget;
+  QCheckBox* m_arrays;
+  QCheckBox* m_confirm;
+  QPushButton* m_start;
+  QProgressBar* m_progress;
+  QPushButton* m_cancel;
+  StatusLabel* m_hint;
+  StatusLabel* m_state;
+  QTabWidget* m_tabs;
+  LinesChart* m_lines;
+  LegendStrip* m_linesLegend;
+  QTableView* m_fitTable;
+  FitModel* m_fits;
+  QTableView* m_seriesTable;
+  SeriesModel* m_series;
+  HistogramChart* m_histogram;
+  LegendStrip* m_histogramLegend;
+};
+
+}  // namespace rivulet::widgets
