@@ -191,10 +191,6 @@
         <translation>%1 fährt in Maschinenkoordinaten, deren Lage im Werkstück unbekannt ist: Die Bewegung wird ausgelassen.</translation>
     </message>
     <message>
-        <source>%1 turns on the path: the points carry it, but no streaming method sends more than X, Y and Z.</source>
-        <translation>%1 dreht auf der Bahn: Die Punkte tragen es, aber kein Verfahren sendet mehr als X, Y und Z.</translation>
-    </message>
-    <message>
         <source>The file holds bytes that no NC text has: choose a text file, not an archive or a picture.</source>
         <translation>Die Datei enthält Bytes, die kein NC-Text hat: eine Textdatei wählen, kein Archiv oder Bild.</translation>
     </message>
@@ -209,6 +205,18 @@
     <message>
         <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
         <translation>Das Programm bewegt keine Achse: Es gibt nichts zu streamen. Ein Programm mit G0, G1, G2 oder G3 und X, Y oder Z wählen.</translation>
+    </message>
+    <message>
+        <source>%1 turns on the path: only method window streams it, with this axis among those chosen.</source>
+        <translation>%1 dreht auf der Bahn: nur die Methode window streamt das, mit dieser Achse unter den gewählten.</translation>
+    </message>
+    <message>
+        <source>%1 makes X, Y and Z those of the tool&apos;s tip while rotary axes turn, and no method switches it on at the control. Have the program written for the axes.</source>
+        <translation>%1 macht X, Y und Z zu denen der Werkzeugspitze, während Rundachsen drehen, und keine Methode schaltet das an der Steuerung ein. Das Programm für die Achsen ausgeben lassen.</translation>
+    </message>
+    <message>
+        <source>%1 give the direction of the tool: the points carry it, but only the control could make rotary axes of it. Have the program written with A, B or C.</source>
+        <translation>%1 geben die Richtung des Werkzeugs an: die Punkte tragen sie, aber nur die Steuerung könnte daraus Rundachsen machen. Das Programm mit A, B oder C ausgeben lassen.</translation>
     </message>
 </context>
 <context>
@@ -412,6 +420,57 @@
     <message>
         <source>The cells could not be put back and may hold test values. Set them at the control.</source>
         <translation>Die Zellen konnten nicht zurückgesetzt werden und enthalten vielleicht Testwerte. Setzen Sie sie an der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Only method window streams rotary axes. Choose it.</source>
+        <translation>Nur die Methode window streamt Rundachsen. Diese wählen.</translation>
+    </message>
+    <message>
+        <source>Too many axes. Choose at most five.</source>
+        <translation>Zu viele Achsen. Höchstens fünf wählen.</translation>
+    </message>
+    <message>
+        <source>These are no axes. Choose from X, Y, Z, A, B and C.</source>
+        <translation>Das sind keine Achsen. Aus X, Y, Z, A, B und C wählen.</translation>
+    </message>
+    <message>
+        <source>The program needs an axis that is not streamed. Bring it to where the program wants it, or choose it.</source>
+        <translation>Das Programm braucht eine Achse, die nicht gestreamt wird. Sie dorthin bringen, wo das Programm sie haben will, oder sie wählen.</translation>
+    </message>
+    <message>
+        <source>The control lacks an axis the program turns. Use a program for its axes.</source>
+        <translation>Der Steuerung fehlt eine Achse, die das Programm dreht. Ein Programm für ihre Achsen verwenden.</translation>
+    </message>
+    <message>
+        <source>Nothing can be said of this method beforehand.</source>
+        <translation>Über dieses Verfahren lässt sich vorher nichts sagen.</translation>
+    </message>
+    <message>
+        <source>The test was broken off. Reset the control if its program still runs.</source>
+        <translation>Der Test wurde abgebrochen. Setzen Sie die Steuerung zurück, falls ihr Programm noch läuft.</translation>
+    </message>
+    <message>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
+        <translation>Die Methode Kredit ist experimentell und startet nur an einer Steuerung, die ihren Test bestanden hat. Führen Sie rivulet-cli commission für diese Steuerung aus, oder wählen Sie die Methode Fenster.</translation>
+    </message>
+</context>
+<context>
+    <name>GroupingTexts</name>
+    <message>
+        <source>Lists</source>
+        <translation>Listen</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Arrays by count</source>
+        <translation>Felder nach Anzahl</translation>
+    </message>
+    <message>
+        <source>Arrays by range</source>
+        <translation>Felder nach Bereich</translation>
     </message>
 </context>
 <context>
@@ -687,14 +746,6 @@ GPL-3.0-or-later</translation>
         <translation>Programm: %1, Fassung %2</translation>
     </message>
     <message>
-        <source>%1 turns rotary axes on the path. No method streams them.</source>
-        <translation>%1 dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
-    </message>
-    <message>
-        <source>The program turns rotary axes on the path. No method streams them.</source>
-        <translation>Das Programm dreht Rundachsen auf der Bahn. Kein Verfahren streamt sie.</translation>
-    </message>
-    <message>
         <source>%1 moves no axis: there is nothing to stream.</source>
         <translation>%1 bewegt keine Achse: Es gibt nichts zu streamen.</translation>
     </message>
@@ -721,6 +772,58 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The calibration is of another version of the server and not used.</source>
         <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 needs a transformation of the control. No method streams it.</source>
+        <translation>%1 braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+    </message>
+    <message>
+        <source>The program needs a transformation of the control. No method streams it.</source>
+        <translation>Das Programm braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+    </message>
+    <message>
+        <source>The program turns rotary axes: choose method window.</source>
+        <translation>Das Programm dreht Rundachsen: Methode window wählen.</translation>
+    </message>
+    <message>
+        <source>The program turns %1, and the control does not have all of these axes.</source>
+        <translation>Das Programm dreht %1, und die Steuerung hat nicht alle diese Achsen.</translation>
+    </message>
+    <message>
+        <source>No run of method window was left.</source>
+        <translation>Kein Lauf des Verfahrens Fenster ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Only method window goes on where a run was left.</source>
+        <translation>Nur das Verfahren Fenster kann einen unterbrochenen Lauf fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The control is asked where the run was left.</source>
+        <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde.</translation>
+    </message>
+    <message>
+        <source>Hold ordered.</source>
+        <translation>Halt angewiesen.</translation>
+    </message>
+    <message>
+        <source>Continue ordered.</source>
+        <translation>Weiter angewiesen.</translation>
+    </message>
+    <message>
+        <source>The run was left in front of point %1 of %2.</source>
+        <translation>Der Lauf wurde vor Punkt %1 von %2 unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Resume first asks the control.</source>
+        <translation>Fortsetzen fragt zuerst die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The run goes on at point %1.</source>
+        <translation>Der Lauf geht bei Punkt %1 weiter.</translation>
+    </message>
+    <message>
+        <source>Access: %1.</source>
+        <translation>Zugriff: %1.</translation>
     </message>
 </context>
 <context>
@@ -1484,16 +1587,8 @@ GPL-3.0-or-later</translation>
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced.</source>
-        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf.</translation>
-    </message>
-    <message>
         <source>N (points per window)</source>
         <translation>N (Punkte je Fenster)</translation>
-    </message>
-    <message>
-        <source>Method window has a layout of its own</source>
-        <translation>Die Methode Fenster hat eine eigene Belegung</translation>
     </message>
     <message>
         <source>This method does not use δ: it watches a cell, not the tool</source>
@@ -1518,6 +1613,78 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 × (waits below 1)</source>
         <translation>%1 × (wartet unter 1)</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Kredit (experimentell)</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: as window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
+        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test von rivulet-cli commission bestanden hat.</translation>
+    </message>
+    <message>
+        <source>Windows have a layout of their own</source>
+        <translation>Fenster haben eine eigene Belegung</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation type="unfinished">Zugriff</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Arrays, or no start</source>
+        <translation>Felder, sonst kein Start</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listen</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation type="unfinished">Pausen</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Places where the axes will stand for a moment. Off the cut is behind a rapid or a retract, or at a sharp corner; the path shows them.</source>
+        <translation>Stellen, an denen die Achsen kurz stehen werden. Außerhalb des Schnitts heißt: hinter einem Eilgang oder Rückzug oder an einer scharfen Ecke; die Bahn zeigt sie.</translation>
+    </message>
+    <message>
+        <source>They cost</source>
+        <translation>Sie kosten</translation>
+    </message>
+    <message>
+        <source>Standing, braking and accelerating, computed with the axes of the virtual machine</source>
+        <translation>Stehen, Bremsen und Beschleunigen, berechnet mit den Achsen der virtuellen Maschine</translation>
+    </message>
+    <message>
+        <source>Automatic: before anything moves, the best form of access is proved on the control and used. The report names it.</source>
+        <translation>Automatisch: Bevor sich etwas bewegt, wird die beste Form des Zugriffs an der Steuerung erprobt und verwendet. Der Bericht nennt sie.</translation>
+    </message>
+    <message>
+        <source>Automatic: lists, as this method was published. Arrays need the contiguous layout.</source>
+        <translation>Automatisch: Listen, wie dieses Verfahren veröffentlicht wurde. Felder brauchen dichte Zellen.</translation>
+    </message>
+    <message>
+        <source>%1, of them %2 in the cut</source>
+        <translation>%1, davon %2 im Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished">%1 von %2</translation>
+    </message>
+    <message>
+        <source>being computed …</source>
+        <translation type="unfinished">wird berechnet …</translation>
     </message>
 </context>
 <context>
@@ -1629,6 +1796,38 @@ GPL-3.0-or-later</translation>
     <message>
         <source>to %1</source>
         <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation type="unfinished">Pausen</translation>
+    </message>
+    <message>
+        <source>Mark where the run will pause</source>
+        <translation>Zeigt, wo der Lauf Pausen machen wird</translation>
+    </message>
+    <message>
+        <source>Pause off the cut, behind point %1, line %2</source>
+        <translation>Pause außerhalb des Schnitts, hinter Punkt %1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>Pause in the cut, behind point %1, line %2</source>
+        <translation>Pause im Schnitt, hinter Punkt %1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 pauses off the cut</source>
+        <translation>%1 Pausen außerhalb des Schnitts</translation>
+    </message>
+    <message>
+        <source>%1 in the cut</source>
+        <translation>%1 im Schnitt</translation>
+    </message>
+    <message>
+        <source>then a pause in the cut</source>
+        <translation>dann eine Pause im Schnitt</translation>
+    </message>
+    <message>
+        <source>then a pause off the cut</source>
+        <translation>dann eine Pause außerhalb des Schnitts</translation>
     </message>
 </context>
 <context>
@@ -1840,10 +2039,6 @@ GPL-3.0-or-later</translation>
         <translation>%1 ohne Pausen</translation>
     </message>
     <message>
-        <source>%1 with %2 pauses, of which %3 standing</source>
-        <translation>%1 mit %2 Pausen, davon %3 Stillstand</translation>
-    </message>
-    <message>
         <source>as detected</source>
         <translation>wie erkannt</translation>
     </message>
@@ -1896,10 +2091,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Berechnet mit den Achsen von %1</translation>
     </message>
     <message>
-        <source>Cannot be streamed: rotary axes turn on the path.</source>
-        <translation>Nicht streambar: Rundachsen drehen auf der Bahn.</translation>
-    </message>
-    <message>
         <source>I, J, K are read as the centre itself</source>
         <translation>I, J, K gelten als Mittelpunkt selbst</translation>
     </message>
@@ -1918,6 +2109,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Cannot be streamed: no axis moves.</source>
         <translation>Nicht streambar: Keine Achse bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: it needs a transformation of the control.</source>
+        <translation>Kann nicht gestreamt werden: braucht eine Transformation der Steuerung.</translation>
+    </message>
+    <message>
+        <source>%1 with %2 pauses, which cost %3</source>
+        <translation>%1 mit %2 Pausen, die %3 kosten</translation>
     </message>
 </context>
 <context>
@@ -2092,6 +2291,53 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Kredit (experimentell)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation type="unfinished">Form</translation>
+    </message>
+    <message>
+        <source>%1, from point %2 on</source>
+        <translation>%1, ab Punkt %2</translation>
+    </message>
+    <message>
+        <source>%1 (proved)</source>
+        <translation>%1 (erprobt)</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResumeBar</name>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The control is asked where the run was left …</source>
+        <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde …</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run goes on at point %1 of %2, line %3: %4.</source>
+        <translation>Noch bewegt sich nichts. Der Lauf geht bei Punkt %1 von %2 weiter, Zeile %3: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>Das Werkzeug fährt zuerst %1 geradeaus zu diesem Punkt.</translation>
+    </message>
+    <message>
+        <source>Go on at point %1</source>
+        <translation>Weiter bei Punkt %1</translation>
+    </message>
+    <message>
+        <source>The run cannot be resumed: %1</source>
+        <translation>Der Lauf kann nicht fortgesetzt werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -2182,6 +2428,38 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>selection of the template and cycle start at the control</source>
         <translation>Anwahl des Programms und NC-Start an der Steuerung</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Fortsetzen …</translation>
+    </message>
+    <message>
+        <source>Continue; it stands in front of the next window</source>
+        <translation>Weiter; sie steht vor dem nächsten Fenster</translation>
+    </message>
+    <message>
+        <source>proof of the template on the virtual machine</source>
+        <translation>Erprobung der Vorlage an der virtuellen Maschine</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>The machine stands in front of the next window until Continue.</source>
+        <translation>Die Maschine steht vor dem nächsten Fenster, bis Weiter gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Only method window can hold.</source>
+        <translation>Nur das Verfahren Fenster kann anhalten.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
     </message>
 </context>
 <context>

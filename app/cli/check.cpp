@@ -81,11 +81,13 @@ void print(const gcode::Program& program) {
                gcode::severityName(diagnostic.severity), gcode::describe(diagnostic),
                name.empty() ? std::string() : fmt::format(" [--accept {}]", name));
   }
-  fmt::print("{}\n",
-             program.isStreamable() ? "The whole path is known: the program can be streamed."
-             : program.isUnderstood()
-                 ? "The whole path is known, but it turns rotary axes: no method streams it."
-                 : "The path is not known everywhere: the program cannot be streamed.");
+  fmt::print(
+      "{}\n",
+      program.isStreamable() ? "The whole path is known: the program can be streamed."
+      : program.isUnderstood()
+          ? "The whole path is known, but it needs a transformation of the control: no method "
+            "streams it."
+          : "The path is not known everywhere: the program cannot be streamed.");
 }
 
 void printTable(const std::vector<Checked>& all) {
@@ -114,7 +116,7 @@ void printTable(const std::vector<Checked>& all) {
                program.statistics.points, count(gcode::Severity::Error),
                count(gcode::Severity::Warning),
                program.isStreamable()   ? "streamable"
-               : program.isUnderstood() ? "rotary axes"
+               : program.isUnderstood() ? "transformed"
                                         : "not understood");
   }
   fmt::print("{} of {} understood\n", understood, all.size());
@@ -160,7 +162,7 @@ Exit check(const CheckOptions& options) {
       list.push_back(report::programJson(*checked.program));
       list.back()["file"] = single ? checked.program->name : file;
       const gcode::PointList points = gcode::streamPoints(checked.program->trajectory, {});
-      list.back()["statistics"] = points.points.size() < 2
+      list.back()["statistics"] = !feasibility::hasDistances(points)
                                       ? nlohmann::ordered_json(nullptr)
                                       : report::statisticsJson(feasibility::pathStatistics(points));
     } else {

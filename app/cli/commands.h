@@ -62,6 +62,7 @@ struct FeasibilityOptions {
   std::string calibration;  ///< file of `calibrate` that takes its place; empty: none
   std::string endpoint;     ///< machine whose calibration takes its place; empty: none
   double deltaSafety = 1.5;
+  std::string preset = "dmu75";  ///< machine whose axes tell what pauses cost
   bool json = false;
 };
 [[nodiscard]] Exit feasibility(const FeasibilityOptions& options);
@@ -120,6 +121,19 @@ struct CalibrateOptions {
   bool json = false;
 };
 [[nodiscard]] Exit calibrate(const CalibrateOptions& options);
+
+struct CommissionOptions {
+  std::string endpoint;
+  bool simulate = false;
+  std::string preset = "dmu75";
+  std::uint64_t seed = 1;
+  int baseCell = 0;
+  std::string transfer = "auto";  ///< auto, by-hand
+  bool printProgram = false;
+  bool json = false;
+};
+/// Whether method credit may run on this machine; its profile remembers the answer.
+[[nodiscard]] Exit commission(const CommissionOptions& options);
 
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"

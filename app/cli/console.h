@@ -25,6 +25,9 @@ void printJson(const nlohmann::ordered_json& json);
 /// @return the exit code that belongs to the error
 Exit reportError(const base::Error& error, bool asJson);
 
+/// The present time, "2026-05-04T09:30:00Z".
+[[nodiscard]] std::string utcNow();
+
 /// The exit code for a failure: connection trouble is 3, everything else that was given 2.
 [[nodiscard]] Exit exitFor(const base::Error& error);
 
@@ -34,9 +37,12 @@ struct OperatingOptions {
   int pointsPerLoop = 7;  ///< method window: per window
   int windows = 2;
   int baseCell = 0;
+  int windowsAhead = 3;
+  bool noSlowDown = false;
   double deltaMm = 0.3;
   double feedMmPerMin = 0.0;
   std::string layout = "paper";
+  std::string axes;  ///< letters; empty: X Y Z, for a run also what the program turns
 
   /// Checked and in internal units. The names are checked by the option parser.
   [[nodiscard]] templates::TemplateParameters parameters() const;

@@ -10,7 +10,9 @@
 #include "base/units.h"
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
+#include "experiments/path_time.h"
 #include "gcode/program.h"
+#include "machine/config.h"
 #include "report/calibration_json.h"
 #include "report/report_json.h"
 #include "streaming/pause_placement.h"
@@ -40,6 +42,77 @@ void print(const feasibility::Verdict& verdict) {
   fmt::print("  limiting: {}; largest feed{} {:.0f} mm/min\n",
              feasibility::equationLabel(verdict.limiting.equation), reach ? " without waiting" : "",
              base::mmPerMinFromMmPerS(verdict.feedMmPerSMax));
+}
+
+/// How long the program takes as it is streamed, and what the pauses add to that.
+class PausePrice {
+ public:
+  PausePrice(const gcode::Trajectory& trajectory, const machine::MachineConfig& machine,
+             double feedMmPerS)
+      : m_trajectory(trajectory), m_machine(machine), m_feedMmPerS(feedMmPerS) {
+    m_withoutS = totalS({});
+  }
+  [[nodiscard]] double withoutS() const { return m_withoutS; }
+  [[nodiscard]] double priceS(const std::vector<streaming::PlannedPause>& pauses) const {
+    return totalS(pauses) - m_withoutS;
+  }
+
+ private:
+  [[nodiscard]] double totalS(const std::vector<streaming::PlannedPause>& pauses) const {
+    experiments::PathTimeOptions options;
+    options.feedMmPerS = m_feedMmPerS;
+    options.pauseS = base::toSeconds(m_machine.standstillMean);
+    for (const streaming::PlannedPause& pause : pauses) {
+      options.pausesBehind.push_back(pause.point);
+    }
+    // Nobody gives up here.
+    return experiments::pathTime(m_trajectory, kOriginMm, m_machine, options).value().totalS;
+  }
+
+  const gcode::Trajectory& m_trajectory;
+  const machine::MachineConfig& m_machine;
+  double m_feedMmPerS;
+  double m_withoutS = 0.0;
+};
+
+nlohmann::ordered_json pausesJson(const std::vector<streaming::PlannedPause>& pauses,
+                                  const std::vector<gcode::StreamPoint>& points) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const streaming::PlannedPause& pause : pauses) {
+    list.push_back({{"behind_point", pause.point + 1},
+                    {"line", points[pause.point].line.value},
+                    {"in_cut", pause.inCut}});
+  }
+  return list;
+}
+
+/// What is told of the pauses beside the verdict.
+struct PlannedPauses {
+  std::size_t count = 0;
+  std::size_t inCut = 0;
+  double withoutS = 0.0;
+  double priceS = 0.0;
+  /// Method window: as many if it were cut evenly.
+  struct Even {
+    std::size_t count = 0;
+    std::size_t inCut = 0;
+    double priceS = 0.0;
+  };
+  std::optional<Even> even;
+};
+
+void print(const PlannedPauses& pauses, const std::string& machine) {
+  fmt::print("  {} planned pauses, {} of them in the cut", pauses.count, pauses.inCut);
+  if (pauses.even) {
+    fmt::print(" (windows of at most this size cannot have fewer; cut evenly {} and {})",
+               pauses.even->count, pauses.even->inCut);
+  }
+  fmt::print("\n  {:.1f} s without pauses, which cost {:.1f} s more (axes of {})", pauses.withoutS,
+             pauses.priceS, machine);
+  if (pauses.even) {
+    fmt::print("; cut evenly {:.1f} s", pauses.even->priceS);
+  }
+  fmt::print("\n");
 }
 
 }  // namespace
@@ -79,8 +152,7 @@ Exit feasibility(const FeasibilityOptions& options) {
   safety.delta = options.deltaSafety;
 
   feasibility::ProgramDistances distances;
-  std::optional<std::size_t> pauses;
-  std::optional<streaming::PausePlacement> placement;
+  std::optional<PlannedPauses> pauses;
   nlohmann::ordered_json json;
   if (!options.program.empty()) {
     auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
@@ -99,15 +171,31 @@ Exit feasibility(const FeasibilityOptions& options) {
     json["program"] = program->name;
     json["points"] = list.points.size();
     json["distances"] = report::distancesJson(distances);
-    if (point.method == base::MethodKind::Window) {
-      const auto perWindow = static_cast<std::size_t>(std::max(point.pointsPerLoop, 1));
-      placement = streaming::placePauses(list.points, perWindow);
-      const streaming::PausePlacement even = streaming::evenPauses(list.points, perWindow);
-      pauses = placement->pauses();
-      json["planned_pauses"] = *pauses;
-      json["planned_pauses_in_cut"] = placement->inCut;
-      json["even_pauses"] = even.pauses();
-      json["even_pauses_in_cut"] = even.inCut;
+    const auto machine = machine::loadPreset(options.preset);
+    if (!machine) {
+      return reportError(machine.error(), options.json);
+    }
+    if (point.pointsPerLoop >= 1) {
+      const auto perLoop = static_cast<std::size_t>(point.pointsPerLoop);
+      const PausePrice price(program->trajectory, *machine, point.feedMmPerS);
+      const auto planned = streaming::plannedPauses(list.points, point.method, perLoop);
+      pauses.emplace();
+      pauses->count = planned.size();
+      pauses->inCut = streaming::pausesInCut(planned);
+      pauses->withoutS = price.withoutS();
+      pauses->priceS = price.priceS(planned);
+      json["planned_pauses"] = pauses->count;
+      json["planned_pauses_in_cut"] = pauses->inCut;
+      json["time_without_pauses_s"] = pauses->withoutS;
+      json["pauses_cost_s"] = pauses->priceS;
+      if (base::hasWindows(point.method) && !planned.empty()) {
+        const auto even = streaming::plannedPauses(list.points, point.method, perLoop, false);
+        pauses->even = {even.size(), streaming::pausesInCut(even), price.priceS(even)};
+        json["even_pauses"] = pauses->even->count;
+        json["even_pauses_in_cut"] = pauses->even->inCut;
+        json["even_pauses_cost_s"] = pauses->even->priceS;
+      }
+      json["pauses"] = pausesJson(planned, list.points);
     }
   } else {
     distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
@@ -138,10 +226,7 @@ Exit feasibility(const FeasibilityOptions& options) {
     print(*verdict);
     fmt::print("{}\n", accessSourceText(calibrated, form, *verdict));
     if (pauses) {
-      fmt::print(
-          "  {} planned pauses, one between windows, {} of them in the cut (no way to cut the "
-          "windows has fewer)\n",
-          *pauses, placement ? placement->inCut : 0);
+      print(*pauses, options.preset);
     }
   }
   return verdict->feasible ? Exit::Done : Exit::Wrong;

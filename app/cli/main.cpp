@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "experiments/catalogue.h"
+#include "templates/cells.h"
 
 namespace {
 
@@ -23,16 +24,26 @@ const CLI::Validator kPositive(
     },
     "POSITIVE");
 
+/// Letters of axes.
+const CLI::Validator kAxes(
+    [](std::string& text) {
+      rivulet::templates::TemplateParameters parameters;
+      const auto chosen = rivulet::templates::chooseAxes(parameters, text);
+      return chosen ? std::string() : chosen.error().message;
+    },
+    "AXES");
+
 CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
   return command->add_option("--feed", point.feedMmPerMin, "Feed F, mm/min")->check(kPositive);
 }
 
 void addPoint(CLI::App* command, OperatingOptions& point) {
   command->add_option("--method", point.method, "Streaming method")
-      ->check(CLI::IsMember({"window", "position", "signal"}))
+      ->check(CLI::IsMember({"window", "position", "signal", "credit", "file"}))
       ->capture_default_str();
   command
-      ->add_option("--points", point.pointsPerLoop, "Points per loop N; method window: per window")
+      ->add_option("--points", point.pointsPerLoop,
+                   "Points per loop N; methods window and credit: per window")
       ->capture_default_str();
 }
 
@@ -48,9 +59,24 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
                    "How slots lie in the R-parameters (methods position and signal)")
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
-  command->add_option("--windows", point.windows, "Windows (method window)")->capture_default_str();
-  command->add_option("--base-cell", point.baseCell, "First R-parameter (method window)")
+  command
+      ->add_option(
+          "--axes", point.axes,
+          "Axes to move, of XYZABC; rotary ones in degrees (method window). Without it XYZ "
+          "and, in a run, the rotary axes the program turns")
+      ->check(kAxes);
+  command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
+  command
+      ->add_option("--base-cell", point.baseCell, "First R-parameter (methods window and credit)")
+      ->capture_default_str();
+  command
+      ->add_option("--windows-ahead", point.windowsAhead,
+                   "Method credit: windows copied and not executed, at most")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command->add_flag("--no-slow-down", point.noSlowDown,
+                    "Method credit: full feed until nothing is left, then stand");
 }
 
 void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
@@ -143,6 +169,10 @@ int main(int argc, char** argv) {
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
+  feasibilityCommand
+      ->add_option("--preset", feasibility.preset,
+                   "Machine whose axes tell what pauses cost: preset or TOML file")
+      ->capture_default_str();
   addJson(feasibilityCommand, feasibility.json);
   feasibilityCommand->callback([&] {
     if (feasibility.program.empty() && !feasibility.pointDistanceMm) {
@@ -193,8 +223,9 @@ int main(int argc, char** argv) {
   streamCommand->add_option("--record", stream.record, "File for the recording of the run");
   streamCommand->add_option("--stop-after", stream.stopAfterS, "Order a stop after so many seconds")
       ->check(kPositive);
-  streamCommand->add_option("--resume", stream.resume,
-                            "Take up again the run of this JSON report (method window)");
+  streamCommand->add_option(
+      "--resume", stream.resume,
+      "Take up again the run of this JSON report (methods window and credit)");
   streamCommand
       ->add_option("--access", stream.access,
                    "How several R-parameters travel; auto: the best form the control understands")
@@ -266,6 +297,36 @@ int main(int argc, char** argv) {
       throw CLI::RequiredError("--endpoint or --simulate");
     }
     exit = rivulet::cli::calibrate(calibrate);
+  });
+
+  rivulet::cli::CommissionOptions commission;
+  CLI::App* commissionCommand = app.add_subcommand(
+      "commission", "Test whether method credit may run on a control; moves no axis");
+  auto* tested = commissionCommand->add_option("--endpoint", commission.endpoint, "OPC UA server");
+  auto* pretended =
+      commissionCommand->add_flag("--simulate", commission.simulate, "Virtual machine");
+  tested->excludes(pretended);
+  commissionCommand->add_option("--preset", commission.preset, "Machine of --simulate")
+      ->capture_default_str();
+  commissionCommand->add_option("--seed", commission.seed, "Seed of --simulate")
+      ->capture_default_str();
+  commissionCommand
+      ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters nobody uses")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  commissionCommand
+      ->add_option("--transfer", commission.transfer,
+                   "How the program of the test comes onto the control; by-hand: you, with --print")
+      ->check(CLI::IsMember({"auto", "by-hand"}))
+      ->capture_default_str();
+  commissionCommand->add_flag("--print", commission.printProgram,
+                              "Print the program of the test, and do nothing else");
+  addJson(commissionCommand, commission.json);
+  commissionCommand->callback([&] {
+    if (!commission.simulate && commission.endpoint.empty() && !commission.printProgram) {
+      throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    exit = rivulet::cli::commission(commission);
   });
 
   rivulet::cli::ExperimentCommandOptions experiment;

@@ -16,7 +16,10 @@
 #include "gcode/program.h"
 #include "machine/config.h"
 #include "report/calibration_json.h"
+#include "report/machine_profile.h"
 #include "report/report_json.h"
+#include "streaming/commissioning.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -102,8 +105,8 @@ std::optional<base::Error> objection(const StreamOptions& options, const Connect
   point.deltaMm = settings.deltaMm;
   point.feedMmPerS = settings.feedMmPerS;
   const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
-  if (list.points.size() < 2) {
-    judged.feasible = true;  // a single point needs no refill
+  if (list.points.size() < 2 || point.method == base::MethodKind::File) {
+    judged.feasible = true;  // a single point needs no refill; method file waits
     return std::nullopt;
   }
   feasibility::AccessModel access;
@@ -149,22 +152,34 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   const auto first = number("/checkpoint/first_point");
   const auto points = number("/settings/points_per_loop");
   const auto windows = number("/settings/windows");
-  const auto base = number("/settings/base_cell");
+  const auto baseCell = number("/settings/base_cell");
   const std::array<std::optional<double>, 3> start{number("/checkpoint/start_mm/0"),
                                                    number("/checkpoint/start_mm/1"),
                                                    number("/checkpoint/start_mm/2")};
-  if (!run || !first || *first < 0.0 || !points || !windows || !base || !start[0] || !start[1] ||
-      !start[2]) {
+  if (!run || !first || *first < 0.0 || !points || !windows || !baseCell || !start[0] ||
+      !start[1] || !start[2]) {
     return base::fail(streaming::StreamError::CannotResume,
-                      "This is no report of a run of method window. Give the output of stream "
-                      "--json of the run to be resumed.",
+                      "This is no report of a run of method window or credit. Give the output of "
+                      "stream --json of the run to be resumed.",
                       path);
   }
   streaming::RunSettings earlier = settings;
-  earlier.parameters.method = base::MethodKind::Window;
+  const auto method = base::methodFromName(
+      json.value(nlohmann::json::json_pointer("/settings/method"), std::string("window")));
+  earlier.parameters.method =
+      method && base::hasWindows(*method) ? *method : base::MethodKind::Window;
+  earlier.parameters.windowsAhead =
+      static_cast<int>(number("/settings/windows_ahead").value_or(earlier.parameters.windowsAhead));
+  earlier.parameters.slowDown =
+      json.value(nlohmann::json::json_pointer("/settings/slow_down"), earlier.parameters.slowDown);
   earlier.parameters.pointsPerLoop = static_cast<int>(*points);
   earlier.parameters.windows = static_cast<int>(*windows);
-  earlier.parameters.baseCell = static_cast<int>(*base);
+  earlier.parameters.baseCell = static_cast<int>(*baseCell);
+  const std::string axes =
+      json.value(nlohmann::json::json_pointer("/settings/axes"), std::string("XYZ"));
+  if (const auto chosen = templates::chooseAxes(earlier.parameters, axes); !chosen) {
+    return base::fail(chosen.error());
+  }
   streaming::Checkpoint checkpoint;
   checkpoint.runNumber = static_cast<int>(*run);
   checkpoint.firstPoint = static_cast<std::size_t>(*first);
@@ -172,6 +187,10 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   checkpoint.pausesPlaced =
       json.value(nlohmann::json::json_pointer("/checkpoint/pauses_placed"), true);
   checkpoint.startMm = {*start[0], *start[1], *start[2]};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    checkpoint.startDeg[axis] =
+        number(fmt::format("/checkpoint/start_deg/{}", axis).c_str()).value_or(0.0);
+  }
   return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
 }
 
@@ -240,21 +259,25 @@ base::Result<void> printSteps(const StreamOptions& options,
   return {};
 }
 
-/// What goes to a real control has run on the virtual one first.
-base::Result<void> proveProgram(const templates::TemplateParameters& parameters) {
-  const auto text = templates::generateTemplate(parameters);
-  const auto machine = machine::loadPreset("dmu75");
-  if (!text || !machine) {
-    return base::fail(text ? machine.error() : text.error());
+/// Method credit only where its test has been passed. In virtual time it is made on the spot.
+base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
+  if (!options.simulate) {
+    const auto identity = connection.control->identity();
+    if (!identity) {
+      return base::fail(identity.error());
+    }
+    return report::requireCreditTest(report::profileFolder(), connection.name, *identity);
   }
-  const auto proof = streaming::proveTemplate(*text, parameters, *machine);
-  if (!proof) {
-    return base::fail(proof.error());
+  streaming::CommissioningPlan plan;
+  plan.firstCell = options.point.baseCell;
+  const auto result = streaming::commission(*connection.link, *connection.control, plan);
+  if (!result) {
+    return base::fail(result.error());
   }
-  if (!proof->holds()) {
-    return base::fail(templates::LintError::Rejected,
-                      "The flexible program of these settings did not hold on the virtual machine "
-                      "and is not written to the control. See template --verify.");
+  if (!result->passed()) {
+    return base::fail(streaming::StreamError::NotCommissioned,
+                      "This virtual machine does not pass the test of method credit: see "
+                      "commission --simulate. Choose method window.");
   }
   return {};
 }
@@ -277,12 +300,15 @@ Exit stream(const StreamOptions& options) {
   program->trajectory = options.resampling.resampled(std::move(program->trajectory));
   streaming::RunSettings settings;
   settings.parameters = options.point.parameters();
+  if (options.point.axes.empty()) {
+    settings.parameters = streaming::withTurnedAxes(settings.parameters, program->trajectory);
+  }
   settings.deltaMm = options.point.deltaMm;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   settings.grouping = options.access == "single" ? opcua::Grouping::Single : opcua::Grouping::List;
   if (options.access == "array") {
     settings.access = streaming::AccessChoice::Array;
-  } else if (options.access == "auto" && settings.parameters.method == base::MethodKind::Window) {
+  } else if (options.access == "auto" && base::hasWindows(settings.parameters.method)) {
     // The other two are kept as they were published.
     settings.access = streaming::AccessChoice::Best;
   }
@@ -296,7 +322,7 @@ Exit stream(const StreamOptions& options) {
     return reportError(cells.error(), options.json);
   }
   if (!options.simulate) {
-    if (const auto proven = proveProgram(settings.parameters); !proven) {
+    if (const auto proven = streaming::requireProven(settings.parameters); !proven) {
       return reportError(proven.error(), options.json);
     }
   }
@@ -304,6 +330,12 @@ Exit stream(const StreamOptions& options) {
       options.simulate ? simulate(options.preset, options.seed) : connectTo(options.endpoint);
   if (!connection) {
     return reportError(connection.error(), options.json);
+  }
+  if (settings.parameters.method == base::MethodKind::Credit) {
+    if (const auto tested = requireTest(options, *connection); !tested) {
+      return reportError(tested.error(), options.json);
+    }
+    settings.isCommissioned = true;
   }
   CalibrationChoice calibrated;
   if (!options.simulate) {

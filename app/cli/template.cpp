@@ -136,7 +136,7 @@ Exit makeTemplate(const TemplateOptions& options) {
   }
   if (options.json) {
     nlohmann::ordered_json numbers;
-    if (parameters.method == base::MethodKind::Window) {
+    if (base::hasWindows(parameters.method)) {
       numbers = {{"run", cells->run},
                  {"delivered", cells->delivered},
                  {"latched", cells->latched},
@@ -146,10 +146,14 @@ Exit makeTemplate(const TemplateOptions& options) {
                  {"client", cells->client},
                  {"owner", cells->owner},
                  {"heartbeat", cells->heartbeat},
-                 {"first_window", cells->windowCount(0)},
-                 {"window_stride", cells->windowStride},
-                 {"windows", cells->windows},
-                 {"slot_stride", cells->slotStride}};
+                 {"windows", cells->windows}};
+      if (cells->inFiles) {
+        numbers["asked"] = cells->asked;
+      } else {
+        numbers["first_window"] = cells->windowCount(0);
+        numbers["window_stride"] = cells->windowStride;
+        numbers["slot_stride"] = cells->slotStride;
+      }
     } else {
       numbers = {{"signal", cells->signal},
                  {"run", cells->run},

@@ -40,6 +40,7 @@
 #include "widgets/program/program_panel.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/report_panel.h"
+#include "widgets/streaming/resume_bar.h"
 #include "widgets/streaming/run_panel.h"
 #include "widgets/templates/template_page.h"
 #include "widgets/trace/trace_page.h"
@@ -78,6 +79,17 @@ widgets::ConnectionState connectionState(session::LinkState state) {
       return widgets::ConnectionState::Lost;
   }
   return widgets::ConnectionState::Disconnected;
+}
+
+/// Counted in the whole program, also for a run that was resumed.
+streaming::Counters inProgram(streaming::Counters counters, std::size_t firstPoint) {
+  if (counters.total > 0) {
+    counters.sent += firstPoint;
+    counters.accepted += firstPoint;
+    counters.executed += firstPoint;
+    counters.total += firstPoint;
+  }
+  return counters;
 }
 
 /// A column that scrolls when the window is lower than its page. It is never narrower than its
@@ -167,6 +179,8 @@ void MainWindow::buildPages() {
   columns->setChildrenCollapsible(false);
   rows->addWidget(columns, 1);
 
+  m_resumeBar = new widgets::ResumeBar(central);
+  rows->addWidget(m_resumeBar);
   m_runProgram = widgets::makeValueLabel(central);
   m_runProgram->setContentsMargins(12, 0, 12, 0);
   m_runProgram->hide();
@@ -266,6 +280,10 @@ void MainWindow::connectPages() {
           [this](const QString& path) { saveText(path, m_log->toText()); });
   connect(m_run, &widgets::RunPanel::startRequested, this, &MainWindow::start);
   connect(m_run, &widgets::RunPanel::stopRequested, this, &MainWindow::stop);
+  connect(m_run, &widgets::RunPanel::holdRequested, this, &MainWindow::hold);
+  connect(m_run, &widgets::RunPanel::resumeRequested, this, &MainWindow::askResume);
+  connect(m_resumeBar, &widgets::ResumeBar::goOnRequested, this, &MainWindow::resume);
+  connect(m_resumeBar, &widgets::ResumeBar::dismissed, this, &MainWindow::forgetResume);
 
   using widgets::ProgramPanel;
   connect(m_programPanel, &ProgramPanel::dialectRequested, this,
@@ -312,6 +330,8 @@ void MainWindow::connectPages() {
             }
             m_view = view;
             m_programPage->replaceProgram(m_view);
+            m_pauses.reset();
+            m_reckonedFor.reset();
             if (!m_session.isRunning()) {
               // What a run came to stays on show; the tool stands elsewhere behind it.
               if (!m_report) {
@@ -326,6 +346,18 @@ void MainWindow::connectPages() {
                  const std::shared_ptr<const widgets::ProgramView>& view) {
             if (m_view && view->program == m_program && times->atS.size() == points().size()) {
               m_programPage->setTimes(times);
+              m_runTime = times->run;
+              showPauses();
+            }
+          });
+  connect(&m_timer, &session::ProgramTimer::planned, this,
+          [this](const std::shared_ptr<const widgets::PauseMap>& pauses,
+                 const std::shared_ptr<const widgets::ProgramView>& view) {
+            if (m_view == view) {
+              m_pauses = pauses;
+              m_pausesFor = m_reckonedFor;
+              m_path->setPauses(pauses);
+              showPauses();
             }
           });
   m_reckonTimer.setSingleShot(true);
@@ -335,6 +367,7 @@ void MainWindow::connectPages() {
   connect(&m_session, &session::StreamSession::machineSeen, this, &MainWindow::showMachine);
   connect(&m_session, &session::StreamSession::updateArrived, this, &MainWindow::showUpdate);
   connect(&m_session, &session::StreamSession::runFinished, this, &MainWindow::showFinished);
+  connect(&m_session, &session::StreamSession::resumeFound, this, &MainWindow::showResume);
   connect(&m_session, &session::StreamSession::noteArrived, this, [this](const trace::Note& note) {
     log(Severity::Note, QString::fromStdString(note.text));
   });
@@ -446,7 +479,7 @@ void MainWindow::showProgram(const session::LoadedProgram& loaded) {
         Severity::Error,
         points().empty()
             ? tr("%1 moves no axis: there is nothing to stream.").arg(name)
-            : tr("%1 turns rotary axes on the path. No method streams them.").arg(name));
+            : tr("%1 needs a transformation of the control. No method streams it.").arg(name));
   } else if (!m_program->isStreamable()) {
     m_messages->showMessage(Severity::Error,
                             tr("The path of %1 is not known everywhere: see the findings. It "
@@ -455,6 +488,10 @@ void MainWindow::showProgram(const session::LoadedProgram& loaded) {
   }
   m_timer.cancel();
   m_reckonedFor.reset();
+  m_pauses.reset();
+  m_runTime.reset();
+  m_left.reset();  // the points of another program are not those of the run
+  forgetResume();
   retranslate();
   judge();
 }
@@ -496,6 +533,27 @@ void MainWindow::reckonTimes() {
   }
   m_reckonedFor = settings;
   m_timer.start(m_view, settings);
+}
+
+void MainWindow::showPauses() {
+  // Of other settings than those that stand there they would mislead.
+  const session::TimeSettings settings{m_settings.stream.parameters.method,
+                                       m_settings.stream.parameters.pointsPerLoop,
+                                       m_settings.stream.feedMmPerS};
+  if (!m_pauses || !m_pausesFor || m_pausesFor->method != settings.method ||
+      m_pausesFor->pointsPerLoop != settings.pointsPerLoop) {
+    m_path->setPauses(nullptr);
+    m_method->setPauses(std::nullopt);
+    return;
+  }
+  widgets::PauseSummary summary;
+  summary.count = m_pauses->count();
+  summary.inCut = m_pauses->inCut.size();
+  if (m_runTime && m_pausesFor == settings && m_runTime->pauses == summary.count) {
+    summary.costS = m_runTime->pausesCostS();
+    summary.totalS = m_runTime->totalS;
+  }
+  m_method->setPauses(summary);
 }
 
 const std::vector<gcode::StreamPoint>& MainWindow::points() const {
@@ -556,10 +614,13 @@ void MainWindow::showMachine(const session::MachineSeen& seen) {
   m_machine.message = QString::fromStdString(seen.message);
   m_machine.positionMm = seen.positionMm;
   m_machine.feedMmPerS = seen.feedMmPerS;
+  m_machine.rotaryAxes = seen.rotaryAxes;
+  m_machine.rotaryDeg = seen.rotaryDeg;
   m_machine.isStale = false;
   m_connection->setMachineState(m_machine);
   m_path->setToolPosition(seen.positionMm);
-  if (!m_session.isRunning()) {
+  // A run that was left has the points it began with.
+  if (!m_session.isRunning() && !m_left) {
     followTool();
   }
   refreshStart();
@@ -575,13 +636,13 @@ void MainWindow::judge() {
   m_verdict.reset();
   m_problem.reset();
   m_distances.reset();
-  const auto cells = templates::planCells(m_settings.stream.parameters);
-  const auto text = templates::generateTemplate(m_settings.stream.parameters);
+  const templates::TemplateParameters chosen = parameters();
+  const auto cells = templates::planCells(chosen);
+  const auto text = templates::generateTemplate(chosen);
   if (cells && text) {
-    m_template->setTemplate(
-        QString::fromStdString(*text),
-        QString::fromStdString(templates::templateFileName(m_settings.stream.parameters)), *cells,
-        templates::layoutNumber(m_settings.stream.parameters));
+    m_template->setTemplate(QString::fromStdString(*text),
+                            QString::fromStdString(templates::templateFileName(chosen)), *cells,
+                            templates::layoutNumber(chosen));
   } else {
     m_problem = widgets::errorText(cells ? text.error() : cells.error());
     m_template->setProblem(*m_problem);
@@ -608,6 +669,7 @@ void MainWindow::judge() {
   m_programPanel->setDistances(m_distances);
   m_path->setOperatingPoint(point, access);
   m_reckonTimer.start();
+  showPauses();
   m_method->setVerdict(m_verdict, m_problem);
   widgets::FeasibilityModel model;
   model.operatingPoint = point;
@@ -623,9 +685,39 @@ void MainWindow::judge() {
   refreshStart();
 }
 
+templates::TemplateParameters MainWindow::parameters() const {
+  templates::TemplateParameters parameters = m_settings.stream.parameters;
+  if (m_view && base::streamsRotary(parameters.method)) {
+    parameters.rotaryAxes = m_view->turnedAxes;
+  }
+  return parameters;
+}
+
 QString MainWindow::startBlockedReason() const {
+  const QString blocked = blockedReason();
+  if (blocked.isEmpty() && m_machine.channelStatus.value_or(0) != 0) {
+    return tr("A program runs on the control.");
+  }
+  return blocked;
+}
+
+QString MainWindow::resumeBlockedReason() const {
+  if (!m_left) {
+    return tr("No run of method window was left.");
+  }
+  if (!base::hasWindows(m_settings.stream.parameters.method)) {
+    return tr("Only method window goes on where a run was left.");
+  }
+  // A program that waits for the rest of the run is ended first, when the control is asked.
+  return blockedReason();
+}
+
+QString MainWindow::blockedReason() const {
   if (m_session.isRunning()) {
     return tr("A run lasts.");
+  }
+  if (m_session.isAsking()) {
+    return tr("The control is asked where the run was left.");
   }
   if (m_session.isCalibrating()) {
     return tr("A calibration lasts.");
@@ -639,19 +731,24 @@ QString MainWindow::startBlockedReason() const {
   if (m_program->isUnderstood() && !m_program->isStreamable()) {
     return points().empty()
                ? tr("The program moves no axis.")
-               : tr("The program turns rotary axes on the path. No method streams them.");
+               : tr("The program needs a transformation of the control. No method streams it.");
   }
   if (!m_program->isStreamable()) {
     return tr("The path of the program is not known everywhere: see the findings.");
+  }
+  const base::RotarySet turned = m_view->turnedAxes;
+  if (base::any(turned) && !base::streamsRotary(m_settings.stream.parameters.method)) {
+    return tr("The program turns rotary axes: choose method window.");
+  }
+  if (!base::contains(m_machine.rotaryAxes, turned)) {
+    return tr("The program turns %1, and the control does not have all of these axes.")
+        .arg(QString::fromStdString(base::rotaryNames(turned)));
   }
   if (m_problem) {
     return *m_problem;
   }
   if (m_verdict && !m_verdict->feasible) {
     return tr("Not feasible: the control would repeat points. Change F, N or δ.");
-  }
-  if (m_machine.channelStatus.value_or(0) != 0) {
-    return tr("A program runs on the control.");
   }
   if (m_machine.alarmNumber.value_or(0) != 0) {
     return tr("The control reports an alarm.");
@@ -662,6 +759,8 @@ QString MainWindow::startBlockedReason() const {
 void MainWindow::refreshStart() {
   const bool running = m_session.isRunning();
   m_run->setStartBlocked(startBlockedReason());
+  m_run->setResumeBlocked(resumeBlockedReason());
+  m_run->setCanHold(base::hasWindows(m_settings.stream.parameters.method));
   m_method->setEditable(!running);
   m_feasibility->setEditable(!running);
   m_programPanel->setOpenEnabled(!running);
@@ -728,33 +827,128 @@ bool MainWindow::start() {
     m_messages->showMessage(Severity::Warning, blocked);
     return false;
   }
+  return startRun(std::nullopt);
+}
+
+streaming::RunSettings MainWindow::runSettings() const {
+  const widgets::StreamSettings& stream = m_settings.stream;
   streaming::RunSettings settings;
-  settings.parameters = m_settings.stream.parameters;
-  settings.deltaMm = m_settings.stream.deltaMm;
-  settings.feedMmPerS = m_settings.stream.feedMmPerS;
-  if (base::hasWindows(settings.parameters.method)) {
-    settings.access = streaming::AccessChoice::Best;  // the others are kept as they were published
+  settings.parameters = parameters();
+  settings.deltaMm = stream.deltaMm;
+  settings.feedMmPerS = stream.feedMmPerS;
+  switch (stream.access) {
+    case widgets::AccessOrder::Automatic:
+      // The methods of the paper are kept as they were published.
+      if (base::hasWindows(stream.parameters.method)) {
+        settings.access = streaming::AccessChoice::Best;
+      }
+      break;
+    case widgets::AccessOrder::Array:
+      settings.access = streaming::AccessChoice::Array;
+      break;
+    case widgets::AccessOrder::List:
+      break;
+    case widgets::AccessOrder::Single:
+      settings.grouping = opcua::Grouping::Single;
+      break;
   }
   if (m_access.isUsed()) {
     settings.calibration = std::shared_ptr<const streaming::Calibration>(
         m_access.record, &m_access.record->calibration);
   }
-  followTool();
+  return settings;
+}
+
+void MainWindow::hold(bool hold) {
+  m_session.hold(hold);
+  log(Severity::Note, hold ? tr("Hold ordered.") : tr("Continue ordered."));
+}
+
+void MainWindow::askResume() {
+  const QString blocked = resumeBlockedReason();
+  if (!blocked.isEmpty()) {
+    m_messages->showMessage(Severity::Warning, blocked);
+    return;
+  }
+  m_resume.reset();
+  m_resumeBar->showAsking();
+  m_session.askResume(*m_left);
+  refreshStart();
+}
+
+void MainWindow::showResume(const session::ResumeFound& found) {
+  if (!m_left) {
+    forgetResume();
+    return;
+  }
+  if (!found.resume) {
+    const QString why = widgets::errorText(found.error);
+    log(Severity::Warning, why);
+    m_resumeBar->showRefusal(why);
+    refreshStart();
+    return;
+  }
+  // The list of the run that was left: open coordinates as they were then.
+  const auto list = gcode::streamPoints(m_left->program->trajectory, found.resume->startMm).points;
+  m_resume = found.resume;
+  widgets::ResumePlace place;
+  place.point = m_resume->point;
+  place.points = list.size();
+  place.line = list.at(m_resume->point).line;
+  place.positionMm = list[m_resume->point].positionMm;
+  if (m_machine.positionMm && !m_machine.isStale) {
+    place.approachMm = base::distance(*m_machine.positionMm, place.positionMm);
+  }
+  m_resumeBar->showPlace(place);
+  m_path->markPoint(m_resume->point);
+  log(Severity::Note,
+      tr("The run was left in front of point %1 of %2.")
+          .arg(widgets::countText(place.point + 1), widgets::countText(place.points)));
+  refreshStart();
+}
+
+void MainWindow::forgetResume() {
+  m_resume.reset();
+  m_resumeBar->showNothing();
+  refreshStart();
+}
+
+bool MainWindow::resume() {
+  const QString blocked = m_resume ? resumeBlockedReason() : tr("Resume first asks the control.");
+  if (!blocked.isEmpty()) {
+    m_messages->showMessage(Severity::Warning, blocked);
+    return false;
+  }
+  return startRun(m_resume);
+}
+
+bool MainWindow::startRun(std::optional<streaming::Resume> resume) {
+  streaming::RunSettings settings = runSettings();
+  settings.resume = resume;
+  m_firstPoint = resume ? resume->point : 0;
+  forgetResume();
+  if (!resume) {
+    followTool();
+  }
   m_timer.cancel();
-  m_path->setExecuted(0);
+  m_path->setExecuted(m_firstPoint);
   m_trace->clear();
   m_report.reset();
   m_reportPanel->setReport(std::nullopt);
   m_runBegan.reset();
   m_messages->clear();
-  if (m_machine.positionMm && !points().empty()) {
+  if (resume) {
+    log(Severity::Note,
+        tr("The run goes on at point %1.").arg(widgets::countText(m_firstPoint + 1)));
+  } else if (m_machine.positionMm && !points().empty()) {
     log(Severity::Note, tr("Start. The tool first moves %1 in a straight line to the first point.")
                             .arg(widgets::lengthText(base::distance(*m_machine.positionMm,
                                                                     points().front().positionMm))));
   }
   // The processors belong to the stream.
   m_region.cancel();
-  m_session.start(m_program, settings, newRecordingPath());
+  m_session.start(m_program, settings, newRecordingPath(),
+                  resume ? m_left : std::optional<session::ResumeQuestion>{});
   refreshStart();
   Q_EMIT runStarted();
   return true;
@@ -768,8 +962,9 @@ void MainWindow::stop() {
 void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
   const bool stateChanged = update.state != m_update.state;
   m_update = update;
-  m_run->setUpdate(update);
-  m_path->setExecuted(update.counters.executed);
+  m_update.counters = inProgram(update.counters, m_firstPoint);
+  m_run->setUpdate(m_update);
+  m_path->setExecuted(m_update.counters.executed);
   if (update.state == streaming::RunState::Running && !m_runBegan) {
     m_runBegan = update.at;
   }
@@ -778,8 +973,7 @@ void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
     // The stream leaves no slot to ask for these; that the program runs is what it lives on.
     m_machine.channelStatus = 1;
     m_machine.programStatus = 3;
-    m_machine.programName =
-        QString::fromStdString(templates::templateFileName(m_settings.stream.parameters));
+    m_machine.programName = QString::fromStdString(templates::templateFileName(parameters()));
     m_connection->setMachineState(m_machine);
   }
   if (update.sample) {
@@ -793,6 +987,9 @@ void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
     if (sample.positionMm) {
       m_machine.positionMm = sample.positionMm;
       m_path->setToolPosition(sample.positionMm);
+    }
+    if (update.sample->rotaryDeg) {
+      m_machine.rotaryDeg = update.sample->rotaryDeg;
     }
     if (sample.feedMmPerS) {
       m_machine.feedMmPerS = sample.feedMmPerS;
@@ -813,18 +1010,26 @@ void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
 void MainWindow::showFinished(const session::RunFinished& finished) {
   m_report = finished.report;
   m_reportPanel->setReport(*m_report);
+  if (m_report->outcome == streaming::Outcome::Completed) {
+    m_left.reset();
+  } else if (m_report->checkpoint) {
+    m_left = session::ResumeQuestion{m_program, m_report->settings, *m_report->checkpoint};
+  }
+  if (m_report->access.requests > 0) {
+    log(Severity::Note, tr("Access: %1.").arg(widgets::groupingText(m_report->settings.grouping)));
+  }
   if (m_report->controlTrace) {
     m_trace->showControlTrace(m_report->controlTrace, m_report->pauses);
   }
   streaming::LiveUpdate last = m_update;
   last.state = m_report->outcome == streaming::Outcome::Failed ? streaming::RunState::Aborted
                                                                : streaming::RunState::Done;
-  last.counters = m_report->counters;
+  last.counters = inProgram(m_report->counters, m_firstPoint);
   last.stopConfirmedAfter = m_report->stopConfirmedAfter;
   last.waitingFor.clear();
   m_update = last;
   m_run->setUpdate(last);
-  m_path->setExecuted(m_report->counters.executed);
+  m_path->setExecuted(last.counters.executed);
   if (m_report->error.code == streaming::StreamError::StopNotConfirmed) {
     m_run->setStopUnconfirmed();
   }
@@ -839,8 +1044,8 @@ void MainWindow::showFinished(const session::RunFinished& finished) {
     log(Severity::Error, text);
   } else {
     log(Severity::Note, tr("Run ended: %1 of %2 points executed.")
-                            .arg(widgets::countText(m_report->counters.executed),
-                                 widgets::countText(m_report->counters.total)));
+                            .arg(widgets::countText(last.counters.executed),
+                                 widgets::countText(last.counters.total)));
   }
   if (!finished.recordingPath.empty()) {
     log(Severity::Note, tr("Recording: %1").arg(QString::fromStdString(finished.recordingPath)));

@@ -43,6 +43,7 @@ class PathView;
 class ProgramPage;
 class ProgramPanel;
 class ReportPanel;
+class ResumeBar;
 class RunPanel;
 class TemplatePage;
 class TracePage;
@@ -68,7 +69,17 @@ class MainWindow final : public QMainWindow {
   /// Starts if nothing stands in the way. @return false and shows why otherwise
   bool start();
   void stop();
+  /// Method window: the machine waits in front of the next window, or goes on.
+  void hold(bool hold);
+  /// Asks the control where the run was left and shows it. Nothing moves.
+  void askResume();
+  /// Goes on at the place shown. @return false and shows why if something stands in the way
+  bool resume();
 
+  /// The settings with the rotary axes the program turns.
+  [[nodiscard]] templates::TemplateParameters parameters() const;
+  /// Why no run can be resumed; empty: `askResume` may be called.
+  [[nodiscard]] QString resumeBlockedReason() const;
   [[nodiscard]] QString startBlockedReason() const;
   [[nodiscard]] bool isRunning() const { return m_session.isRunning(); }
   [[nodiscard]] const std::optional<feasibility::Verdict>& verdict() const { return m_verdict; }
@@ -106,6 +117,13 @@ class MainWindow final : public QMainWindow {
   void showMachine(const session::MachineSeen& seen);
   void showUpdate(const streaming::LiveUpdate& update);
   void showFinished(const session::RunFinished& finished);
+  void showPauses();
+  void showResume(const session::ResumeFound& found);
+  void forgetResume();
+  bool startRun(std::optional<streaming::Resume> resume);
+  /// What stands in the way whether a run begins or is resumed.
+  [[nodiscard]] QString blockedReason() const;
+  [[nodiscard]] streaming::RunSettings runSettings() const;
   /// Begins on cells the operator has confirmed, if nothing stands in the way.
   void calibrate(const streaming::CalibrationPlan& plan);
   [[nodiscard]] QString calibrationBlockedReason() const;
@@ -156,6 +174,12 @@ class MainWindow final : public QMainWindow {
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_runBegan;
   std::shared_ptr<const streaming::RunReport> m_report;
+  std::shared_ptr<const widgets::PauseMap> m_pauses;  ///< of program and settings; null: not known
+  std::optional<session::TimeSettings> m_pausesFor;
+  std::optional<widgets::RunTime> m_runTime;      ///< with them
+  std::optional<session::ResumeQuestion> m_left;  ///< the run that could be resumed
+  std::optional<streaming::Resume> m_resume;      ///< where it would go on, as the control says
+  std::size_t m_firstPoint = 0;                   ///< of the run that lasts or was the last
 
   widgets::MessageArea* m_messages = nullptr;
   widgets::ConnectionPanel* m_connection = nullptr;
@@ -172,6 +196,7 @@ class MainWindow final : public QMainWindow {
   widgets::ReportPanel* m_reportPanel = nullptr;
   widgets::LogView* m_log = nullptr;
   QLabel* m_runProgram = nullptr;  ///< which version of which program a start runs
+  widgets::ResumeBar* m_resumeBar = nullptr;
   widgets::RunPanel* m_run = nullptr;
   QTabWidget* m_tabs = nullptr;
 

@@ -4,6 +4,8 @@
 #include "hmi/settings.h"
 
 #include <QSettings>
+#include <array>
+#include <utility>
 
 #include "base/units.h"
 
@@ -33,6 +35,13 @@ widgets::Theme themeFromName(const QString& name) {
 QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
+
+constexpr std::array<std::pair<widgets::AccessOrder, const char*>, 4> kAccessNames{{
+    {widgets::AccessOrder::Automatic, "automatic"},
+    {widgets::AccessOrder::Array, "array"},
+    {widgets::AccessOrder::List, "list"},
+    {widgets::AccessOrder::Single, "single"},
+}};
 
 /// A positive number, or what was there before: a damaged file must not become an order.
 double positive(const QVariant& value, double otherwise) {
@@ -68,6 +77,12 @@ Settings loadSettings() {
       templates::layoutFromName(
           store.value(QStringLiteral("stream/layout")).toString().toStdString())
           .value_or(stream.parameters.layout);
+  const QString access = store.value(QStringLiteral("stream/access")).toString();
+  for (const auto& [order, name] : kAccessNames) {
+    if (access == QLatin1String(name)) {
+      stream.access = order;
+    }
+  }
   const int points = store.value(QStringLiteral("stream/points")).toInt();
   if (points >= 2) {
     stream.parameters.pointsPerLoop = points;
@@ -90,6 +105,11 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/method"), text(base::methodName(stream.parameters.method)));
   store.setValue(QStringLiteral("stream/layout"),
                  text(templates::layoutName(stream.parameters.layout)));
+  for (const auto& [order, name] : kAccessNames) {
+    if (stream.access == order) {
+      store.setValue(QStringLiteral("stream/access"), QString::fromLatin1(name));
+    }
+  }
   store.setValue(QStringLiteral("stream/points"), stream.parameters.pointsPerLoop);
   store.setValue(QStringLiteral("stream/deltaMm"), stream.deltaMm);
   store.setValue(QStringLiteral("stream/feedMmPerMin"),

@@ -87,7 +87,10 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"points_per_loop", settings.parameters.pointsPerLoop},
           {"windows", settings.parameters.windows},
           {"base_cell", settings.parameters.baseCell},
+          {"windows_ahead", settings.parameters.windowsAhead},
+          {"slow_down", settings.parameters.slowDown},
           {"layout", templates::layoutName(settings.parameters.layout)},
+          {"axes", templates::axisLetters(settings.parameters)},
           {"delta_mm", settings.deltaMm},
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
           {"grouping", opcua::groupingName(settings.grouping)},
@@ -138,7 +141,8 @@ ordered_json runJson(const streaming::RunReport& report) {
         {"first_point", checkpoint.firstPoint},
         {"granted", checkpoint.granted},
         {"pauses_placed", checkpoint.pausesPlaced},
-        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}}};
+        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}},
+        {"start_deg", checkpoint.startDeg}};
   }
   if (report.stopConfirmedAfter) {
     json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);

@@ -8,7 +8,9 @@
 #include <QThreadPool>
 #include <algorithm>
 
+#include "base/units.h"
 #include "experiments/path_time.h"
+#include "streaming/pause_placement.h"
 
 namespace rivulet::session {
 
@@ -35,25 +37,31 @@ bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineCo
   return true;
 }
 
-/// Fills the times of a run.
-bool reckonStreamed(const widgets::ProgramView& view, const machine::MachineConfig& machine,
-                    const TimeSettings& settings, const std::function<bool(double)>& progress,
-                    widgets::ProgramTimes& times) {
+/// How long a run takes. @return nothing: given up
+std::optional<experiments::PathTime> reckonStreamed(const widgets::ProgramView& view,
+                                                    const machine::MachineConfig& machine,
+                                                    double feedMmPerS,
+                                                    const widgets::PauseMap& pauses,
+                                                    const std::function<bool(double)>& progress) {
   experiments::PathTimeOptions options;
-  options.feedMmPerS = settings.feedMmPerS;
+  options.feedMmPerS = feedMmPerS;
   options.pauseS = base::toSeconds(machine.standstillMean);
-  // A loop of N points has one STOPRE with the method position and two with signal; a window has
-  // one.
-  const int perPause = settings.method == base::MethodKind::Signal ? settings.pointsPerLoop / 2
-                                                                   : settings.pointsPerLoop;
-  options.pointsPerPause = static_cast<std::size_t>(std::max(1, perPause));
+  options.pausesBehind.resize(pauses.count());
+  std::merge(pauses.offCut.begin(), pauses.offCut.end(), pauses.inCut.begin(), pauses.inCut.end(),
+             options.pausesBehind.begin());
   options.progress = progress;
-  const auto time = experiments::pathTime(view.program->trajectory, view.startMm, machine, options);
-  if (!time) {
-    return false;
+  return experiments::pathTime(view.program->trajectory, view.startMm, machine, options);
+}
+
+std::shared_ptr<const widgets::PauseMap> planPauses(const widgets::ProgramView& view,
+                                                    const TimeSettings& settings) {
+  auto map = std::make_shared<widgets::PauseMap>();
+  const auto perLoop = static_cast<std::size_t>(std::max(1, settings.pointsPerLoop));
+  for (const streaming::PlannedPause& pause :
+       streaming::plannedPauses(view.points.points, settings.method, perLoop)) {
+    (pause.inCut ? map->inCut : map->offCut).push_back(pause.point);
   }
-  times.run = widgets::RunTime{time->totalS, time->standingS, time->pauses};
-  return true;
+  return map;
 }
 
 }  // namespace
@@ -77,27 +85,27 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
       (m_times && m_times->atS.size() != view->points.points.size())) {
     m_program = view->program;
     m_times.reset();
+    m_unpaused.reset();
   }
   m_stop = std::make_shared<std::atomic<bool>>(false);
   QThreadPool::globalInstance()->start([self = QPointer<ProgramTimer>(this), stop = m_stop,
-                                        view = std::move(view), known = m_times, settings] {
+                                        view = std::move(view), known = m_times,
+                                        unpaused = m_unpaused, settings]() mutable {
     const auto machine = machine::loadPreset(kMachine);
     const auto progress = [&](double) { return !stop->load(); };
     // The context of the call is the application: `self` is only touched on its own thread.
-    const auto tell = [&](const std::shared_ptr<const widgets::ProgramTimes>& times) {
+    const auto tell = [&](auto change) {
       QMetaObject::invokeMethod(
           qApp,
-          [self, stop, times, view] {
+          [self, stop, change, view] {
             if (self && self->m_stop == stop) {
-              if (times->run) {
-                self->m_stop.reset();
-              }
-              self->m_times = times;
-              Q_EMIT self->reckoned(times, view);
+              change(*self, view);
             }
           },
           Qt::QueuedConnection);
     };
+    const auto pauses = planPauses(*view, settings);
+    tell([pauses](ProgramTimer& timer, const auto& of) { Q_EMIT timer.planned(pauses, of); });
     if (!machine) {
       return;
     }
@@ -108,12 +116,31 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
         return;
       }
       times = programmed;
-      tell(times);
+      tell([times](ProgramTimer& timer, const auto& of) {
+        timer.m_times = times;
+        Q_EMIT timer.reckoned(times, of);
+      });
+    }
+    if (!unpaused || unpaused->feedMmPerS != settings.feedMmPerS ||
+        !(unpaused->startMm == view->startMm)) {
+      const auto time = reckonStreamed(*view, *machine, settings.feedMmPerS, {}, progress);
+      if (!time) {
+        return;
+      }
+      unpaused = Unpaused{settings.feedMmPerS, view->startMm, time->totalS};
+    }
+    const auto time = reckonStreamed(*view, *machine, settings.feedMmPerS, *pauses, progress);
+    if (!time) {
+      return;
     }
     auto streamed = std::make_shared<widgets::ProgramTimes>(*times);
-    if (reckonStreamed(*view, *machine, settings, progress, *streamed)) {
-      tell(streamed);
-    }
+    streamed->run = widgets::RunTime{time->totalS, time->standingS, time->pauses, unpaused->totalS};
+    tell([streamed, unpaused](ProgramTimer& timer, const auto& of) {
+      timer.m_stop.reset();
+      timer.m_times = streamed;
+      timer.m_unpaused = unpaused;
+      Q_EMIT timer.reckoned(streamed, of);
+    });
   });
 }
 

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Reckons how long a machine takes for a program, away from the GUI thread: with the feeds of the
-/// program, and as a method streams it. @threadsafety GUI thread; the work itself runs in the
-/// global pool.
+/// Reckons away from the GUI thread where a run will pause and how long a machine takes for a
+/// program: with the feeds of the program, and as a method streams it. @threadsafety GUI thread;
+/// the work itself runs in the global pool.
 #pragma once
 
 #include <QObject>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/method_kind.h"
@@ -39,6 +40,9 @@ class ProgramTimer final : public QObject {
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
 
  Q_SIGNALS:
+  /// Told first: it takes no more than a moment.
+  void planned(const std::shared_ptr<const rivulet::widgets::PauseMap>& pauses,
+               const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
   /// Told as soon as the time of the program itself is known, and again with that of the run.
   void reckoned(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times,
                 const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
@@ -47,6 +51,13 @@ class ProgramTimer final : public QObject {
   std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work under way; null: none
   std::shared_ptr<const gcode::Program> m_program;
   std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< of that program
+  /// What it takes without pauses, with a feed of a run, from a place of the tool.
+  struct Unpaused {
+    double feedMmPerS = 0.0;
+    base::Vec3 startMm;
+    double totalS = 0.0;
+  };
+  std::optional<Unpaused> m_unpaused;
 };
 
 }  // namespace rivulet::session

@@ -36,11 +36,19 @@ struct MachineSeen {
   std::string message;
   base::Vec3 positionMm;
   double feedMmPerS = 0.0;
+  base::RotarySet rotaryAxes{};  ///< those the control has
+  base::RotaryDeg rotaryDeg{};
 };
 
 struct RunFinished {
   std::shared_ptr<const streaming::RunReport> report;
   std::string recordingPath;  ///< empty: none could be written
+};
+
+/// The answer to a `ResumeQuestion`.
+struct ResumeFound {
+  std::optional<streaming::Resume> resume;  ///< nothing: see `error`
+  base::Error error;
 };
 
 struct CalibrationFinished {
@@ -50,17 +58,25 @@ struct CalibrationFinished {
 
 using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, trace::Note,
-                 RunFinished, streaming::CalibrationProgress, CalibrationFinished>;
+                 RunFinished, streaming::CalibrationProgress, CalibrationFinished, ResumeFound>;
 
 struct ConnectOrder {
   std::string endpoint;
 };
 struct DisconnectOrder {};
+/// Where was this run left? Asked of the control; nothing is to move for it.
+struct ResumeQuestion {
+  std::shared_ptr<const gcode::Program> program;
+  streaming::RunSettings settings;  ///< of the run that was left
+  streaming::Checkpoint checkpoint;
+};
 struct StartOrder {
   std::shared_ptr<const gcode::Program> program;
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording
   std::string startedAtUtc;
+  /// A run that is resumed: asked once more right before it starts. Another answer is no start.
+  std::optional<ResumeQuestion> resumes;
 };
 
 struct CalibrateOrder {
@@ -68,7 +84,7 @@ struct CalibrateOrder {
   std::string startedAtUtc;
 };
 
-using SessionOrder =
-    std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder, CalibrateOrder>;
+using SessionOrder = std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder,
+                                  CalibrateOrder, ResumeQuestion>;
 
 }  // namespace rivulet::session

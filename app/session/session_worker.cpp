@@ -3,12 +3,16 @@
 
 #include "session/session_worker.h"
 
-#include <array>
 #include <chrono>
 #include <cstdio>
+#include <vector>
 
 #include "base/units.h"
 #include "opcua/open62541/ua_link.h"
+#include "report/machine_profile.h"
+#include "streaming/resume.h"
+#include "streaming/simulation/template_proof.h"
+#include "templates/generator.h"
 #include "trace/recording.h"
 
 namespace rivulet::session {
@@ -51,6 +55,7 @@ class SessionWorker::Orders final : public streaming::RunOrders {
   bool stopRequested(base::Instant) override {
     return m_worker.m_stopRun.load() || m_worker.m_quit.load();
   }
+  bool holdRequested(base::Instant) override { return m_worker.m_holdRun.load(); }
 
  private:
   SessionWorker& m_worker;
@@ -68,6 +73,7 @@ SessionWorker::~SessionWorker() {
 bool SessionWorker::order(SessionOrder order) {
   if (std::holds_alternative<StartOrder>(order) || std::holds_alternative<CalibrateOrder>(order)) {
     m_stopRun.store(false);
+    m_holdRun.store(false);
   }
   if (!m_orders.tryPush(std::move(order))) {
     return false;
@@ -78,6 +84,10 @@ bool SessionWorker::order(SessionOrder order) {
 
 void SessionWorker::stopRun() {
   m_stopRun.store(true);
+}
+
+void SessionWorker::holdRun(bool hold) {
+  m_holdRun.store(hold);
 }
 
 std::optional<SessionEvent> SessionWorker::take() {
@@ -113,6 +123,8 @@ void SessionWorker::work() {
         disconnect();
       } else if (const auto* startOrder = std::get_if<StartOrder>(&*order)) {
         start(*startOrder);
+      } else if (const auto* question = std::get_if<ResumeQuestion>(&*order)) {
+        answer(*question);
       } else if (const auto* calibrateOrder = std::get_if<CalibrateOrder>(&*order)) {
         calibrate(*calibrateOrder);
       }
@@ -133,6 +145,8 @@ void SessionWorker::connect(const ConnectOrder& order) {
     return;
   }
   m_link = std::move(*link);
+  // A control that does not say has none; one that is gone again is noticed by the next look.
+  m_axes = streaming::readControlAxes(*m_link, kWatchDeadline).value_or(streaming::ControlAxes{});
   m_endpoint = order.endpoint;
   // A server that does not say who it is can be worked with all the same.
   m_server = m_link->identity().value_or(opcua::ServerIdentity{});
@@ -149,18 +163,20 @@ void SessionWorker::watch() {
     return;
   }
   using opcua::VariableKind;
-  static constexpr std::array<opcua::Variable, 9> kWatched{{
-      {VariableKind::ChannelStatus, 0},
-      {VariableKind::ProgramStatus, 0},
-      {VariableKind::Alarm, 0},
-      {VariableKind::ProgramName, 0},
-      {VariableKind::Message, 0},
-      {VariableKind::ActualPosition, 0},
-      {VariableKind::ActualPosition, 1},
-      {VariableKind::ActualPosition, 2},
+  std::vector<opcua::Variable> watched{
+      {VariableKind::ChannelStatus, 0},  {VariableKind::ProgramStatus, 0},
+      {VariableKind::Alarm, 0},          {VariableKind::ProgramName, 0},
+      {VariableKind::Message, 0},        {VariableKind::ActualPosition, 0},
+      {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2},
       {VariableKind::PathFeed, 0},
-  }};
-  const auto readings = streaming::readNow(*m_link, kWatched, kWatchDeadline);
+  };
+  const std::size_t firstRotary = watched.size();
+  for (const int axis : m_axes.index) {
+    if (axis >= 0) {
+      watched.push_back({VariableKind::ActualPosition, axis});
+    }
+  }
+  const auto readings = streaming::readNow(*m_link, watched, kWatchDeadline);
   if (!readings) {
     if (readings.error().code == opcua::LinkError::ConnectionLost) {
       m_link.reset();
@@ -176,7 +192,62 @@ void SessionWorker::watch() {
   seen.message = (*readings)[4].text;
   seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
   seen.feedMmPerS = base::mmPerSFromMmPerMin((*readings)[8].number);
+  seen.rotaryAxes = m_axes.set();
+  std::size_t next = firstRotary;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    seen.rotaryDeg[axis] = seen.rotaryAxes[axis] ? (*readings)[next++].number : 0.0;
+  }
   tellIfRoom(seen);
+}
+
+bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) const {
+  if (settings.parameters.method != base::MethodKind::Credit) {
+    return false;
+  }
+  const auto identity = m_link->identity();
+  return identity &&
+         report::requireCreditTest(report::profileFolder(), m_endpoint, *identity).has_value();
+}
+
+void SessionWorker::answer(const ResumeQuestion& question) {
+  if (!m_link) {
+    tell(ResumeFound{std::nullopt,
+                     base::makeError(opcua::LinkError::NotReachable,
+                                     "There is no connection to a control. Connect first.")});
+    return;
+  }
+  const auto resume =
+      streaming::resumeFrom(*m_link, *question.program, question.settings, question.checkpoint);
+  tell(resume ? ResumeFound{*resume, {}} : ResumeFound{std::nullopt, resume.error()});
+}
+
+base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming::RunSink& sink) {
+  const auto text = templates::generateTemplate(order.settings.parameters);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  if (m_proven != *text) {
+    streaming::LiveUpdate update;
+    update.state = streaming::RunState::Armed;
+    update.waitingFor = "proof";
+    sink.update(update);
+    if (base::Result<void> proven = streaming::requireProven(order.settings.parameters); !proven) {
+      return proven;
+    }
+    m_proven = *text;
+  }
+  if (order.resumes) {
+    const auto resume = streaming::resumeFrom(*m_link, *order.resumes->program,
+                                              order.resumes->settings, order.resumes->checkpoint);
+    if (!resume) {
+      return base::fail(resume.error());
+    }
+    if (!order.settings.resume || resume->point != order.settings.resume->point) {
+      return base::fail(streaming::StreamError::CannotResume,
+                        "The control has moved on since it was asked. Resume again.");
+    }
+  }
+  return {};
 }
 
 void SessionWorker::start(const StartOrder& order) {
@@ -190,6 +261,13 @@ void SessionWorker::start(const StartOrder& order) {
   }
   Sink sink(*this);
   Orders orders(*this);
+  if (const base::Result<void> clear = checkBefore(order, sink); !clear) {
+    auto report = std::make_shared<streaming::RunReport>();
+    report->error = clear.error();
+    report->settings = order.settings;
+    tell(RunFinished{std::move(report), {}});
+    return;
+  }
   // The file is written by this thread between accesses: small appends into the page cache.
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
       order.recordingPath.empty() ? nullptr : std::fopen(order.recordingPath.c_str(), "wb"),
@@ -204,8 +282,10 @@ void SessionWorker::start(const StartOrder& order) {
   recorder.writer = writer.get();
   recorder.start.toolVersion = RIVULET_VERSION;
   recorder.start.startedAtUtc = order.startedAtUtc;
+  streaming::RunSettings settings = order.settings;
+  settings.isCommissioned = hasPassedCreditTest(settings);
   auto report = std::make_shared<streaming::RunReport>(streaming::runJob(
-      *m_link, *m_link, *order.program, order.settings, orders, sink, std::move(recorder)));
+      *m_link, *m_link, *order.program, settings, orders, sink, std::move(recorder)));
   const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;

@@ -4,7 +4,8 @@
 /// @file
 /// The streaming thread: owns the link and, during a run, driver and method. Orders come in and
 /// events go out through bounded rings; nothing on this side waits for the GUI.
-/// @threadsafety constructor, destructor, `order`, `stopRun` and `take` belong to the GUI thread.
+/// @threadsafety constructor, destructor, `order`, `stopRun`, `holdRun` and `take` belong to the
+/// GUI thread.
 #pragma once
 
 #include <atomic>
@@ -16,6 +17,7 @@
 #include "base/spsc_ring.h"
 #include "opcua/link.h"
 #include "session/session_event.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 
 namespace rivulet::opcua {
@@ -37,6 +39,8 @@ class SessionWorker {
   /// Takes effect within a driver's look at its orders, 20 ms; cancels a calibration behind the
   /// request under way.
   void stopRun();
+  /// The run that lasts is to wait in front of its next window, or to go on (method window).
+  void holdRun(bool hold);
   /// The oldest event not taken yet.
   std::optional<SessionEvent> take();
   /// Live updates that were dropped because nobody took them.
@@ -50,7 +54,13 @@ class SessionWorker {
   void connect(const ConnectOrder& order);
   void disconnect();
   void start(const StartOrder& order);
+  void answer(const ResumeQuestion& question);
+  /// What stands in the way of a start that only shows now. The template is put to the proof once
+  /// per kind.
+  [[nodiscard]] base::Result<void> checkBefore(const StartOrder& order, streaming::RunSink& sink);
   void calibrate(const CalibrateOrder& order);
+  /// As the profile of the machine says.
+  [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
@@ -61,8 +71,11 @@ class SessionWorker {
   std::counting_semaphore<> m_orderCount{0};
   std::atomic<bool> m_quit{false};
   std::atomic<bool> m_stopRun{false};
+  std::atomic<bool> m_holdRun{false};
   std::atomic<std::size_t> m_lost{0};
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
+  streaming::ControlAxes m_axes;          // of the control at the other end
+  std::string m_proven;                   // text of the template proved last; streaming thread only
   std::string m_endpoint;                 // of `m_link`
   opcua::ServerIdentity m_server;
   std::thread m_thread;

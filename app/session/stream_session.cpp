@@ -33,13 +33,14 @@ void StreamSession::disconnectFrom() {
 }
 
 void StreamSession::start(std::shared_ptr<const gcode::Program> program,
-                          const streaming::RunSettings& settings, const QString& recordingPath) {
-  if (m_running || m_calibrating) {
+                          const streaming::RunSettings& settings, const QString& recordingPath,
+                          std::optional<ResumeQuestion> resumes) {
+  if (m_running || m_asking || m_calibrating) {
     return;
   }
-  m_running = m_worker->order(
-      StartOrder{std::move(program), settings, recordingPath.toStdString(),
-                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+  m_running = m_worker->order(StartOrder{
+      std::move(program), settings, recordingPath.toStdString(),
+      QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(), std::move(resumes)});
 }
 
 void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
@@ -52,6 +53,16 @@ void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
 
 void StreamSession::stop() {
   m_worker->stopRun();
+}
+
+void StreamSession::hold(bool hold) {
+  m_worker->holdRun(hold);
+}
+
+void StreamSession::askResume(ResumeQuestion question) {
+  if (!m_running && !m_asking) {
+    m_asking = m_worker->order(std::move(question));
+  }
 }
 
 void StreamSession::drain() {
@@ -67,6 +78,9 @@ void StreamSession::drain() {
     } else if (const auto* finished = std::get_if<RunFinished>(&*event)) {
       m_running = false;
       Q_EMIT runFinished(*finished);
+    } else if (const auto* found = std::get_if<ResumeFound>(&*event)) {
+      m_asking = false;
+      Q_EMIT resumeFound(*found);
     } else if (const auto* progress = std::get_if<streaming::CalibrationProgress>(&*event)) {
       Q_EMIT calibrationProgressed(*progress);
     } else if (const auto* calibrated = std::get_if<CalibrationFinished>(&*event)) {

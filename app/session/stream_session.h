@@ -28,14 +28,20 @@ class StreamSession final : public QObject {
   void connectTo(const QString& endpoint);
   void disconnectFrom();
   /// @param recordingPath  file to write; empty: none
+  /// @param resumes        the run that is resumed, if one is
   void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
-             const QString& recordingPath);
+             const QString& recordingPath, std::optional<ResumeQuestion> resumes = {});
   void stop();
+  void hold(bool hold);
+  /// Answered by `resumeFound`. Nothing while a run lasts.
+  void askResume(ResumeQuestion question);
+
   /// Measures what access costs, on cells the operator has confirmed. `stop` cancels.
   void calibrate(const streaming::CalibrationPlan& plan);
 
   [[nodiscard]] bool isRunning() const { return m_running; }
   [[nodiscard]] bool isCalibrating() const { return m_calibrating; }
+  [[nodiscard]] bool isAsking() const { return m_asking; }
 
  Q_SIGNALS:
   void linkChanged(const rivulet::session::LinkChanged& change);
@@ -43,6 +49,7 @@ class StreamSession final : public QObject {
   void updateArrived(const rivulet::streaming::LiveUpdate& update);
   void noteArrived(const rivulet::trace::Note& note);
   void runFinished(const rivulet::session::RunFinished& finished);
+  void resumeFound(const rivulet::session::ResumeFound& found);
   void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
   void calibrationFinished(const rivulet::session::CalibrationFinished& finished);
 
@@ -52,6 +59,7 @@ class StreamSession final : public QObject {
   std::unique_ptr<SessionWorker> m_worker;
   QTimer m_timer;
   bool m_running = false;
+  bool m_asking = false;
   bool m_calibrating = false;
 };
 

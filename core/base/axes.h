@@ -61,6 +61,13 @@ struct AxisPosition {
 [[nodiscard]] inline double turnDeg(const RotaryDeg& from, const RotaryDeg& to) {
   return norm({to[0] - from[0], to[1] - from[1], to[2] - from[2]});
 }
+/// Beyond this many degrees per mm it is the turn that measures a path.
+inline constexpr double kDegPerMmMax = 100.0;
+/// What the feed of a straight way is along: the mm of X Y Z, or the degrees where (practically)
+/// only rotary axes turn; F is mm/min or deg/min then.
+[[nodiscard]] constexpr double wayAlongFeed(double lengthMm, double turnDeg) {
+  return lengthMm * kDegPerMmMax < turnDeg ? turnDeg : lengthMm;
+}
 /// Largest difference of those axes, deg.
 [[nodiscard]] inline double differenceDeg(const RotaryDeg& a, const RotaryDeg& b,
                                           const RotarySet& of) {

@@ -26,7 +26,21 @@ constexpr std::size_t kPoints = 140;
 constexpr int kPointsPerLoop = 7;
 constexpr double kPointDistanceMm = 0.15;  // as in [P1], Fig. 4
 constexpr double kRestMmMean = 0.15;
-constexpr std::array kMethods{MethodKind::Position, MethodKind::Signal, MethodKind::Window};
+
+/// One line of the comparison. A file carries as many points as one likes: with N as for the
+/// others, and with ten times as many.
+struct Contender {
+  MethodKind method;
+  int pointsPerLoop;
+  const char* name;
+};
+constexpr std::array<Contender, 6> kContenders{
+    {{MethodKind::Position, kPointsPerLoop, "position"},
+     {MethodKind::Signal, kPointsPerLoop, "signal"},
+     {MethodKind::Window, kPointsPerLoop, "window"},
+     {MethodKind::Credit, kPointsPerLoop, "credit"},
+     {MethodKind::File, kPointsPerLoop, "file"},
+     {MethodKind::File, 10 * kPointsPerLoop, "file, N 70"}}};
 constexpr std::array<double, 12> kFeeds{100.0,  200.0,  300.0,  500.0,  700.0,  1000.0,
                                         1500.0, 2000.0, 3000.0, 5000.0, 8000.0, 12000.0};
 
@@ -41,15 +55,17 @@ struct Measured {
   double requests = 0.0;
 };
 
-Measured measure(const ExperimentOptions& options, MethodKind method, double feedMmPerMin,
+Measured measure(const ExperimentOptions& options, const Contender& contender, double feedMmPerMin,
                  std::uint64_t seed) {
   base::Random random = base::Random(seed).fork(9);
   streaming::Scenario scenario;
   scenario.machine = options.machine;
   scenario.program = streaming::programOf(
       streaming::drawContour({kPoints, kPointDistanceMm, kRestMmMean}, random));
-  scenario.settings.parameters.method = method;
-  scenario.settings.parameters.pointsPerLoop = kPointsPerLoop;
+  scenario.settings.parameters.method = contender.method;
+  scenario.settings.parameters.pointsPerLoop = contender.pointsPerLoop;
+  scenario.settings.isCommissioned =
+      options.machine.rRead == machine::RRead::AtInterpretation && !options.machine.jumpStops;
   scenario.settings.deltaMm = kPointDistanceMm;
   scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   scenario.settings.monitor = false;  // reads nothing but what the method needs
@@ -105,9 +121,9 @@ Summary summaryOf(const Measured* runs, std::size_t count) {
   return summary;
 }
 
-std::vector<std::string> rowOf(MethodKind method, double feed, const Summary& summary,
+std::vector<std::string> rowOf(const std::string& name, double feed, const Summary& summary,
                                std::size_t seeds) {
-  return {std::string(base::methodName(method)),
+  return {name,
           fmt::format("{:.0f}", feed),
           fmt::format("{} of {}", summary.right, seeds),
           fmt::format("{:.1f}", summary.pauses),
@@ -123,16 +139,15 @@ std::vector<std::string> rowOf(MethodKind method, double feed, const Summary& su
 base::Result<Experiment> runMethods(const ExperimentOptions& options) {
   const std::size_t seeds = options.seeds > 0 ? options.seeds : 40;
   const std::size_t perMethod = kFeeds.size() * seeds;
-  std::vector<Measured> runs(kMethods.size() * perMethod);
+  std::vector<Measured> runs(kContenders.size() * perMethod);
   std::atomic<std::size_t> done{0};
   std::atomic<bool> isCancelled{false};
   options.executor.forEach(runs.size(), [&](std::size_t job) {
     if (isCancelled) {
       return;
     }
-    const MethodKind method = kMethods[job / perMethod];
     const double feed = kFeeds[job % perMethod / seeds];
-    runs[job] = measure(options, method, feed, job % seeds + 1);
+    runs[job] = measure(options, kContenders[job / perMethod], feed, job % seeds + 1);
     const double share = static_cast<double>(++done) / static_cast<double>(runs.size());
     if (options.progress && !options.progress(share)) {
       isCancelled = true;
@@ -161,8 +176,8 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
   Plot rate{"Points per second, runs without error", "F (mm/min)", "points per s", {}};
   Plot standing{
       "Share of time the axes stand, runs without error", "F (mm/min)", "stand-still (%)", {}};
-  for (std::size_t m = 0; m < kMethods.size(); ++m) {
-    const std::string name(base::methodName(kMethods[m]));
+  for (std::size_t m = 0; m < kContenders.size(); ++m) {
+    const std::string name(kContenders[m].name);
     Series rates{name, SeriesStyle::Line, false, {}, {}, {}};
     Series shares{name, SeriesStyle::Line, false, {}, {}, {}};
     std::optional<std::size_t> largest;
@@ -172,7 +187,7 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
     for (std::size_t f = 0; f < kFeeds.size(); ++f) {
       const Summary summary = summaryOf(&runs[m * perMethod + f * seeds], seeds);
       summaries.push_back(summary);
-      all.rows.push_back(rowOf(kMethods[m], kFeeds[f], summary, seeds));
+      all.rows.push_back(rowOf(name, kFeeds[f], summary, seeds));
       wrong += seeds - summary.right;
       isStillRight = isStillRight && summary.right == seeds;
       if (isStillRight) {
@@ -184,11 +199,11 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
       }
     }
     if (largest) {
-      best.rows.push_back(rowOf(kMethods[m], kFeeds[*largest], summaries[*largest], seeds));
+      best.rows.push_back(rowOf(name, kFeeds[*largest], summaries[*largest], seeds));
     }
-    if (kMethods[m] == MethodKind::Window) {
+    if (base::hasWindows(kContenders[m].method)) {
       Check never;
-      never.what = "runs of method window with an error, all feeds";
+      never.what = fmt::format("runs of method {} with an error, all feeds", name);
       never.source = "promise of the method";
       never.reference = 0.0;
       never.ours = static_cast<double>(wrong);
@@ -207,8 +222,14 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
                   kFeeds.size(), kFeeds.back()),
       "Between points so close, and with a stand-still in each loop, the axes of the machine never "
       "reach the larger feeds: points per second approach a limit, and so do the errors.",
-      "Method window is right at any feed because its axes wait where the client is late; the "
-      "methods of [P1] are right only where they are fast enough on the machine in question.",
+      "Methods window, credit and file are right at any feed because their axes wait where the "
+      "client is late; the methods of [P1] are right only where they are fast enough on the "
+      "machine in "
+      "question.",
+      "Method credit is experimental: it needs a control that reads R-parameters each time it "
+      "passes a block, as this virtual machine does.",
+      "Method file is there for comparison. What storing a program costs on a control is published "
+      "nowhere; the machine of this run takes what its preset says.",
       "Where runs went wrong, the figures of the second table are those of runs that repeat or "
       "skip points: they are no measure of the method."};
   return result;

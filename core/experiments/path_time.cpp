@@ -26,6 +26,7 @@ std::optional<PathTime> pathTime(const gcode::Trajectory& trajectory, base::Vec3
                                  const PathTimeOptions& options) {
   RIVULET_ASSERT(base::isFinite(startMm));
   RIVULET_ASSERT(options.feedMmPerS >= 0.0 && options.pauseS >= 0.0);
+  RIVULET_ASSERT(std::is_sorted(options.pausesBehind.begin(), options.pausesBehind.end()));
   const std::vector<gcode::TrajectoryPoint>& points = trajectory.points;
   PathTime result;
   result.atS.reserve(points.size());
@@ -33,7 +34,8 @@ std::optional<PathTime> pathTime(const gcode::Trajectory& trajectory, base::Vec3
   std::vector<trace::ExecutedBlock> executed;
   base::Instant now{};
   std::size_t appended = 0;
-  std::size_t sincePause = 0;
+  std::size_t streamedBefore = 0;  // streamed points in front of the next block
+  auto nextPause = options.pausesBehind.begin();
   std::uint64_t cycles = 0;
 
   const auto targetMm = [&](std::size_t index) {
@@ -45,9 +47,23 @@ std::optional<PathTime> pathTime(const gcode::Trajectory& trajectory, base::Vec3
     }
     return positionMm;
   };
+  // As `gcode::streamPoints` sees it: a move that only turns is streamed, too.
+  const auto turnsAt = [&trajectory](std::size_t index) {
+    const auto degrees = [&trajectory, index](std::size_t back, std::size_t axis) {
+      const double value = trajectory.rotary[index - back].degrees[axis];
+      return std::isnan(value) ? 0.0 : value;
+    };
+    for (std::size_t axis = 0; !trajectory.rotary.empty() && axis < base::kRotaryAxisCount;
+         ++axis) {
+      if (degrees(0, axis) != degrees(1, axis)) {
+        return true;
+      }
+    }
+    return false;
+  };
   // A point that repeats its predecessor is not streamed: it fills no slot of a loop.
   const auto isStreamed = [&](std::size_t index) {
-    return index == 0 || !(targetMm(index) == targetMm(index - 1));
+    return index == 0 || !(targetMm(index) == targetMm(index - 1)) || turnsAt(index);
   };
   std::size_t lastStreamed = points.empty() ? 0 : points.size() - 1;
   while (lastStreamed > 0 && !isStreamed(lastStreamed)) {
@@ -68,14 +84,17 @@ std::optional<PathTime> pathTime(const gcode::Trajectory& trajectory, base::Vec3
     block.roundingMm = config.roundingMm;
     block.dynamics = config.resetDynamics;
     const bool streamed = isStreamed(appended);
-    sincePause += streamed ? 1 : 0;
-    const bool pauses = options.pointsPerPause > 0 && sincePause == options.pointsPerPause &&
-                        streamed && appended < lastStreamed;
+    const bool isPlace =
+        streamed && nextPause != options.pausesBehind.end() && *nextPause == streamedBefore;
+    if (isPlace) {
+      ++nextPause;
+    }
+    streamedBefore += streamed ? 1 : 0;
+    const bool pauses = isPlace && appended < lastStreamed;
     block.end = pauses ? machine::BlockEnd::ExactStop : machine::BlockEnd::Rounded;
     planner.append(block);
     ++appended;
     if (pauses) {
-      sincePause = 0;
       ++result.pauses;
       result.standingS += options.pauseS;
       planner.append(machine::PreparedDwell{point.line, base::fromSeconds(options.pauseS)});

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -17,9 +18,11 @@
 namespace rivulet::experiments {
 
 struct PathTimeOptions {
-  double feedMmPerS = 0.0;         ///< of all points, as a method streams them; 0: as programmed
-  std::size_t pointsPerPause = 0;  ///< a STOPRE after so many points; 0: no pauses
-  double pauseS = 0.0;             ///< what the axes stand at each, beyond braking and accelerating
+  double feedMmPerS = 0.0;  ///< of all points, as a method streams them; 0: as programmed
+  /// Streamed points (those that do not repeat their predecessor) with a STOPRE behind them,
+  /// ascending. One behind the last point is none: the program ends there.
+  std::vector<std::uint32_t> pausesBehind;
+  double pauseS = 0.0;  ///< what the axes stand at each, beyond braking and accelerating
   /// Told now and then the share done; false: give up.
   std::function<bool(double share)> progress;
 };

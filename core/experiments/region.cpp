@@ -76,6 +76,7 @@ std::string_view runFateName(RunFate fate) {
 
 RunFate fateOf(streaming::Scenario scenario, base::Error* error) {
   scenario.settings.stallDeadline = kStallDeadline;
+  scenario.settings.isCommissioned = true;  // what the virtual machine is, is known
   scenario.limit = base::fromSeconds(kLimitFactor * plannedSeconds(scenario) + kLimitRestS);
   const streaming::RunReport report = streaming::simulate(scenario);
   const trace::Integrity& integrity = report.integrity;

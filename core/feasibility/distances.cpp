@@ -59,7 +59,10 @@ ProgramDistances programDistances(const std::vector<gcode::StreamPoint>& points,
   std::vector<double> stepsMm;
   stepsMm.reserve(points.size() - 1);
   for (std::size_t i = 1; i < points.size(); ++i) {
-    stepsMm.push_back(base::distance(points[i - 1].positionMm, points[i].positionMm));
+    // Where only rotary axes turn, the feed is along degrees: the time comes out as for as many mm.
+    stepsMm.push_back(
+        base::wayAlongFeed(base::distance(points[i - 1].positionMm, points[i].positionMm),
+                           base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg)));
   }
   const auto place = [&](std::size_t first, std::size_t steps) {
     return Place{

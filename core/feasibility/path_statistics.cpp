@@ -59,9 +59,17 @@ double degreesBetween(base::Vec3 a, base::Vec3 b) {
 
 }  // namespace
 
+bool hasDistances(const gcode::PointList& list) {
+  const std::vector<gcode::StreamPoint>& points = list.points;
+  return std::adjacent_find(points.begin(), points.end(),
+                            [](const gcode::StreamPoint& a, const gcode::StreamPoint& b) {
+                              return a.positionMm != b.positionMm;
+                            }) != points.end();
+}
+
 PathStatistics pathStatistics(const gcode::PointList& list) {
   const std::vector<gcode::StreamPoint>& points = list.points;
-  RIVULET_ASSERT(points.size() >= 2);
+  RIVULET_ASSERT(hasDistances(list));
   PathStatistics statistics;
   statistics.points = points.size();
   statistics.duplicates = list.merged;
@@ -71,8 +79,10 @@ PathStatistics pathStatistics(const gcode::PointList& list) {
   base::Vec3 before{};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const base::Vec3 step = points[i].positionMm - points[i - 1].positionMm;
-    distancesMm.push_back(base::norm(step));
-    if (i > 1) {
+    if (step == base::Vec3{}) {
+      continue;  // only rotary axes turn
+    }
+    if (!distancesMm.empty()) {
       const double degrees = degreesBetween(before, step);
       const auto angleClass =
           static_cast<std::size_t>(degrees * static_cast<double>(kAngleClasses) / 180.0);
@@ -82,6 +92,7 @@ PathStatistics pathStatistics(const gcode::PointList& list) {
         statistics.angles.line = points[i - 1].line;
       }
     }
+    distancesMm.push_back(base::norm(step));
     before = step;
   }
   std::sort(distancesMm.begin(), distancesMm.end());

@@ -38,6 +38,9 @@ struct PathStatistics {
   AngleChanges angles;
 };
 
+/// True if X, Y or Z moves between two of the points: only then there are statistics.
+[[nodiscard]] bool hasDistances(const gcode::PointList& list);
+
 /// @param list  at least 2 points
 /// @threadsafety pure; O(n log n).
 [[nodiscard]] PathStatistics pathStatistics(const gcode::PointList& list);

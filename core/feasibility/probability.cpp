@@ -1229,7 +1229,8 @@ Prediction predict(const std::vector<gcode::StreamPoint>& points,
                    base::Vec3 startMm) {
   RIVULET_ASSERT(!points.empty());
   RIVULET_ASSERT(operatingPoint.feedMmPerS > 0.0);
-  if (operatingPoint.method == base::MethodKind::Window) {
+  // Of method credit this is the slower end: it does not stand between windows.
+  if (base::hasWindows(operatingPoint.method)) {
     RIVULET_ASSERT(operatingPoint.pointsPerLoop >= 1);
     return predictWindows(points, operatingPoint, model, startMm);
   }

@@ -110,6 +110,11 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
 base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramDistances& distances,
                             const AccessModel& access, const SafetyFactors& safety) {
   const bool position = operatingPoint.method == base::MethodKind::Position;
+  if (operatingPoint.method == base::MethodKind::File) {
+    return base::fail(FeasibilityError::NothingKnown,
+                      "What storing a program costs is known of no control, so nothing can be said "
+                      "of method file beforehand. Its axes wait where the client is late.");
+  }
   // Written so that a value which is not a number is refused as well.
   if (!(operatingPoint.feedMmPerS > 0.0) || !std::isfinite(operatingPoint.feedMmPerS)) {
     return base::fail(

@@ -24,6 +24,7 @@ enum class FeasibilityError {
   FeedNotPositive = 1,
   DeltaNotPositive,
   TooFewPointsPerLoop,  ///< N < 2
+  NothingKnown,         ///< method file: what a transfer costs is known of no control
 };
 
 [[nodiscard]] std::error_code make_error_code(FeasibilityError code);

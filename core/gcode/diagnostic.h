@@ -49,12 +49,14 @@ enum class DiagnosticCode {
   SubprogramMissing,            ///< argument: its name; the points it would give are missing
   CycleNotRun,                  ///< argument: the cycle; the motions it would make are missing
   MachineCoordinates,           ///< argument: the word (SUPA, G53); the move is left out
-  RotaryAxes,                   ///< argument: the axes; the points carry them, no method sends them
-  NotAnyDialect,                ///< argument: what was found; the text is of no known dialect
-  CentreReading,                ///< argument: the reading under which all arcs fit
-  NoMotion,                     ///< no argument: no axis moves
-  Accepted,                     ///< accepted by the user: argument the name; the word is left out
-  MoreFindings,                 ///< the list was cut here: argument how many are not in it
+  RotaryAxes,                   ///< argument: an axis that turns on the path
+  ToolTip,                      ///< argument: the word; X Y Z stay the tool's tip while axes turn
+  ToolDirections,  ///< argument: the words; the points carry them, no method sends them
+  NotAnyDialect,   ///< argument: what was found; the text is of no known dialect
+  CentreReading,   ///< argument: the reading under which all arcs fit
+  NoMotion,        ///< no argument: no axis moves
+  Accepted,        ///< accepted by the user: argument the name; the word is left out
+  MoreFindings,    ///< the list was cut here: argument how many are not in it
 };
 
 struct Diagnostic {

@@ -573,6 +573,7 @@ class Interpreter {
         words.rareWords().splineKey = key;
         break;
       case GEffect::ToolLength:
+        m_tipWord.clear();
         m_facts.forget(2);
         words.taken |= key == 431;  // G43.1 gives the offset itself, it is no move
         m_findings.ignoreG(index, token);
@@ -584,6 +585,7 @@ class Interpreter {
         m_findings.ignoreG(index, token);
         break;
       case GEffect::None:
+        m_tipWord = key == 434 ? "G43.4" : m_tipWord;
         m_findings.ignoreG(index, token);
         break;
       case GEffect::Tolerance:
@@ -794,6 +796,7 @@ class Interpreter {
         m_findings.ignore(Severity::Note, token, name);
         break;
       case NameEffect::Transformation:
+        m_tipWord = name == "TRAORI" ? "TRAORI" : "";
         m_findings.ignore(Severity::Note, token, name);
         break;
       case NameEffect::Value:
@@ -1450,7 +1453,7 @@ class Interpreter {
     move.toolDirection = (1.0 / length) * direction;
     if (!m_directionReported) {
       m_directionReported = true;
-      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::RotaryAxes,
+      m_findings.report(Severity::Warning, words.motionColumn, DiagnosticCode::ToolDirections,
                         "A3 B3 C3");
     }
   }
@@ -1459,6 +1462,10 @@ class Interpreter {
     // An axis first named in mid-path turns there: where it stood before is not known.
     const bool turns = m_rotaryFirst[axis] ? *m_rotaryFirst[axis] != degrees : m_pathBegun;
     m_rotaryFirst[axis] = m_rotaryFirst[axis].value_or(degrees);
+    if (turns && !m_tipWord.empty() && !m_tipReported) {
+      m_tipReported = true;
+      m_findings.report(Severity::Warning, column, DiagnosticCode::ToolTip, m_tipWord);
+    }
     if (turns && !m_rotaryReported[axis]) {
       m_rotaryReported[axis] = true;
       m_findings.report(Severity::Warning, column, DiagnosticCode::RotaryAxes,
@@ -1960,6 +1967,8 @@ class Interpreter {
   bool m_directionReported = false;
   std::array<std::optional<double>, base::kAxisCount> m_rotaryFirst;
   std::array<bool, base::kAxisCount> m_rotaryReported{};
+  std::string m_tipWord;  ///< what keeps X Y Z at the tip of the tool; empty: nothing
+  bool m_tipReported = false;
 };
 
 }  // namespace

@@ -93,7 +93,8 @@ bool Program::isUnderstood() const {
 bool Program::isStreamable() const {
   return isUnderstood() && !trajectory.points.empty() &&
          std::none_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
-           return diagnostic.code == DiagnosticCode::RotaryAxes;
+           return diagnostic.code == DiagnosticCode::ToolDirections ||
+                  diagnostic.code == DiagnosticCode::ToolTip;
          });
 }
 

@@ -78,8 +78,9 @@ struct Program {
 
   /// True if no finding is an error: the whole path is known.
   [[nodiscard]] bool isUnderstood() const;
-  /// True if it is understood and all it moves are X, Y and Z: rotary axes may be set once, before
-  /// the path, but not turn on it.
+  /// True if it is understood and moves axes: a method can stream it, method window alone where
+  /// rotary axes turn on the path (`turnedAxes`). Directions of the tool, and
+  /// rotary axes that turn while X Y Z are those of the tool's tip, cannot be streamed.
   [[nodiscard]] bool isStreamable() const;
 };
 

@@ -39,14 +39,19 @@ PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
 base::RotarySet turnedAxes(const Trajectory& trajectory) {
   base::RotarySet turned{};
   base::RotaryDeg first = RotaryPosition{}.degrees;
-  for (const RotaryPosition& at : trajectory.rotary) {
+  bool begun =
+      false;  // X, Y or Z has moved: where an axis named first stood till then is not known
+  for (std::size_t i = 0; i < trajectory.rotary.size(); ++i) {
+    const base::RotaryDeg& at = trajectory.rotary[i].degrees;
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-      if (std::isnan(first[axis])) {
-        first[axis] = at.degrees[axis];
+      if (std::isnan(at[axis])) {
+        continue;
       }
-      turned[axis] =
-          turned[axis] || (!std::isnan(at.degrees[axis]) && at.degrees[axis] != first[axis]);
+      turned[axis] = turned[axis] || (std::isnan(first[axis]) ? begun : at[axis] != first[axis]);
+      first[axis] = std::isnan(first[axis]) ? at[axis] : first[axis];
     }
+    const base::Vec3 mm = trajectory.points[i].positionMm;
+    begun = begun || !std::isnan(mm.x) || !std::isnan(mm.y) || !std::isnan(mm.z);
   }
   return turned;
 }

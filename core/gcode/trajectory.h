@@ -97,8 +97,8 @@ struct PointList {
 [[nodiscard]] PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
                                      const base::RotaryDeg& startDeg = {});
 
-/// Rotary axes that stand differently at some points: those the program turns on its path. An axis
-/// that is only set once, before the path, is none of them.
+/// Rotary axes the program turns on its path: they stand differently at some points, or are named
+/// first when X, Y or Z has moved. An axis that is only set at the beginning is none of them.
 [[nodiscard]] base::RotarySet turnedAxes(const Trajectory& trajectory);
 
 }  // namespace rivulet::gcode

@@ -285,6 +285,8 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
   } else if (arrayWrite != "all") {
     reader.problem("access.arrayWrite", "must be \"all\", \"refused\" or \"firstOnly\"", nullptr);
   }
+  config.access.programOverhead = milliseconds(reader, "access.programOverheadMs", 0.0, 60000.0);
+  config.access.programBytesPerS = 1e3 * reader.number("access.programKilobytesPerS", 1e-3, 1e9);
   const std::string arrayCharge = reader.word("access.arrayCharge");
   if (arrayCharge == "node") {
     config.access.arrays.charge = ArrayCharge::Node;

@@ -90,6 +90,8 @@ struct AccessCost {
   base::Duration nodeTimeMean{};
   base::Duration nodeTimeDeviation{};  ///< standard deviation of one node
   base::Duration nodeTimeMin{};        ///< never below
+  base::Duration programOverhead{};    ///< once per program that is stored
+  double programBytesPerS = 0.0;       ///< of its text
   base::Duration samplingMin{};        ///< shortest sampling and publishing interval
   ArrayAccess arrays;
 };

@@ -113,6 +113,13 @@ class Machine::Impl final : public MainRun {
     return m_serviceFreeAt;
   }
 
+  Instant serveProgram(std::size_t bytes) {
+    const AccessCost& cost = m_config.access;
+    m_serviceFreeAt += cost.programOverhead +
+                       base::fromSeconds(static_cast<double>(bytes) / cost.programBytesPerS);
+    return m_serviceFreeAt;
+  }
+
   Result<void> storeProgram(const std::string& name, std::string text, bool overwrite) {
     if (text.size() > kProgramBytesMax) {
       return base::fail(MachineError::FileTooLarge,
@@ -478,6 +485,10 @@ Instant Machine::beginRequest(AccessKind kind, Instant arrival) {
 
 Instant Machine::serveNode() {
   return m_impl->serveNode();
+}
+
+Instant Machine::serveProgram(std::size_t bytes) {
+  return m_impl->serveProgram(bytes);
 }
 
 Result<void> Machine::storeProgram(const std::string& name, std::string text, bool overwrite) {

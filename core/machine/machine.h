@@ -78,6 +78,8 @@ class Machine {
   /// Serves the next node of the request begun last. @return when the node is done: advance
   /// the machine to it, then read or write the variable
   base::Instant serveNode();
+  /// Serves the writing of a program in the request begun last. @return when it is done
+  base::Instant serveProgram(std::size_t bytes);
 
   // --- programs ---------------------------------------------------------------------------
   /// @param name as on the control, e.g. "A.MPF"; upper and lower case are the same

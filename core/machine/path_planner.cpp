@@ -19,8 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLengthMmMin = 1e-9;
 /// A turn smaller than this is none.
 constexpr double kTurnDegMin = 1e-9;
-/// Beyond this many degrees per mm it is the turn that measures the path.
-constexpr double kDegPerMmMax = 1000.0;
 /// Time below this is rounding, not motion.
 constexpr double kTimeSMin = 1e-12;
 /// Room for rounding where a braking length is compared with what is left.
@@ -119,7 +117,7 @@ void PathPlanner::append(const PreparedMotion& motion) {
     m_blocks.push_back(block);
     return;
   }
-  const bool inDegrees = !motion.arc && turns && straightMm * kDegPerMmMax < block.turnDeg;
+  const bool inDegrees = !motion.arc && turns && straightMm * base::kDegPerMmMax < block.turnDeg;
   const PathPiece path = motion.arc  ? PathPiece::arc(fromMm, motion.targetMm, *motion.arc)
                          : inDegrees ? PathPiece::turning(fromMm, motion.targetMm, block.turnDeg)
                                      : PathPiece::line(fromMm, motion.targetMm);
@@ -172,6 +170,7 @@ void PathPlanner::append(const PreparedDwell& dwell) {
   block.toDeg = m_endDeg;
   block.dwellS = base::toSeconds(dwell.duration);
   block.isDwell = true;
+  ++m_appended;
   m_blocks.push_back(block);
 }
 
@@ -586,8 +585,8 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
   if (m_blocks.size() == 1) {
     m_commandMm = block.toMm;
   }
+  ++m_finished;
   if (!block.isDwell) {
-    ++m_finished;
     m_commandDeg = block.toDeg;  // the end of a turn is never rounded
     executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.wayMm,
                         block.toDeg, block.turnDeg});

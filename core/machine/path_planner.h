@@ -33,7 +33,7 @@
 ///
 /// Rotary axes turn in proportion to the path: each piece has its degrees per mm, and its speed,
 /// acceleration and jerk along the path are such that no rotary axis exceeds its own. A block that
-/// moves nothing else (or less than 1 µm per degree) is measured in degrees, and the path stands
+/// moves nothing else (or less than 10 µm per degree) is measured in degrees, and the path stands
 /// at both its ends. Corners at blocks that turn rotary axes are not rounded: where the course or
 /// the degrees per mm change, the path passes at the speed at which the step is bearable for each
 /// axis (as where an arc meets a line), or stands.
@@ -63,7 +63,7 @@ class PathPlanner {
 
   /// Blocks taken over and not finished.
   [[nodiscard]] int blockCount() const { return static_cast<int>(m_blocks.size()); }
-  /// Motion blocks taken over and finished since the planner was made.
+  /// Blocks taken over and finished since the planner was made, dwells included.
   [[nodiscard]] std::uint64_t blocksAppended() const { return m_appended; }
   [[nodiscard]] std::uint64_t blocksFinished() const { return m_finished; }
   [[nodiscard]] bool isStanding() const { return m_state.speedMmPerS == 0.0; }

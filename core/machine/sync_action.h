@@ -3,10 +3,10 @@
 
 /// @file
 /// Synchronized actions: evaluated in every interpolation cycle of the main run, in the order of
-/// their numbers; those without a number hold for the next motion block alone. An action becomes
-/// active when the motion block that follows it begins. `$R` is read and written in the main run;
-/// a plain `R10` is the value at interpretation. IDS actions outlive the program, until the
-/// channel is reset or another program starts. @threadsafety one object, one thread.
+/// their numbers; those without a number hold for the next block of the main run alone, a dwell
+/// included. An action becomes active when the block that follows it begins. `$R` is read and
+/// written in the main run; a plain `R10` is the value at interpretation. IDS actions outlive
+/// the program, until the channel is reset or another program starts. @threadsafety one object, one thread.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct SyncAssignment {
 };
 
 struct SyncAction {
-  int id = 0;             ///< 0: for the next motion block alone
+  int id = 0;             ///< 0: for the next block alone
   bool isStatic = false;  ///< IDS
   SyncTrigger trigger = SyncTrigger::Always;
   std::optional<Expression> condition;
@@ -44,7 +44,7 @@ struct SyncAction {
 
 class SyncActions {
  public:
-  /// @param block  number of the motion block that follows, counted by the planner
+  /// @param block  number of the block that follows, counted by the planner
   void add(std::shared_ptr<const SyncAction> action, std::uint64_t block);
   void cancel(int id);
   /// The program has ended: all but the static ones go.
@@ -52,7 +52,7 @@ class SyncActions {
   void clear() { m_active.clear(); }
   [[nodiscard]] bool isEmpty() const { return m_active.empty(); }
 
-  /// One cycle. @param blocksFinished  motion blocks the main run has finished
+  /// One cycle. @param blocksFinished  blocks the main run has finished
   /// @return the alarm of an action that failed; it is cancelled
   std::optional<Alarm> run(MainRun& mainRun, std::uint64_t blocksFinished);
 

@@ -58,6 +58,11 @@ class Link {
   virtual base::RequestId write(std::span<const Assignment> assignments, base::Duration deadline,
                                 Grouping grouping) = 0;
 
+  /// Writes a program over one of the same name while a stream runs: WriteDone, without statuses.
+  /// Names end in MPF (part programs) or SPF (subprograms).
+  virtual base::RequestId store(const std::string& name, const std::string& text,
+                                base::Duration deadline) = 0;
+
   /// The next event, waiting for it no longer than `until`. Nothing: the time has come.
   virtual std::optional<Event> wait(base::Instant until) = 0;
 };

@@ -48,6 +48,7 @@ constexpr std::array kRows{
 /// The longest name a SINUMERIK program can have, extension included.
 constexpr std::size_t kProgramNameLengthMax = 32;
 constexpr std::string_view kPartPrograms = "Sinumerik/FileSystem/Part Program/";
+constexpr std::string_view kSubPrograms = "Sinumerik/FileSystem/Sub Program/";
 
 /// Digits only: the control takes neither signs nor blanks in an index.
 std::optional<int> parseIndex(std::string_view text) {
@@ -157,14 +158,18 @@ std::optional<ParameterArray> arrayOf(std::string_view identifier) {
 }
 
 std::string programPath(std::string_view name) {
-  return std::string(kPartPrograms).append(name);
+  const bool isSubprogram =
+      name.size() >= 4 && base::toUpper(name.substr(name.size() - 4)) == ".SPF";
+  return std::string(isSubprogram ? kSubPrograms : kPartPrograms).append(name);
 }
 
 std::optional<std::string> programNameOf(std::string_view path) {
-  if (path.substr(0, kPartPrograms.size()) != kPartPrograms) {
-    return std::nullopt;
+  std::string_view name;
+  for (const std::string_view folder : {kPartPrograms, kSubPrograms}) {
+    if (path.substr(0, folder.size()) == folder) {
+      name = path.substr(folder.size());
+    }
   }
-  const std::string_view name = path.substr(kPartPrograms.size());
   if (name.empty() || name.size() > kProgramNameLengthMax ||
       name.find('/') != std::string_view::npos) {
     return std::nullopt;

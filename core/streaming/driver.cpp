@@ -30,6 +30,9 @@ constexpr int kSlackFactor = 2;
 /// Request durations the live margin is computed from.
 constexpr std::size_t kRecentMax = 100;
 
+/// Files travel more slowly than variables.
+constexpr Duration kStoreDeadline = std::chrono::seconds{10};
+
 constexpr double kChannelReset = 0.0;
 
 /// Cells of the longest request the method makes while it streams.
@@ -69,6 +72,18 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
     if (!m_calibratedTail) {
       // A form that was not measured: lists always are.
       m_calibratedTail = settings.calibration->tail(true, opcua::Grouping::List, nodes);
+    }
+  }
+}
+
+void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
+  if (m_display.size() <= base::kAxisCount) {
+    return;  // a method that reads the axes itself
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (axisOf[axis] >= 0) {
+      m_displayRotary.push_back(axis);
+      m_display.insert(m_display.end() - 1, {opcua::VariableKind::ActualPosition, axisOf[axis]});
     }
   }
 }
@@ -128,6 +143,9 @@ void Driver::checkOrders() {
 }
 
 bool Driver::hasSlackFor(int nodes) const {
+  if (m_holding) {
+    return true;  // the machine waits anyway
+  }
   const Duration needed = kSlackFactor * expectedRead(nodes + 1);
   return m_link.now() + needed < m_method.progress().nextEarliest;
 }
@@ -202,6 +220,12 @@ void Driver::submitMethod() {
   if (action->kind == Action::Kind::Read) {
     pending.nodes = static_cast<int>(action->variables.size());
     pending.id = m_link.read(action->variables, m_settings.requestDeadline, m_settings.grouping);
+  } else if (action->kind == Action::Kind::Store) {
+    pending.write = true;
+    pending.nodes = 0;
+    pending.id = m_link.store(std::string(action->name), std::string(action->text),
+                              m_settings.requestDeadline + kStoreDeadline);
+    m_counters.sent += action->points;
   } else {
     pending.write = true;
     pending.nodes = static_cast<int>(action->assignments.size());
@@ -248,7 +272,9 @@ void Driver::handle(const opcua::Event& event) {
     return;
   }
   m_sink.access({event.sent, event.at - event.sent, pending.write, pending.nodes});
-  m_recentAccess.push_back(event.at - event.sent);
+  if (pending.nodes > 0) {
+    m_recentAccess.push_back(event.at - event.sent);
+  }
   if (m_recentAccess.size() > kRecentMax) {
     m_recentAccess.pop_front();
   }
@@ -306,7 +332,7 @@ void Driver::handleMethod(const opcua::Event& event) {
   if (const std::optional<base::Vec3> position = m_method.positionMm();
       position && !event.readings.empty() && event.at >= m_nextDisplay) {
     m_nextDisplay = event.at + kDisplayInterval;
-    publish(trace::LiveSample{event.at, position, std::nullopt});
+    publish(trace::LiveSample{event.at, position, std::nullopt, {}});
   }
 }
 
@@ -326,10 +352,16 @@ void Driver::handleMonitor(const opcua::Event& event) {
     }
     return;
   }
-  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0};
+  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0, {}};
   if (event.readings.size() > base::kAxisCount) {
     sample.positionMm =
         base::Vec3{event.readings[0].number, event.readings[1].number, event.readings[2].number};
+    if (!m_displayRotary.empty()) {
+      sample.rotaryDeg.emplace();
+      for (std::size_t i = 0; i < m_displayRotary.size(); ++i) {
+        (*sample.rotaryDeg)[m_displayRotary[i]] = event.readings[base::kAxisCount + i].number;
+      }
+    }
   }
   if (const auto measured = m_detector.add(event.at, *sample.feedMmPerS)) {
     // The same stand-still may have been inferred from the handshake already.

@@ -8,6 +8,7 @@
 /// @threadsafety runs on the thread that calls `run`; the sink is called on that thread.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -52,6 +53,9 @@ class Driver {
   ///                  to be abandoned
   Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
          RunSink& sink, std::size_t total, opcua::Assignment stop);
+
+  /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
+  void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
 
   /// Streams until the program on the control has ended, or until nothing more can be done.
   [[nodiscard]] StreamEnd run();
@@ -102,7 +106,8 @@ class Driver {
   std::optional<Pending> m_methodPending;
   std::optional<Pending> m_monitorPending;
   bool m_monitorIsStatus = false;
-  std::vector<opcua::Variable> m_display;  // what a display read asks for
+  std::vector<opcua::Variable> m_display;    // what a display read asks for; the feed last
+  std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
   std::vector<opcua::Variable> m_status;
   base::Instant m_nextDisplay{};
   base::Instant m_nextStatus{};

@@ -56,7 +56,9 @@ class Ledger final : public RunSink {
   void access(const trace::Access& access) override {
     m_requests.push_back(access.took);
     m_nodes += static_cast<std::size_t>(access.nodes);
-    m_perNode.push_back(access.took / std::max(access.nodes, 1));
+    if (access.nodes > 0) {  // a file has none
+      m_perNode.push_back(access.took / access.nodes);
+    }
     if (m_writer != nullptr) {
       m_writer->access(access);
     }
@@ -167,9 +169,9 @@ class Job {
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
     if (isWindow()) {
-      const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm});
-      m_report.checkpoint =
-          Checkpoint{m_settings.runNumber, from.point, from.startMm, false, m_settings.placePauses};
+      const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg});
+      m_report.checkpoint = Checkpoint{m_settings.runNumber,   from.point,   from.startMm, false,
+                                       m_settings.placePauses, from.startDeg};
     }
     startRecording();
     return {};
@@ -177,7 +179,7 @@ class Job {
 
   /// Tries the forms of access on cells the run is going to overwrite anyway.
   Result<void> chooseAccess() {
-    if (m_settings.access == AccessChoice::Fixed) {
+    if (m_settings.access == AccessChoice::Fixed || m_cells.inFiles) {
       return {};
     }
     if (!isWindow() && m_settings.parameters.layout != templates::Layout::Contiguous) {
@@ -226,6 +228,9 @@ class Job {
     start.method = base::methodName(m_settings.parameters.method);
     start.pointsPerLoop = m_settings.parameters.pointsPerLoop;
     start.layout = templates::layoutName(m_settings.parameters.layout);
+    if (const std::string axes = templates::axisLetters(m_settings.parameters); axes != "XYZ") {
+      start.axes = axes;
+    }
     start.deltaMm = m_settings.deltaMm;
     start.feedMmPerS = m_settings.feedMmPerS;
     start.programName = m_program.name;
@@ -335,10 +340,18 @@ class Job {
   }
 
   void stream() {
-    MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings};
+    MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings,
+                      m_flight.toolDeg};
     const std::unique_ptr<Method> method = makeMethod(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
                   {opcua::rParameter(m_cells.stop), isWindow() ? 2.0 : 1.0});
+    ControlAxes shown;
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      if (m_cells.rotaryAxes[axis]) {
+        shown.index[axis] = m_flight.axes.index[axis];
+      }
+    }
+    driver.watchRotary(shown.index);
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();
     if (m_report.checkpoint) {
@@ -460,8 +473,8 @@ class Job {
     if (trace->truncated) {
       m_ledger.note({m_link.now(), "the control's trace is incomplete: the run is not judged"});
     } else {
-      m_report.integrity =
-          trace::judgeIntegrity(m_flight.points.points, trace->blocks, kPointToleranceMm);
+      m_report.integrity = trace::judgeIntegrity(m_flight.points.points, trace->blocks,
+                                                 kPointToleranceMm, m_cells.rotaryAxes);
     }
     m_report.pauses = trace::findPauses(*trace);
     if (!trace->samples.empty()) {
@@ -596,8 +609,35 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   }
   Preflight flight;
   flight.toolMm = {(*readings)[1].number, (*readings)[2].number, (*readings)[3].number};
-  flight.points = gcode::streamPoints(program.trajectory,
-                                      settings.resume ? settings.resume->startMm : flight.toolMm);
+  const bool asksForRotary =
+      base::any(settings.parameters.rotaryAxes) || !program.trajectory.rotary.empty();
+  if (asksForRotary) {
+    const Result<ControlAxes> axes = readControlAxes(link, settings.requestDeadline);
+    if (!axes) {
+      return base::fail(axes.error());
+    }
+    flight.axes = *axes;
+    const Result<base::RotaryDeg> angles =
+        readAngles(link, flight.axes, flight.axes.set(), settings.requestDeadline);
+    if (!angles) {
+      return base::fail(angles.error());
+    }
+    flight.toolDeg = *angles;
+  }
+  if (Result<void> covered =
+          requireRotaryAxes(program.trajectory, settings.parameters, flight.axes, flight.toolDeg);
+      !covered) {
+    return base::fail(covered.error());
+  }
+  base::AxisPosition start{flight.toolMm, flight.toolDeg};
+  if (settings.resume) {
+    start = {settings.resume->startMm, settings.resume->startDeg};
+  }
+  Result<gcode::PointList> list = pointsOnAxes(program.trajectory, settings.parameters, start);
+  if (!list) {
+    return base::fail(list.error());
+  }
+  flight.points = std::move(*list);
   if (settings.resume) {
     std::vector<gcode::StreamPoint>& points = flight.points.points;
     const std::size_t done = std::min(settings.resume->point, points.size());

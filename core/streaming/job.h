@@ -13,6 +13,7 @@
 #include <string>
 
 #include "gcode/program.h"
+#include "streaming/control_axes.h"
 #include "streaming/driver.h"
 #include "streaming/run.h"
 
@@ -20,13 +21,17 @@ namespace rivulet::streaming {
 
 /// What is in the way of a start, or good to know before it. Text in `base::Error::message`.
 struct Preflight {
-  base::Vec3 toolMm;        ///< where the tool stands
-  double approachMm = 0.0;  ///< straight way from there to the first point
-  gcode::PointList points;  ///< what would be streamed
+  base::Vec3 toolMm;          ///< where the tool stands
+  base::RotaryDeg toolDeg{};  ///< the rotary axes the control has; 0 for others
+  ControlAxes axes;           ///< where it has them
+  double approachMm = 0.0;    ///< straight way from there to the first point
+  gcode::PointList points;    ///< what would be streamed
 };
 
 /// Looks at the control without changing anything.
-/// @return VariableMissing, ChannelBusy, ProgramNotStreamable, or a link error
+/// @return VariableMissing, ChannelBusy, ProgramNotStreamable, AxesNotChosen, AxisMissing, or a
+/// link
+///         error
 [[nodiscard]] base::Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                                 const RunSettings& settings);
 

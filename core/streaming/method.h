@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "base/instant.h"
@@ -23,10 +24,12 @@ namespace rivulet::streaming {
 
 /// One access a method asks for. The spans stay valid until the answer has been handled.
 struct Action {
-  enum class Kind { Read, Write } kind = Kind::Read;
+  enum class Kind { Read, Write, Store } kind = Kind::Read;
   std::span<const opcua::Variable> variables;      ///< Read
   std::span<const opcua::Assignment> assignments;  ///< Write
   std::size_t points = 0;                          ///< points of the program this write hands over
+  std::string_view name = {};                      ///< Store: of the program
+  std::string_view text = {};                      ///< Store
 };
 
 /// The answer to the action polled last.
@@ -88,6 +91,7 @@ struct MethodSetup {
   base::Vec3 startMm;  ///< where the tool stands before the run, workpiece frame
   templates::CellMap cells;
   RunSettings settings;
+  base::RotaryDeg startDeg{};  ///< the same of A, B, C
 };
 
 /// The method named in the settings. @param setup see MethodSetup

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <deque>
 #include <numbers>
 #include <utility>
 
@@ -15,11 +15,24 @@ namespace rivulet::streaming {
 
 namespace {
 
+/// A corner of just this angle must not depend on the last digit.
+constexpr double kRounding = 1e-9;
+/// A move counts as straight up along Z if it goes aside by no more than this.
+constexpr double kAsideMm = 1e-6;
+
 bool turns(base::Vec3 before, base::Vec3 at, base::Vec3 after) {
   const base::Vec3 in = at - before;
   const base::Vec3 out = after - at;
   const double cosine = std::cos(kCornerDegrees * std::numbers::pi / 180.0);
-  return base::dot(in, out) <= cosine * base::norm(in) * base::norm(out);
+  return base::dot(in, out) <= (cosine + kRounding) * base::norm(in) * base::norm(out);
+}
+
+bool retracts(const gcode::StreamPoint& before, const gcode::StreamPoint& at) {
+  // Where a rotary axis is turned, up along Z need not be along the tool.
+  const base::RotaryDeg upright{};
+  const base::Vec3 way = at.positionMm - before.positionMm;
+  return way.z > 0.0 && std::hypot(way.x, way.y) <= kAsideMm && before.rotaryDeg == upright &&
+         at.rotaryDeg == upright;
 }
 
 }  // namespace
@@ -28,10 +41,10 @@ std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
   std::vector<bool> harmless(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool isLast = i + 1 == points.size();
-    harmless[i] =
-        isLast || points[i].kind == gcode::MoveKind::Rapid ||
-        points[i + 1].kind == gcode::MoveKind::Rapid ||
-        (i > 0 && turns(points[i - 1].positionMm, points[i].positionMm, points[i + 1].positionMm));
+    harmless[i] = isLast || points[i].kind == gcode::MoveKind::Rapid ||
+                  (i > 0 && (retracts(points[i - 1], points[i]) ||
+                             turns(points[i - 1].positionMm, points[i].positionMm,
+                                   points[i + 1].positionMm)));
   }
   return harmless;
 }
@@ -47,16 +60,20 @@ PausePlacement placePauses(std::span<const gcode::StreamPoint> points,
   };
   // best[n]: of the first n points, cut behind the last of them.
   std::vector<Best> best(points.size() + 1);
+  const auto cost = [&best](std::size_t n) { return std::pair(best[n].inCut, best[n].windows); };
+  // Where the next window may begin: the cheapest is in front, and behind it only what is dearer,
+  // for the time when it is too far back.
+  std::deque<std::size_t> begins{0};
   for (std::size_t end = 1; end <= points.size(); ++end) {
-    Best chosen{std::numeric_limits<std::size_t>::max(), 0, 0};
-    const std::size_t first = end > pointsPerWindow ? end - pointsPerWindow : 0;
-    for (std::size_t begin = first; begin < end; ++begin) {
-      const Best& before = best[begin];
-      if (std::pair(before.inCut, before.windows) < std::pair(chosen.inCut, chosen.windows)) {
-        chosen = {before.inCut, before.windows, begin};
-      }
+    if (begins.front() + pointsPerWindow < end) {
+      begins.pop_front();
     }
-    best[end] = {chosen.inCut + (harmless[end - 1] ? 0U : 1U), chosen.windows + 1, chosen.begin};
+    const std::size_t begin = begins.front();
+    best[end] = {best[begin].inCut + (harmless[end - 1] ? 0U : 1U), best[begin].windows + 1, begin};
+    while (!begins.empty() && cost(begins.back()) > cost(end)) {
+      begins.pop_back();
+    }
+    begins.push_back(end);
   }
   PausePlacement placement;
   placement.inCut = best.back().inCut;
@@ -81,6 +98,41 @@ PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_
 PausePlacement cutWindows(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
                           bool place) {
   return place ? placePauses(points, pointsPerWindow) : evenPauses(points, pointsPerWindow);
+}
+
+std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> points,
+                                        base::MethodKind method, std::size_t pointsPerLoop,
+                                        bool place) {
+  RIVULET_ASSERT(!points.empty() && pointsPerLoop >= 1);
+  const std::vector<bool> harmless = harmlessPauses(points);
+  std::vector<PlannedPause> pauses;
+  const auto add = [&](std::size_t behind) {
+    if (behind > 0 && behind < points.size()) {
+      pauses.push_back({static_cast<std::uint32_t>(behind - 1), !harmless[behind - 1]});
+    }
+  };
+  if (method == base::MethodKind::Credit) {
+    return pauses;
+  }
+  if (base::hasWindows(method)) {
+    for (const std::size_t begin : cutWindows(points, pointsPerLoop, place).begins) {
+      add(begin);
+    }
+    return pauses;
+  }
+  const std::size_t half = method == base::MethodKind::Signal ? pointsPerLoop / 2 : 0;
+  for (std::size_t loop = 0; loop < points.size(); loop += pointsPerLoop) {
+    add(loop);
+    if (half > 0) {
+      add(loop + half);
+    }
+  }
+  return pauses;
+}
+
+std::size_t pausesInCut(std::span<const PlannedPause> pauses) {
+  return static_cast<std::size_t>(std::count_if(
+      pauses.begin(), pauses.end(), [](const PlannedPause& pause) { return pause.inCut; }));
 }
 
 }  // namespace rivulet::streaming

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/contract.h"
+#include "streaming/control_axes.h"
 #include "streaming/job.h"
 #include "streaming/pause_placement.h"
 
@@ -35,6 +36,27 @@ constexpr double kReachedMm = 1e-3;
 /// A path that leaves the tool farther than this and comes back has passed it twice.
 constexpr double kSpotMm = 0.06;
 
+/// The places of all axes as a space in which a way between two points is a straight line.
+double dot(const base::AxisPosition& a, const base::AxisPosition& b) {
+  return base::dot(a.mm, b.mm) + a.deg[0] * b.deg[0] + a.deg[1] * b.deg[1] + a.deg[2] * b.deg[2];
+}
+/// a + k (b - a)
+base::AxisPosition between(const base::AxisPosition& a, const base::AxisPosition& b, double k) {
+  base::AxisPosition place{a.mm + k * (b.mm - a.mm), a.deg};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    place.deg[axis] += k * (b.deg[axis] - a.deg[axis]);
+  }
+  return place;
+}
+base::AxisPosition difference(const base::AxisPosition& from, const base::AxisPosition& to) {
+  return {to.mm - from.mm,
+          {to.deg[0] - from.deg[0], to.deg[1] - from.deg[1], to.deg[2] - from.deg[2]}};
+}
+double distance(const base::AxisPosition& a, const base::AxisPosition& b) {
+  const base::AxisPosition way = difference(a, b);
+  return std::sqrt(dot(way, way));
+}
+
 constexpr const char* kMoved =
     "The tool does not stand where the run was left. Bring it back to the last point that was "
     "executed, or start from the beginning.";
@@ -54,6 +76,27 @@ Result<std::vector<double>> numbersOf(opcua::Link& link, std::span<const Variabl
     numbers.push_back(reading.number);
   }
   return numbers;
+}
+
+/// 0 for the axes that are not streamed.
+base::AxisPosition onlyRotary(base::AxisPosition place, const base::RotarySet& rotaryAxes) {
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    place.deg[axis] = rotaryAxes[axis] ? place.deg[axis] : 0.0;
+  }
+  return place;
+}
+
+/// Where the rotary axes of the run stand.
+Result<base::RotaryDeg> anglesOf(opcua::Link& link, const RunSettings& settings) {
+  const base::RotarySet wanted = settings.parameters.rotaryAxes;
+  if (!base::any(wanted)) {
+    return base::RotaryDeg{};
+  }
+  const Result<ControlAxes> axes = readControlAxes(link, settings.requestDeadline);
+  if (!axes) {
+    return base::fail(axes.error());
+  }
+  return readAngles(link, *axes, wanted, settings.requestDeadline);
 }
 
 /// A program that waits for our windows ends; nothing else is touched.
@@ -99,6 +142,15 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
 }  // namespace
 
 std::optional<std::size_t> pointAhead(const std::vector<Vec3>& path, Vec3 toolMm) {
+  std::vector<base::AxisPosition> places;
+  for (const Vec3 mm : path) {
+    places.push_back({mm, {}});
+  }
+  return pointAhead(places, {toolMm, {}});
+}
+
+std::optional<std::size_t> pointAhead(const std::vector<base::AxisPosition>& path,
+                                      const base::AxisPosition& tool) {
   RIVULET_ASSERT(path.size() >= 2);
   struct Foot {
     double distanceMm;
@@ -107,14 +159,14 @@ std::optional<std::size_t> pointAhead(const std::vector<Vec3>& path, Vec3 toolMm
   std::vector<Foot> feet;  // one per block, in their order
   std::vector<double> arcMm{0.0};
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const Vec3 way = path[i] - path[i - 1];
-    const double lengthMm = base::norm(way);
+    const base::AxisPosition way = difference(path[i - 1], path[i]);
+    const double lengthMm = std::sqrt(dot(way, way));
     const double share =
         lengthMm > 0.0
-            ? std::clamp(base::dot(toolMm - path[i - 1], way) / (lengthMm * lengthMm), 0.0, 1.0)
+            ? std::clamp(dot(difference(path[i - 1], tool), way) / (lengthMm * lengthMm), 0.0, 1.0)
             : 0.0;
     feet.push_back(
-        {base::distance(toolMm, path[i - 1] + share * way), arcMm.back() + share * lengthMm});
+        {distance(tool, between(path[i - 1], path[i], share)), arcMm.back() + share * lengthMm});
     arcMm.push_back(arcMm.back() + lengthMm);
   }
   const auto nearest = std::min_element(feet.begin(), feet.end(), [](const Foot& a, const Foot& b) {
@@ -126,7 +178,7 @@ std::optional<std::size_t> pointAhead(const std::vector<Vec3>& path, Vec3 toolMm
   const auto passesAgain = [&](std::size_t from, std::size_t to) {
     bool hasLeft = false;  // between two blocks the path is farthest from the tool at a point
     for (std::size_t block = from; block < to; ++block) {
-      hasLeft = hasLeft || base::distance(path[block + 1], toolMm) > kSpotMm;
+      hasLeft = hasLeft || distance(path[block + 1], tool) > kSpotMm;
     }
     return hasLeft;
   };
@@ -167,21 +219,35 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   if (!numbers) {
     return base::fail(numbers.error());
   }
-  const std::vector<gcode::StreamPoint> points =
-      gcode::streamPoints(program.trajectory, last.startMm).points;
+  const Result<base::RotaryDeg> angles = anglesOf(link, settings);
+  if (!angles) {
+    return base::fail(angles.error());
+  }
+  const base::AxisPosition tool{{(*numbers)[3], (*numbers)[4], (*numbers)[5]}, *angles};
+  const base::AxisPosition start{last.startMm, last.startDeg};
+  Result<gcode::PointList> list = pointsOnAxes(program.trajectory, settings.parameters, start);
+  if (!list) {
+    return base::fail(list.error());
+  }
+  const std::vector<gcode::StreamPoint> points = std::move(list->points);
+  // Axes that are not streamed may stand anywhere.
+  const auto placeOf = [&](std::size_t point) {
+    return onlyRotary({points[point].positionMm, points[point].rotaryDeg}, cells.rotaryAxes);
+  };
+  const auto placeBefore = [&](std::size_t point) {
+    return point > 0 ? placeOf(point - 1) : onlyRotary(start, cells.rotaryAxes);
+  };
   const std::size_t total = points.size();
   const double latched = (*numbers)[1];
   const double executed = (*numbers)[2];
   const bool isOurs = (*numbers)[0] == static_cast<double>(last.runNumber);
-  const auto tool = [&] { return Vec3{(*numbers)[3], (*numbers)[4], (*numbers)[5]}; };
   if (!isOurs && !last.granted) {
     // It never came to be obeyed: nothing has moved for it.
     if (last.firstPoint >= total ||
-        (last.firstPoint > 0 &&
-         base::distance(points[last.firstPoint - 1].positionMm, tool()) > kBesideMm)) {
+        (last.firstPoint > 0 && distance(placeBefore(last.firstPoint), tool) > kBesideMm)) {
       return base::fail(StreamError::CannotResume, kMoved);
     }
-    return Resume{last.firstPoint, last.startMm};
+    return Resume{last.firstPoint, last.startMm, last.startDeg};
   }
   // What the program may have taken over beyond what is executed.
   const bool isCredit = settings.parameters.method == base::MethodKind::Credit;
@@ -204,24 +270,22 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     return window < placement.windows() ? last.firstPoint + placement.begins[window] : total;
   };
   std::size_t next = pointOf(executed);
-  const Vec3 toolMm = tool();
   if (latched > executed) {
     // Reset in the middle of what was taken over: the tool stands on its way, or at its end.
     const std::size_t end = pointOf(latched);
-    std::vector<Vec3> path{next > 0 ? points[next - 1].positionMm : last.startMm};
+    std::vector<base::AxisPosition> path{placeBefore(next)};
     for (std::size_t i = next; i < end; ++i) {
-      path.push_back(points[i].positionMm);
+      path.push_back(placeOf(i));
     }
     const std::optional<std::size_t> ahead =
-        path.size() >= 2 ? pointAhead(path, toolMm) : std::nullopt;
+        path.size() >= 2 ? pointAhead(path, tool) : std::nullopt;
     if (!ahead) {
       return base::fail(StreamError::CannotResume,
                         "The tool does not stand on the path of what was broken off, "
                         "or the path passes there twice. Start from the beginning.");
     }
     next += *ahead - 1;
-  } else if (base::distance(next > 0 ? points[next - 1].positionMm : last.startMm, toolMm) >
-             kBesideMm) {
+  } else if (distance(placeBefore(next), tool) > kBesideMm) {
     // Cells can be written by others; where the tool stands cannot.
     return base::fail(StreamError::CannotResume, kMoved);
   }
@@ -229,7 +293,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     return base::fail(StreamError::CannotResume, "Every point has been executed already.",
                       program.name);
   }
-  return Resume{next, last.startMm};
+  return Resume{next, last.startMm, last.startDeg};
 }
 
 }  // namespace rivulet::streaming

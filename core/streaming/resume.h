@@ -31,5 +31,8 @@ namespace rivulet::streaming {
 ///         passes twice
 [[nodiscard]] std::optional<std::size_t> pointAhead(const std::vector<base::Vec3>& path,
                                                     base::Vec3 toolMm);
+/// The same with rotary axes, which turn evenly along each way: a degree counts as a millimetre.
+[[nodiscard]] std::optional<std::size_t> pointAhead(const std::vector<base::AxisPosition>& path,
+                                                    const base::AxisPosition& tool);
 
 }  // namespace rivulet::streaming

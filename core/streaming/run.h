@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/method_kind.h"
 #include "base/result.h"
@@ -47,7 +48,10 @@ enum class StreamError {
   ClientSilent,     ///< the control gave up waiting for the client (method window)
   CannotResume,     ///< where the run was left cannot be told for certain
   TransferRefused,  ///< no right to write part programs through the server
+  Cancelled,        ///< by whoever waits for it
   NotCommissioned,  ///< method credit on a control that has not passed its test
+  AxesNotChosen,    ///< the program moves axes that are not among those to be streamed
+  AxisMissing,      ///< the control has no such axis
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -63,6 +67,7 @@ enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding };
 struct Resume {
   std::size_t point = 0;  ///< the first to be streamed, counted in that list
   base::Vec3 startMm;     ///< where the tool stood before the first run
+  base::RotaryDeg startDeg{};
 };
 
 /// What has to be known of a run of method window or credit to take it up again (`resumeFrom`).
@@ -72,6 +77,7 @@ struct Checkpoint {
   base::Vec3 startMm;          ///< where the tool stood before the first run
   bool granted = false;        ///< the control is known to have obeyed this run
   bool pausesPlaced = true;    ///< its windows were cut by `placePauses`, else evenly
+  base::RotaryDeg startDeg{};
 };
 
 /// How a run comes by its form of access.

@@ -32,6 +32,8 @@ constexpr int kWindowHeader = 10;
 constexpr int kWindowOwn = 3;
 constexpr int kWindowsMax = 8;
 constexpr int kWindowsAheadMax = 8;
+/// Method file: some 40 kB a window.
+constexpr int kFilePointsMax = 1000;
 /// Far beyond every control; keeps the arithmetic of cells small.
 constexpr int kRParametersMax = 1'000'000;
 
@@ -66,6 +68,10 @@ CellMap cellsOf(const TemplateParameters& parameters) {
     cells.windows = parameters.windows;
     cells.windowStride = kWindowOwn + cells.slotStride * parameters.pointsPerLoop;
     cells.firstSlot = first + kWindowHeader + kWindowOwn;
+    if (parameters.method == base::MethodKind::File) {
+      cells.inFiles = true;
+      cells.asked = first + 9;
+    }
     return cells;
   }
   if (parameters.layout == Layout::Paper) {
@@ -80,7 +86,7 @@ CellMap cellsOf(const TemplateParameters& parameters) {
 
 /// What programs with windows differ in besides points, windows, linear axes and cells, below
 /// `kVariants`; 0: method window without rotary axes.
-constexpr std::uint64_t kVariants = 17 * 8;
+constexpr std::uint64_t kVariants = 18 * 8;
 std::uint64_t variantOf(const TemplateParameters& parameters) {
   std::uint64_t rotary = 0;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
@@ -90,6 +96,8 @@ std::uint64_t variantOf(const TemplateParameters& parameters) {
   if (parameters.method == base::MethodKind::Credit) {
     const int ahead = std::clamp(parameters.windowsAhead, 1, kWindowsAheadMax);
     kind = static_cast<std::uint64_t>(ahead * 2 - (parameters.slowDown ? 1 : 0));
+  } else if (parameters.method == base::MethodKind::File) {
+    kind = 17;
   }
   return kind * 8 + rotary;
 }
@@ -138,7 +146,7 @@ std::vector<int> CellMap::slotCells(int slot) const {
 }
 
 int CellMap::last() const {
-  int last = std::max({signal, run, stop, feed, layout, heartbeat});
+  int last = std::max({signal, run, stop, feed, layout, heartbeat, asked});
   if (slotCount() > 0) {
     for (const int cell : slotCells(slotCount() - 1)) {
       last = std::max(last, cell);
@@ -158,7 +166,7 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
   if (chosenAxes(parameters) == 0) {
     return base::fail(TemplateError::NoAxis, "No axis is chosen: choose at least one of X, Y, Z.");
   }
-  if (base::any(parameters.rotaryAxes) && parameters.method != base::MethodKind::Window) {
+  if (base::any(parameters.rotaryAxes) && !base::streamsRotary(parameters.method)) {
     return base::fail(
         TemplateError::RotaryNeedsWindow,
         fmt::format("Method {} moves X, Y and Z only: choose method window for rotary axes.",
@@ -200,6 +208,11 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
                       parameters.slotStride, chosenAxes(parameters), kStrideMax));
     }
   }
+  if (parameters.method == base::MethodKind::File && parameters.pointsPerLoop > kFilePointsMax) {
+    return base::fail(TemplateError::DoesNotFit,
+                      fmt::format("{} points per file: choose at most {}.",
+                                  parameters.pointsPerLoop, kFilePointsMax));
+  }
   // Before any arithmetic with N: more points than R-parameters never fit.
   if (parameters.pointsPerLoop > kRParametersMax) {
     return base::fail(TemplateError::DoesNotFit,
@@ -225,6 +238,9 @@ int pointsPerLoopMax(const TemplateParameters& parameters) {
   const int axes = chosenAxes(parameters);
   if (axes == 0) {
     return 0;
+  }
+  if (parameters.method == base::MethodKind::File) {
+    return parameters.baseCell + kWindowHeader <= parameters.rParameterCount ? kFilePointsMax : 0;
   }
   TemplateParameters one = parameters;
   one.pointsPerLoop = 1;
@@ -315,7 +331,7 @@ int layoutNumber(const TemplateParameters& parameters) {
            1;
   }
   // All others lie above, up to 2^24: a 32-bit real still holds them. Apart from each other below
-  // N = 1812 with the cells where they are by default.
+  // N = 1712 with the cells where they are by default.
   constexpr std::uint64_t kFurtherPrime = 15'777'217;
   constexpr std::uint64_t kFurtherSpread = 9'750'853;
   constexpr std::uint64_t kFurtherShift = 4'288'771;

@@ -81,12 +81,15 @@ struct CellMap {
 
   // Methods window and credit only. `run` is 0 hold, 1 run, 2 end before the next window; `signal`,
   // `stop` and `feed` are not used there, and `firstSlot` is the first slot of window 0.
-  int delivered = 0;     ///< client, last of each window: windows it has completed
-  int latched = 0;       ///< NC: windows it has copied; their cells may be written again
-  int executed = 0;      ///< NC: windows whose last point the axes have reached
-  int state = 0;         ///< NC: `WindowState`
-  int client = 0;        ///< client: the number of its run, to be granted the cells
-  int owner = 0;         ///< NC: number of the run it obeys; only the first to ask is granted
+  int delivered = 0;  ///< client, last of each window: windows it has completed
+  int latched = 0;    ///< NC: windows it has copied; their cells may be written again
+  int executed = 0;   ///< NC: windows whose last point the axes have reached
+  int state = 0;      ///< NC: `WindowState`
+  int client = 0;     ///< client: the number of its run, to be granted the cells
+  int owner = 0;      ///< NC: number of the run it obeys; only the first to ask is granted
+  /// Method file, NC alone: the window the program asks for, then what its subprogram answered.
+  int asked = 0;
+  bool inFiles = false;  ///< method file: windows are subprograms, there are no slots
   int heartbeat = 0;     ///< client: changes while it lives
   int windows = 0;       ///< k; 0: another method
   int windowStride = 0;  ///< from a cell of a window to that of the next
@@ -96,7 +99,7 @@ struct CellMap {
   [[nodiscard]] std::vector<int> slotCells(int slot) const;
   /// Slots there are. Method window: N per window.
   [[nodiscard]] int slotCount() const {
-    return windows > 0 ? windows * pointsPerLoop : pointsPerLoop;
+    return inFiles ? 0 : windows > 0 ? windows * pointsPerLoop : pointsPerLoop;
   }
   /// Cells in front of a window's slots (method window). @param window from 0, below `windows`
   [[nodiscard]] int windowCount(int window) const { return firstSlot - 3 + window * windowStride; }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/contract.h"
 #include "base/text.h"
 
 namespace rivulet::templates {
@@ -44,6 +45,11 @@ std::string lettersOf(const CellMap& cells) {
   chosen.axes = cells.axes;
   chosen.rotaryAxes = cells.rotaryAxes;
   return axisLetters(chosen);
+}
+
+/// "X Y Z".
+std::string spacedLettersOf(const CellMap& cells) {
+  return fmt::format("{}", fmt::join(lettersOf(cells), " "));
 }
 
 SlotText slotText(const CellMap& cells, int slot) {
@@ -151,10 +157,15 @@ constexpr int kAskingPassesMax = 100'000;
 /// has a block executed that the control holds back until it knows the next one.
 constexpr int kDryPassesMax = 25;
 
+std::string windowSubprogram(int file) {
+  return fmt::format("RIVULET_W{}", file + 1);
+}
+
 void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const CellMap& cells) {
   const int count = cells.pointsPerLoop;
-  const std::string axes = slotText(cells, 0).axes;
-  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO WHAT THE R-PARAMETERS SAY, WINDOW BY WINDOW");
+  const std::string axes = spacedLettersOf(cells);
+  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO WHAT THE {} SAY, WINDOW BY WINDOW",
+           cells.inFiles ? "SUBPROGRAMS" : "R-PARAMETERS");
   out.line("; Do not edit: the client relies on every line. Axes move only while it runs.");
   out.line("; Method {}, {} point{} per window, {} window{}, axes {}",
            base::methodName(parameters.method), count, count == 1 ? "" : "s", cells.windows,
@@ -162,8 +173,14 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
   if (base::any(cells.rotaryAxes)) {
     out.line("; Rotary axes in degrees; where only they turn, the feed is in deg/min.");
   }
-  out.line("; A window is executed only once its number has been delivered and its check number");
-  out.line("; fits: where the client is late, the axes wait.");
+  if (cells.inFiles) {
+    out.line(
+        "; FOR COMPARISON: each window is a subprogram that the client transfers. It is executed");
+    out.line("; only once it has been delivered, and if it bears its number and that of the run.");
+  } else {
+    out.line("; A window is executed only once its number has been delivered and its check number");
+    out.line("; fits: where the client is late, the axes wait.");
+  }
   if (parameters.method == base::MethodKind::Credit) {
     out.line(
         "; EXPERIMENTAL: between windows it does not stop. It asks again and again while the axes");
@@ -175,8 +192,9 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
   out.line(";");
   out.line("; R{}  run, by the client: 0 hold, 1 run, 2 end before the next window", cells.run);
   out.line("; R{}  windows delivered, written by the client last of each window", cells.delivered);
-  out.line("; R{}  windows copied by this program: their cells may be written again",
-           cells.latched);
+  out.line("; R{}  windows {}", cells.latched,
+           cells.inFiles ? "begun by this program"
+                         : "copied by this program: their cells may be written again");
   out.line("; R{}  windows executed to the end", cells.executed);
   out.line("; R{}  number of this program's layout, checked by the client", cells.layout);
   out.line("; R{}  state: 0 runs, 1 done, 2 stopped, 3 window damaged, 4 client silent",
@@ -184,7 +202,10 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
   out.line("; R{}  number of the client's run, R{} number of the run this program obeys",
            cells.client, cells.owner);
   out.line("; R{}  heartbeat of the client", cells.heartbeat);
-  for (int window = 0; window < cells.windows; ++window) {
+  if (cells.inFiles) {
+    out.line("; R{}  the window asked for, then the answer of its subprogram", cells.asked);
+  }
+  for (int window = 0; window < cells.windows && !cells.inFiles; ++window) {
     out.line("; R{} R{} R{}  window {}: points (negative: the last window), feed in mm/min, check",
              cells.windowCount(window), cells.windowFeed(window), cells.windowCheck(window),
              window + 1);
@@ -237,31 +258,14 @@ void writeAsking(Listing& out, const TemplateParameters& parameters, const CellM
   out.line("GOTOB RIV_NEXT");
 }
 
-std::string windowTemplate(const TemplateParameters& parameters, const CellMap& cells) {
-  const bool isCredit = parameters.method == base::MethodKind::Credit;
-  const std::string_view next = isCredit ? "RIV_MORE" : "RIV_NEXT";
-  const int count = cells.pointsPerLoop;
-  const int first = cells.windowCount(0);
-  const std::vector<int> slot = cells.slotCells(0);
-  const int axisCount = static_cast<int>(slot.size());
-  Listing out;
-  writeWindowHeader(out, parameters, cells);
-  // What the program relies on it keeps in variables of its own, which no client can write.
-  out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT", count * axisCount);
-  out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE{}", isCredit ? ",RIV_TURN,RIV_DRY" : "");
-  // The layout number comes last: a client that sees it knows that the resets are done.
+/// The layout number comes later: a client that sees it knows that these are done.
+void writeResets(Listing& out, const CellMap& cells) {
   out.line("R{}=0 R{}=0 R{}=0 R{}=0", cells.run, cells.delivered, cells.latched, cells.executed);
   out.line("R{}=0 R{}=0 R{}=0", cells.state, cells.client, cells.owner);
-  out.line("RIV_L=0 RIV_OWN=0 RIV_B={} RIV_IDLE=0", first);
-  out.line("G90 G94 G64");
-  out.line("STOPRE");
-  out.line("RIV_BEAT=R{}", cells.heartbeat);
-  if (isCredit && parameters.slowDown) {
-    out.line("; Slower while nothing is left behind the window in motion.");
-    out.line("ID=1 WHENEVER ($R{}-$R{})<2 DO $AC_OVR={}", cells.latched, cells.executed,
-             kCreditSlowPercent);
-  }
-  out.line("R{}={}", cells.layout, layoutNumber(parameters));
+}
+
+/// The axes stand; the program asks what is new, and gives up where nobody is there any more.
+void writeWaiting(Listing& out, const CellMap& cells) {
   // Behind this STOPRE the axes stand and what the client has written is read afresh.
   out.line("RIV_NEXT:");
   out.line("STOPRE");
@@ -280,6 +284,73 @@ std::string windowTemplate(const TemplateParameters& parameters, const CellMap& 
   out.line("RIV_PAUSE:");
   out.line("G4 F0.02");
   out.line("GOTOB RIV_NEXT");
+}
+
+/// Calls the subprogram of each window in turn, and goes on only if its answer is the right one.
+std::string fileTemplate(const TemplateParameters& parameters, const CellMap& cells) {
+  Listing out;
+  writeWindowHeader(out, parameters, cells);
+  out.line("DEF REAL RIV_OWN,RIV_BEAT,RIV_K");
+  out.line("DEF INT RIV_L,RIV_IDLE");
+  writeResets(out, cells);
+  out.line("RIV_L=0 RIV_OWN=0 RIV_IDLE=0");
+  out.line("G90 G94 G64");
+  out.line("STOPRE");
+  out.line("RIV_BEAT=R{}", cells.heartbeat);
+  out.line("R{}={}", cells.layout, layoutNumber(parameters));
+  writeWaiting(out, cells);
+  out.line("RIV_TAKE:");
+  out.line("RIV_IDLE=0 RIV_L=RIV_L+1");
+  out.line("R{}=RIV_L R{}=RIV_L", cells.latched, cells.asked);
+  for (int file = 1; file < cells.windows; ++file) {
+    out.line("IF (RIV_L-1) MOD {}=={} GOTOF RIV_FILE{}", cells.windows, file, file + 1);
+  }
+  for (int file = 0; file < cells.windows; ++file) {
+    if (file > 0) {
+      out.line("RIV_FILE{}:", file + 1);
+    }
+    out.line("CALL \"{}\"", windowSubprogram(file));
+    if (file + 1 < cells.windows) {
+      out.line("GOTOF RIV_ANSWER");
+    }
+  }
+  out.line("RIV_ANSWER:");
+  out.line("RIV_K=-R{}-2*RIV_L", cells.asked);
+  out.line("IF RIV_K==0 GOTOB RIV_NEXT");
+  out.line("STOPRE");
+  out.line("IF RIV_K<>1 GOTOF RIV_DAMAGED");
+  out.line("R{}=RIV_L R{}={}", cells.executed, cells.state, static_cast<int>(WindowState::Done));
+  out.line("M30");
+  writeEnd(out, cells, "RIV_STOPPED", WindowState::Stopped, true);
+  writeEnd(out, cells, "RIV_DAMAGED", WindowState::Damaged, true);
+  writeEnd(out, cells, "RIV_LOST", WindowState::Abandoned, true);
+  return out.take();
+}
+
+std::string windowTemplate(const TemplateParameters& parameters, const CellMap& cells) {
+  const bool isCredit = parameters.method == base::MethodKind::Credit;
+  const std::string_view next = isCredit ? "RIV_MORE" : "RIV_NEXT";
+  const int count = cells.pointsPerLoop;
+  const int first = cells.windowCount(0);
+  const std::vector<int> slot = cells.slotCells(0);
+  const int axisCount = static_cast<int>(slot.size());
+  Listing out;
+  writeWindowHeader(out, parameters, cells);
+  // What the program relies on it keeps in variables of its own, which no client can write.
+  out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT", count * axisCount);
+  out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE{}", isCredit ? ",RIV_TURN,RIV_DRY" : "");
+  writeResets(out, cells);
+  out.line("RIV_L=0 RIV_OWN=0 RIV_B={} RIV_IDLE=0", first);
+  out.line("G90 G94 G64");
+  out.line("STOPRE");
+  out.line("RIV_BEAT=R{}", cells.heartbeat);
+  if (isCredit && parameters.slowDown) {
+    out.line("; Slower while nothing is left behind the window in motion.");
+    out.line("ID=1 WHENEVER ($R{}-$R{})<2 DO $AC_OVR={}", cells.latched, cells.executed,
+             kCreditSlowPercent);
+  }
+  out.line("R{}={}", cells.layout, layoutNumber(parameters));
+  writeWaiting(out, cells);
   if (isCredit) {
     writeAsking(out, parameters, cells);
   }
@@ -351,6 +422,9 @@ base::Result<std::string> generateTemplate(const TemplateParameters& parameters)
     return base::fail(plan.error());
   }
   const CellMap& cells = *plan;
+  if (cells.inFiles) {
+    return fileTemplate(parameters, cells);
+  }
   if (base::hasWindows(parameters.method)) {
     return windowTemplate(parameters, cells);
   }
@@ -373,6 +447,40 @@ base::Result<std::string> generateTemplate(const TemplateParameters& parameters)
   out.line("RIV_END:");
   out.line("M30");
   return out.take();
+}
+
+std::string windowFileText(const CellMap& cells, const WindowFile& window) {
+  const std::string letters = lettersOf(cells);
+  RIVULET_ASSERT(cells.inFiles && !window.coordinates.empty());
+  RIVULET_ASSERT(window.coordinates.size() % letters.size() == 0);
+  Listing out;
+  const std::size_t count = window.coordinates.size() / letters.size();
+  out.line("; RIVULET: WINDOW {} OF RUN {}, {} POINTS. WRITTEN ANEW WHILE THE MACHINE RUNS",
+           window.number, window.run, count);
+  out.line("IF (R{}<>{}) OR (R{}<>{}) GOTOF RIV_END", cells.asked, window.number, cells.owner,
+           window.run);
+  // A file that has been cut off has no such label: the control stops before anything moves.
+  out.line("GOTOF RIV_WHOLE");
+  out.line("RIV_GO:");
+  out.line("R{}=-{}", cells.asked, 2 * window.number + (window.isLast ? 1 : 0));
+  std::size_t next = 0;
+  for (std::size_t point = 0; point < count; ++point) {
+    std::string words;
+    for (const char letter : letters) {
+      words += fmt::format(" {}{:.6f}", letter, window.coordinates[next++]);
+    }
+    out.line("G1{}{}", words,
+             point == 0 ? fmt::format(" F{}", base::formatNumber(window.feedMmPerMin)) : "");
+  }
+  out.line("RIV_END:");
+  out.line("M17");
+  out.line("RIV_WHOLE:");
+  out.line("GOTOB RIV_GO");
+  return out.take();
+}
+
+std::string windowFileName(int file) {
+  return windowSubprogram(file) + ".SPF";
 }
 
 std::string templateFileName(const TemplateParameters& parameters) {

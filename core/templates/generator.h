@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "templates/cells.h"
 
@@ -16,6 +17,23 @@ namespace rivulet::templates {
 /// copy and moves from the copy; for method credit it does so while the windows before are still
 /// under way, without a stop. @return the errors of `planCells`
 [[nodiscard]] base::Result<std::string> generateTemplate(const TemplateParameters& parameters);
+
+/// A window of method file.
+struct WindowFile {
+  int run = 0;
+  std::size_t number = 1;  ///< of the window, from 1
+  bool isLast = false;
+  double feedMmPerMin = 0.0;
+  std::vector<double> coordinates;  ///< point by point, in the order of the axes; mm, degrees
+};
+
+/// The subprogram that is this window. It moves nothing unless the program asks for this number
+/// and obeys this run, and unless it is whole; then it answers in the cell `asked`: minus twice its
+/// number, and one less if it is the last. Coordinates have six decimals. @param cells inFiles
+[[nodiscard]] std::string windowFileText(const CellMap& cells, const WindowFile& window);
+
+/// Name on the control of the subprogram for windows whose number from 0 is `file` modulo k.
+[[nodiscard]] std::string windowFileName(int file);
 
 /// File name on the control, e.g. "RIVULET_SIGNAL_7.MPF": at most 24 characters before the dot.
 [[nodiscard]] std::string templateFileName(const TemplateParameters& parameters);

@@ -30,13 +30,13 @@ struct RunStart {
   std::string method;  ///< `base::methodName`
   int pointsPerLoop = 0;
   std::string layout;
-  std::string axes;  ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
   double deltaMm = 0.0;
   double feedMmPerS = 0.0;
   std::string programName;
   std::string programHash;
   std::string endpoint;      ///< of the OPC UA server, or "simulated <preset> <seed>"
   std::string startedAtUtc;  ///< ISO 8601, given by the caller (core asks no clock); may be empty
+  std::string axes{};        ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
 };
 
 /// One live observation. What was not read stays empty.

@@ -6,6 +6,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 using nlohmann::json;
@@ -37,6 +38,30 @@ QStringList words(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
+/// `rivulet-machine` while the object lives.
+class ServedMachine {
+ public:
+  explicit ServedMachine(const QString& preset) {
+#ifdef RIVULET_MACHINE
+    m_process.start(QStringLiteral(RIVULET_MACHINE), {QStringLiteral("--port"), QStringLiteral("0"),
+                                                      QStringLiteral("--preset"), preset});
+    while (!m_process.canReadLine() && m_process.waitForReadyRead(60000)) {
+    }
+    endpoint = QString::fromUtf8(m_process.readLine()).trimmed();
+#else
+    Q_UNUSED(preset);
+#endif
+  }
+  ~ServedMachine() {
+    m_process.kill();
+    m_process.waitForFinished(60000);
+  }
+  QString endpoint;  ///< empty: built without OPC UA
+
+ private:
+  QProcess m_process;
+};
+
 bool writeText(const QString& path, const QString& text) {
   QFile file(path);
   return file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(text.toUtf8()) >= 0;
@@ -49,7 +74,7 @@ class TestCli : public QObject {
 
   QTemporaryDir m_folder;
 
-  QString file(const char* name, const char* text) {
+  QString file(const char* name, const QByteArray& text) {
     QFile out(m_folder.filePath(QString::fromUtf8(name)));
     if (!out.open(QIODevice::WriteOnly) || out.write(text) < 0) {
       qFatal("the test's folder cannot be written");
@@ -193,16 +218,59 @@ class TestCli : public QObject {
     QVERIFY(analyse.parsed()["complete"].get<bool>());
   }
 
+  /// Method credit runs where its test is passed, without a pause; elsewhere it does not start.
+  void creditNeedsItsTest() {
+    const Outcome test = run(words("commission --simulate --json"));
+    QCOMPARE(test.exit, 0);
+    QVERIFY(test.parsed()["passed"].get<bool>());
+    const QStringList credit = QStringList{QStringLiteral("stream"), kScorpion} +
+                               words("--method credit --feed 400 --simulate --json");
+    const Outcome stream = run(credit);
+    QCOMPARE(stream.exit, 0);
+    QCOMPARE(stream.parsed()["executed"].get<int>(), 270);
+    QCOMPARE(stream.parsed()["pauses"].size(), std::size_t{0});
+    QCOMPARE(stream.parsed()["settings"]["windows_ahead"].get<int>(), 3);
+    QFile preset(QStringLiteral(RIVULET_SOURCE_DIR "/resources/presets/dmu75.toml"));
+    QVERIFY(preset.open(QIODevice::ReadOnly));
+    QByteArray text = preset.readAll();
+    QVERIFY(text.contains("atInterpretation"));
+    const QString cached =
+        file("cached.toml", text.replace("atInterpretation", "cachedUntilStopre"));
+    const Outcome failed = run(words("commission --simulate --preset") << cached);
+    QCOMPARE(failed.exit, 1);
+    QVERIFY(failed.output.contains(QStringLiteral("FAILS  answers-while-busy")));
+    const Outcome refused = run(credit + words("--preset") << cached);
+    QCOMPARE(refused.exit, 2);
+    QVERIFY(refused.parsed()["error"]["message"].get<std::string>().find("method window") !=
+            std::string::npos);
+    const Outcome program = run(words("commission --print --base-cell 40"));
+    QCOMPARE(program.exit, 0);
+    QVERIFY(program.output.contains(QStringLiteral("\nR41=R40\n")));
+  }
+
   /// Without another word the method is window: always feasible, never wrong, one pause a window.
   void windowIsTheDefault() {
     const Outcome judged = run(words("feasibility --feed 20000 --json --program") << kScorpion);
     QCOMPARE(judged.exit, 0);
     QVERIFY(judged.parsed()["feasible"].get<bool>());
     QVERIFY(judged.parsed()["waits"].get<bool>());
-    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 45);
-    QCOMPARE(judged.parsed()["planned_pauses_in_cut"].get<int>(), 3);
+    QCOMPARE(judged.parsed()["planned_pauses"].get<int>(), 46);
+    QCOMPARE(judged.parsed()["planned_pauses_in_cut"].get<int>(), 12);
+    // Each with its place, and what all of them cost.
+    const json pauses = judged.parsed()["pauses"];
+    QCOMPARE(pauses.size(), std::size_t{46});
+    QCOMPARE(std::count_if(pauses.begin(), pauses.end(),
+                           [](const json& pause) { return pause["in_cut"].get<bool>(); }),
+             std::ptrdiff_t{12});
+    QVERIFY(pauses[0]["behind_point"].get<int>() >= 1 && pauses[0]["behind_point"].get<int>() <= 7);
+    QVERIFY(pauses[0]["line"].get<int>() > pauses[0]["behind_point"].get<int>());
+    QVERIFY(judged.parsed()["time_without_pauses_s"].get<double>() > 1.0);
+    const double costS = judged.parsed()["pauses_cost_s"].get<double>();
+    QVERIFY(costS > 12 * 0.04 && costS < 46 * 0.2);
+    // More pauses, but where they cost less.
+    QVERIFY(costS < judged.parsed()["even_pauses_cost_s"].get<double>());
     QCOMPARE(judged.parsed()["even_pauses"].get<int>(), 38);
-    QCOMPARE(judged.parsed()["even_pauses_in_cut"].get<int>(), 15);
+    QCOMPARE(judged.parsed()["even_pauses_in_cut"].get<int>(), 28);
     const json made = run(words("template --windows 3 --base-cell 5 --points 5 --json")).parsed();
     QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_5X3B5.MPF"));
     QCOMPARE(made["cells"]["run"].get<int>(), 5);
@@ -248,6 +316,65 @@ class TestCli : public QObject {
       const bool isArray = fit["form"].get<std::string>().substr(0, 5) == "array";
       QVERIFY2(isArray ? std::abs(node) < 0.2 : node > 4.0, std::to_string(node).c_str());
     }
+  }
+
+  /// The axes the program turns are chosen by themselves; without them the run is refused.
+  void rotaryAxesAreStreamed() {
+    const QString program = file("five.mpf",
+                                 "G90 G94\nG1 X2 Z52 A2 C5 F3000\nX4 A3.5 C12\nA5\nX6 Y1 C20.25\n"
+                                 "X8 Y2 A4 C28\nC-3\nX9 Y2 A0 C0\nM30\n");
+    const auto stream = [&](const QStringList& more) {
+      return run(QStringList{QStringLiteral("stream"), program, QStringLiteral("--feed"),
+                             QStringLiteral("3000"), QStringLiteral("--points"),
+                             QStringLiteral("3"), QStringLiteral("--json")} +
+                 more);
+    };
+    const QString simulate = QStringLiteral("--simulate");
+    const QString preset = QStringLiteral("--preset");
+    const Outcome simulated = stream({simulate, preset, QStringLiteral("dmu75-5axis")});
+    QVERIFY2(simulated.exit == 0, qPrintable(simulated.output + simulated.errors));
+    const json result = simulated.parsed();
+    QCOMPARE(result["settings"]["axes"].get<std::string>(), std::string("XYZAC"));
+    QCOMPARE(result["executed"].get<int>(), 7);
+    QCOMPARE(result["checkpoint"]["start_deg"].size(), std::size_t{3});
+    const Outcome refused = stream({simulate});
+    QVERIFY(refused.exit != 0);
+    QVERIFY(refused.output.contains(QStringLiteral("has no axis A and C")));
+    const Outcome beside = stream({simulate, preset, QStringLiteral("dmu75-5axis"),
+                                   QStringLiteral("--axes"), QStringLiteral("XYZA")});
+    QVERIFY(beside.output.contains(QStringLiteral("Choose XYZAC")));
+    QCOMPARE(stream({simulate, QStringLiteral("--axes"), QStringLiteral("XQ")}).exit, 2);
+    const Outcome text = run(words("template --axes XYZAC --points 5 --verify"));
+    QVERIFY2(text.exit == 0, qPrintable(text.output + text.errors));
+    QVERIFY(text.output.contains(QStringLiteral("C=RIV_C[4]")));
+    QCOMPARE(run(words("template --method signal --axes XYZA")).exit, 2);
+  }
+
+  /// The same over OPC UA, as an operator starts it.
+  void rotaryAxesOverOpcUa() {
+    const ServedMachine five(QStringLiteral("dmu75-5axis"));
+    if (five.endpoint.isEmpty()) {
+      QSKIP("built without OPC UA");
+    }
+    const QString program = file("five-ua.mpf",
+                                 "G90 G94\nG1 X2 Z52 A2 C5 F3000\nX4 A3.5 C12\nA5\nX6 Y1 C20.25\n"
+                                 "X8 Y2 A4 C28\nC-3\nX9 Y2 A0 C0\nM30\n");
+    const auto stream = [&](const QString& endpoint) {
+      return run({QStringLiteral("stream"), program, QStringLiteral("--feed"),
+                  QStringLiteral("3000"), QStringLiteral("--points"), QStringLiteral("3"),
+                  QStringLiteral("--json"), QStringLiteral("--endpoint"), endpoint});
+    };
+    const Outcome outcome = stream(five.endpoint);
+    QVERIFY2(outcome.exit == 0, qPrintable(outcome.output + outcome.errors));
+    const json result = outcome.parsed();
+    QCOMPARE(result["outcome"].get<std::string>(), std::string("completed"));
+    QCOMPARE(result["settings"]["axes"].get<std::string>(), std::string("XYZAC"));
+    QCOMPARE(result["executed"].get<int>(), 7);
+    QCOMPARE(result["judged"].get<bool>(), true);
+    const ServedMachine three(QStringLiteral("dmu75"));
+    const Outcome refused = stream(three.endpoint);
+    QVERIFY(refused.exit != 0);
+    QVERIFY(refused.output.contains(QStringLiteral("has no axis A and C")));
   }
 
   void resumesOnlyFromAReport() {

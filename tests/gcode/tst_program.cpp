@@ -108,11 +108,34 @@ class TestProgram : public QObject {
     }
   }
 
-  void rotaryAxesMayBeSetButNotTurned() {
+  void rotaryAxesMayBeTurnedButNotDirectionsGiven() {
     const auto set = gcode::interpretProgram("a.nc", "G0 X1 B90\nG1 X2 F60");
     QVERIFY(set && set->isStreamable());
     const auto turned = gcode::interpretProgram("a.nc", "G0 X1 B90\nG1 X2 B91 F60");
-    QVERIFY(turned && turned->isUnderstood() && !turned->isStreamable());
+    QVERIFY(turned && turned->isStreamable());
+    QVERIFY(gcode::turnedAxes(set->trajectory) == base::RotarySet{});
+    QVERIFY(gcode::turnedAxes(turned->trajectory) == (base::RotarySet{false, true, false}));
+    const auto tip = gcode::interpretProgram("a.nc", "TRAORI\nG0 X1 B90\nG1 X2 B91 F60");
+    QVERIFY(tip && tip->isUnderstood() && !tip->isStreamable());
+    const auto tipOff =
+        gcode::interpretProgram("a.nc", "TRAORI\nG0 X1 B90\nTRAFOOF\nG1 X2 B91 F60");
+    QVERIFY(tipOff && tipOff->isStreamable());
+    const auto directions = gcode::interpretProgram("a.nc", "G0 X1\nG1 X2 A3=0 B3=1 C3=1 F60");
+    QVERIFY(directions && directions->isUnderstood() && !directions->isStreamable());
+  }
+
+  /// What a program leaves open is where the axis stands; a point differs in its angles alone too.
+  void pointsCarryAngles() {
+    const auto program = gcode::interpretProgram("a.nc", "G0 X1\nG1 B5 F60\nB6\nB6\nX2 C90");
+    QVERIFY(program.has_value());
+    const gcode::PointList list =
+        gcode::streamPoints(program->trajectory, {9.0, 8.0, 7.0}, {1.0, 2.0, 3.0});
+    QCOMPARE(list.points.size(), std::size_t{4});
+    QCOMPARE(list.merged, std::size_t{1});
+    QVERIFY(list.points[0].rotaryDeg == (base::RotaryDeg{1.0, 2.0, 3.0}));
+    QVERIFY(list.points[1].rotaryDeg == (base::RotaryDeg{1.0, 5.0, 3.0}));
+    QVERIFY(list.points[2].positionMm == (base::Vec3{1.0, 8.0, 7.0}));
+    QVERIFY(list.points[3].rotaryDeg == (base::RotaryDeg{1.0, 6.0, 90.0}));
   }
 
   /// What is not understood stops the load, unless the user has accepted it by name.

@@ -23,12 +23,17 @@
 #include "base/units.h"
 #include "hmi/main_window.h"
 #include "opcua/error.h"
+#include "streaming/pause_placement.h"
+#include "trace/analysis/integrity.h"
 #include "trace/file.h"
 #include "trace/recording.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/message_area.h"
 #include "widgets/feasibility/feasibility_page.h"
 #include "widgets/program/file_bars.h"
+#include "widgets/program/path_view.h"
+#include "widgets/program/program_page.h"
+#include "widgets/streaming/resume_bar.h"
 #include "widgets/streaming/run_panel.h"
 #include "widgets/trace/trace_page.h"
 
@@ -95,6 +100,14 @@ widgets::StreamSettings streamSettings(base::MethodKind method, int points, doub
   stream.deltaMm = deltaMm;
   stream.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   return stream;
+}
+
+/// A label of the widget that is visible has the text in it.
+bool shows(const QWidget* widget, const QString& text) {
+  const auto labels = widget->findChildren<QLabel*>();
+  return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+    return label->isVisible() && label->text().contains(text);
+  });
 }
 
 /// A picture of the whole window on every page; blank ones fail.
@@ -336,12 +349,6 @@ class TestMainWindow : public QObject {
     QVERIFY(file.write("G0 X1\n") > 0);
     file.close();
     QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), kSoonMs);
-    const auto shows = [](const QWidget* widget, const QString& text) {
-      const auto labels = widget->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-        return label->isVisible() && label->text().contains(text);
-      });
-    };
     QVERIFY(shows(banner, QStringLiteral("keeps version ") + hash));
     QVERIFY(shows(m_window.get(), QStringLiteral("Running: a.tap, version ") + hash));
     QVERIFY(!banner->findChild<QPushButton*>()->isVisible());
@@ -354,6 +361,117 @@ class TestMainWindow : public QObject {
     QVERIFY(banner->findChild<QPushButton*>()->isVisible());
     QTest::mouseClick(banner->findChild<QPushButton*>(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(QString::fromStdString(m_window->program()->hash) != hash, kSoonMs);
+  }
+
+  /// Method window by the buttons: pauses are told before the start, hold and continue, stop, and
+  /// resume behind a sentence. Every point once, by the machine's own traces of both runs.
+  void holdsStopsAndResumes() {
+    open(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+    auto* path = m_window->programPage()->path();
+    QTRY_VERIFY_WITH_TIMEOUT(path->pauses() != nullptr, kSoonMs);
+    const auto points = gcode::streamPoints(m_window->program()->trajectory, {}).points;
+    const auto planned = streaming::plannedPauses(points, base::MethodKind::Window, 7);
+    QCOMPARE(path->pauses()->count(), planned.size());
+    QCOMPARE(path->pauses()->inCut.size(), streaming::pausesInCut(planned));
+    const QString summary = QStringLiteral("%1, of them %2 in the cut")
+                                .arg(planned.size())
+                                .arg(streaming::pausesInCut(planned));
+    QTRY_VERIFY_WITH_TIMEOUT(shows(m_window.get(), summary), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->programPage()->hasTimes(), kSoonMs);
+    picturePages(*m_window, QStringLiteral("window-light-en"));
+
+    auto* hold = button(QStringLiteral("Hold"));
+    auto* resume = button(QStringLiteral("Resume …"));
+    QVERIFY(!hold->isEnabled() && !resume->isEnabled());
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QTest::mouseClick(button(QStringLiteral("Start")), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
+    QTest::mouseClick(hold, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().state == streaming::RunState::Holding, kRunMs);
+    QCOMPARE(hold->text(), QStringLiteral("Continue"));
+    // It comes to a stand in front of a window: position and counter rest.
+    const auto rests = [this] {
+      const std::size_t before = m_window->lastUpdate().counters.executed;
+      QTest::qWait(1500);
+      return m_window->lastUpdate().counters.executed == before;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(rests(), kRunMs);
+    const std::size_t held = m_window->lastUpdate().counters.executed;
+    QVERIFY(held < kScorpionPoints);
+    picturePages(*m_window, QStringLiteral("holding"));
+    QTest::mouseClick(hold, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed > held, kRunMs);
+    QVERIFY(!resume->isEnabled());
+    QTest::mouseClick(button(QStringLiteral("Stop")), Qt::LeftButton);
+    QVERIFY(finished.wait(kRunMs));
+    const auto first = m_window->lastReport();
+    QVERIFY2(first->outcome == Outcome::Stopped, first->error.text().c_str());
+    QVERIFY(first->accessForms.has_value());  // proved, not assumed
+    QVERIFY(first->integrity.isFaultless());
+    QVERIFY(first->integrity.executed < kScorpionPoints);
+
+    // The control is asked; nothing moves for it, nor until the operator says so.
+    QTRY_VERIFY_WITH_TIMEOUT(resume->isEnabled(), kSoonMs);
+    QTest::mouseClick(resume, Qt::LeftButton);
+    auto* bar = m_window->findChild<widgets::ResumeBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->place().has_value(), kSoonMs);
+    QCOMPARE(bar->place()->point, first->integrity.executed);
+    QVERIFY(shows(bar, QStringLiteral("Nothing has moved yet. The run goes on at point %1 of 270")
+                           .arg(first->integrity.executed + 1)));
+    QVERIFY(!m_window->isRunning());
+    picturePages(*m_window, QStringLiteral("resume-light-en"));
+    m_window->setLanguage(QStringLiteral("de"));
+    m_window->setTheme(widgets::Theme::Dark);
+    QTRY_COMPARE(m_window->pages()->tabText(0), QStringLiteral("Programm"));
+    picturePages(*m_window, QStringLiteral("resume-dark-de"));
+    m_window->setLanguage(QStringLiteral("en"));
+    m_window->setTheme(widgets::Theme::Light);
+    QTRY_COMPARE(m_window->pages()->tabText(0), QStringLiteral("Program"));
+    finished.clear();
+    QTest::mouseClick(button(QStringLiteral("Go on at point %1").arg(bar->place()->point + 1)),
+                      Qt::LeftButton);
+    QVERIFY(m_window->isRunning());
+    QVERIFY(!bar->isVisible());
+    QVERIFY(finished.wait(kRunMs));
+    const auto second = m_window->lastReport();
+    QVERIFY2(second->outcome == Outcome::Completed, second->error.text().c_str());
+    QCOMPARE(m_window->lastUpdate().counters.executed, kScorpionPoints);
+    std::vector<trace::ExecutedBlock> blocks = first->controlTrace->blocks;
+    blocks.insert(blocks.end(), second->controlTrace->blocks.begin(),
+                  second->controlTrace->blocks.end());
+    const auto whole =
+        gcode::streamPoints(m_window->program()->trajectory, first->checkpoint->startMm);
+    const trace::Integrity integrity = trace::judgeIntegrity(whole.points, blocks, 1e-6);
+    QVERIFY(integrity.isFaultless());
+    QCOMPARE(integrity.executed, kScorpionPoints);
+    // It has come to its end: there is nothing to resume.
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+    QVERIFY(!resume->isEnabled());
+    picturePages(*m_window, QStringLiteral("resumed"));
+  }
+
+  /// The connection is lost in the middle; another program forgets the run that was left.
+  void whatIsLeftBelongsToItsProgram() {
+    open(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 7, kRunMs);
+    m_machine->kill();
+    QVERIFY(finished.wait(kRunMs));
+    QVERIFY(m_window->lastReport()->outcome == Outcome::Failed);
+    QVERIFY(!m_window->resumeBlockedReason().isEmpty());  // no connection
+    // A machine that has never run it cannot say where it was left, and says so.
+    m_machine = std::make_unique<MachineProcess>();
+    m_window->connectTo(m_machine->endpoint());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->resumeBlockedReason(), QString(), kSoonMs);
+    m_window->askResume();
+    auto* bar = m_window->findChild<widgets::ResumeBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(shows(bar, QStringLiteral("cannot be resumed")), kSoonMs);
+    QVERIFY(!m_window->resume());
+    QVERIFY(!m_window->isRunning());
+    m_window->openProgram(kScorpion);
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), kSoonMs);
+    QVERIFY(!m_window->resumeBlockedReason().isEmpty());
   }
 
   /// Cells confirmed on the page, a machine that takes its time, a file that is found again; and

@@ -216,6 +216,20 @@ class TestProgramSession : public QObject {
     QCOMPARE(times.back()->programmedS, first.programmedS);
     QVERIFY(times.back()->run->totalS < first.run->totalS);
     QCOMPARE(times.back()->run->pauses, std::size_t{3});
+    QVERIFY(times.back()->run->pausesCostS() > 0.0);
+    // Another place of the tool is another way to the first point, with pauses and without.
+    const auto moved = widgets::makeProgramView(program, {50.0, 0.0, 0.0}, 2);
+    std::shared_ptr<const widgets::PauseMap> pauses;
+    disconnect(&timer, nullptr, this, nullptr);
+    connect(&timer, &ProgramTimer::planned, this,
+            [&](const auto& planned, const auto&) { pauses = planned; });
+    connect(&timer, &ProgramTimer::reckoned, this,
+            [&](const auto& reckoned, const auto&) { times.push_back(reckoned); });
+    timer.start(moved, {base::MethodKind::Signal, 2, 10.0});
+    QTRY_VERIFY_WITH_TIMEOUT(times.back()->run && !timer.isBusy(), kSoonMs);
+    QVERIFY(pauses != nullptr);
+    QCOMPARE(pauses->count(), times.back()->run->pauses);
+    QVERIFY(times.back()->run->pausesCostS() > 0.0);
     timer.start(view, {base::MethodKind::Signal, 2, 10.0});
     timer.cancel();
     QVERIFY(!timer.isBusy());

@@ -38,6 +38,10 @@ class NotingLink final : public opcua::Link {
     writes.emplace_back(-1, 0.0);  // end of the request
     return m_link.write(assignments, deadline, grouping);
   }
+  base::RequestId store(const std::string& name, const std::string& text,
+                        base::Duration deadline) override {
+    return m_link.store(name, text, deadline);
+  }
   std::optional<opcua::Event> wait(base::Instant until) override { return m_link.wait(until); }
 
   std::vector<std::pair<int, double>> writes;

@@ -31,6 +31,8 @@ class TestNodeMap : public QObject {
     row("/Channel/ProgramInfo/actLineNumber", VariableKind::LineNumber, 0);
     row("/Channel/ProgramInfo/selectedWorkPProg", VariableKind::ProgramName, 0);
     row("/Channel/ProgramInfo/msg", VariableKind::Message, 0);
+    row("/Channel/GeometricAxis/name[u1,4]", VariableKind::AxisName, 3);
+    row("/Channel/GeometricAxis/aaAcsRel[u1,5]", VariableKind::ActualPosition, 4);
   }
 
   void namesAreThoseOfTheControl() {
@@ -118,7 +120,9 @@ class TestNodeMap : public QObject {
   void programPathsGoBothWays() {
     QCOMPARE(programPath("A.MPF"), std::string("Sinumerik/FileSystem/Part Program/A.MPF"));
     QCOMPARE(programNameOf(programPath("A.MPF")).value_or(""), std::string("A.MPF"));
-    QVERIFY(!programNameOf("Sinumerik/FileSystem/Sub Program/A.SPF"));
+    QCOMPARE(programPath("A.SPF"), std::string("Sinumerik/FileSystem/Sub Program/A.SPF"));
+    QCOMPARE(programNameOf(programPath("A.SPF")).value_or(""), std::string("A.SPF"));
+    QVERIFY(!programNameOf("Sinumerik/FileSystem/Work Pieces/A.SPF"));
     QVERIFY(!programNameOf("Sinumerik/FileSystem/Part Program/"));
     QVERIFY(!programNameOf("Sinumerik/FileSystem/Part Program/DIR/A.MPF"));
     QVERIFY(!programNameOf(programPath(std::string(33, 'A'))));

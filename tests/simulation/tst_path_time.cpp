@@ -34,6 +34,15 @@ PathTime timeOf(const gcode::Trajectory& trajectory, const PathTimeOptions& opti
   return pathTime(trajectory, {0, 0, 0}, config(), options).value();
 }
 
+/// A pause behind each so many points, behind the last one too.
+std::vector<std::uint32_t> every(std::uint32_t points, std::uint32_t count) {
+  std::vector<std::uint32_t> behind;
+  for (std::uint32_t end = points; end <= count; end += points) {
+    behind.push_back(end - 1);
+  }
+  return behind;
+}
+
 }  // namespace
 
 class TestPathTime : public QObject {
@@ -81,7 +90,7 @@ class TestPathTime : public QObject {
   void pausesAreCountedAndCost() {
     const gcode::Trajectory path = line(100, 1.0, 10.0);
     PathTimeOptions options;
-    options.pointsPerPause = 7;
+    options.pausesBehind = every(7, 100);
     options.pauseS = 0.5;
     const PathTime with = timeOf(path, options);
     const PathTime without = timeOf(path);
@@ -93,7 +102,7 @@ class TestPathTime : public QObject {
     QVERIFY(with.atS[7] - with.atS[6] > 0.5);
     QVERIFY(with.atS[6] - with.atS[5] < 0.5);
     // None behind the last point: the program ends there.
-    options.pointsPerPause = 10;
+    options.pausesBehind = every(10, 100);
     QCOMPARE(timeOf(path, options).pauses, std::size_t{9});
   }
 
@@ -105,13 +114,35 @@ class TestPathTime : public QObject {
       doubled.insert(doubled.end(), 2, point);
     }
     PathTimeOptions options;
-    options.pointsPerPause = 5;
+    options.pausesBehind = every(5, 20);
     const std::size_t pauses = timeOf(path, options).pauses;
     path.points = doubled;
     const PathTime time = timeOf(path, options);
     QCOMPARE(time.pauses, pauses);
     QCOMPARE(time.atS.size(), std::size_t{40});
     QVERIFY(timeOf(path).totalS >= plain);
+  }
+
+  /// At a sharp corner the path has braked anyway, and creeps round it: there a pause costs less
+  /// than its stand-still; in the middle of a straight way braking and accelerating come on top.
+  void aPauseAtACornerCostsLess() {
+    gcode::Trajectory path = line(20, 5.0, 10.0);
+    for (std::uint32_t i = 0; i < 20; ++i) {
+      gcode::TrajectoryPoint point = path.points.back();
+      point.positionMm.y += 5.0;
+      ++point.line.value;
+      path.points.push_back(point);
+    }
+    PathTimeOptions options;
+    options.feedMmPerS = 2000.0 / 60.0;
+    const double without = timeOf(path, options).totalS;
+    options.pauseS = 0.04;
+    options.pausesBehind = {19};
+    const double atCorner = timeOf(path, options).totalS - without;
+    options.pausesBehind = {9};
+    const double inTheMiddle = timeOf(path, options).totalS - without;
+    QVERIFY2(atCorner > 0.0 && atCorner <= 0.04 && inTheMiddle > 0.06,
+             qPrintable(QStringLiteral("%1 and %2").arg(inTheMiddle).arg(atCorner)));
   }
 
   void rapidsRunAtTheMachinesSpeedUnlessStreamed() {

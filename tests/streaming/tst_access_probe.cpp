@@ -51,6 +51,10 @@ class WrongLink final : public opcua::Link {
     }
     return m_link.write(items, deadline, grouping);
   }
+  base::RequestId store(const std::string& name, const std::string& text,
+                        base::Duration deadline) override {
+    return m_link.store(name, text, deadline);
+  }
   std::optional<opcua::Event> wait(base::Instant until) override {
     if (m_lost) {
       opcua::Event event;

@@ -179,6 +179,10 @@ class TestCredit : public QObject {
           "F %.0f: slowing %zu pauses, %.1f %% standing, %.2f s; not slowing %zu, %.1f %%, %.2f s",
           feed, slowing.pauses, 100.0 * slowing.standingS / slowing.totalS, slowing.totalS,
           standing.pauses, 100.0 * standing.standingS / standing.totalS, standing.totalS);
+      QVERIFY(slowing.totalS < 1.02 * standing.totalS);
+      QVERIFY(feed > 1000.0 ? standing.pauses > 20 : standing.pauses == 0);
+      QVERIFY(feed > 1600.0 ? slowing.pauses < standing.pauses : slowing.pauses == 0);
+      QVERIFY(standing.pauses == 0 || slowing.standingS < 0.4 * standing.standingS);
     }
   }
 

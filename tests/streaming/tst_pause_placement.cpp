@@ -92,28 +92,60 @@ class TestPausePlacement : public QObject {
   void whereAPauseDoesNoHarm() {
     using gcode::MoveKind;
     const std::vector<gcode::StreamPoint> points{
-        {{0, 0, 5}, {1}, MoveKind::Rapid},  {{0, 0, 0}, {2}, MoveKind::Feed},
-        {{1, 0, 0}, {3}, MoveKind::Feed},   {{2, 0.2, 0}, {4}, MoveKind::Feed},
-        {{2.1, 1, 0}, {5}, MoveKind::Feed}, {{2.2, 2, 0}, {6}, MoveKind::Feed},
-        {{2.2, 2, 5}, {7}, MoveKind::Rapid}};
-    // Behind the rapid, at the plunge's end, at the corner, in front of the retract, at the end.
-    QCOMPARE(streaming::harmlessPauses(points),
-             (std::vector<bool>{true, true, false, true, false, true, true}));
+        {{0, 0, 5}, {1}, MoveKind::Rapid},    {{0, 0, 2}, {2}, MoveKind::Rapid},
+        {{0, 0, 0}, {3}, MoveKind::Feed},     {{1, 0, 0}, {4}, MoveKind::Feed},
+        {{2, 0.2, 0}, {5}, MoveKind::Feed},   {{2.1, 1, 0}, {6}, MoveKind::Feed},
+        {{2.2, 2, 0}, {7}, MoveKind::Feed},   {{2.3, 3, 0}, {8}, MoveKind::Rapid},
+        {{2.3, 3.5, 0}, {9}, MoveKind::Feed}, {{2.3, 3.5, 1}, {10}, MoveKind::Feed},
+        {{2.3, 3.5, 5}, {11}, MoveKind::Feed}};
+    // Behind both rapids though the second goes straight on into the plunge, at the plunge's end,
+    // at the corner, not where a rapid goes straight on from the cut, behind that rapid, in front
+    // of the retract, behind it though it goes on, at the end.
+    QCOMPARE(
+        streaming::harmlessPauses(points),
+        (std::vector<bool>{true, true, true, false, true, false, false, true, true, true, true}));
   }
 
-  /// CAM programs: at least 90 % of the pauses lie off the cut, or M allows no better (above).
-  void camPrograms() {
-    const auto program = gcode::loadProgram(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
-    QVERIFY(program.has_value());
-    const auto points = gcode::streamPoints(program->trajectory, {}).points;
-    for (const std::size_t perWindow : {7U, 12U, 30U}) {
-      const PausePlacement placed = streaming::placePauses(points, perWindow);
-      const PausePlacement even = streaming::evenPauses(points, perWindow);
-      checkCuts(placed, streaming::harmlessPauses(points), perWindow);
-      QVERIFY(placed.inCut < even.inCut);
-      qInfo("M %zu: %zu pauses, %zu in the cut; evenly %zu, %zu in the cut", perWindow,
-            placed.pauses(), placed.inCut, even.pauses(), even.inCut);
+  /// 45 degrees are a corner, whatever the last digit of the coordinates; less is none.
+  void theAngleThatCounts() {
+    for (const double stepMm : {1.0, 0.1, 1.0 / 3.0, 1e-3}) {
+      for (const double aside : {1.0, 0.99, -1.0, -0.99}) {
+        std::vector<gcode::StreamPoint> points{
+            {{}, {1}}, {{stepMm, 0, 0}, {2}}, {{2 * stepMm, aside * stepMm, 0}, {3}}};
+        QCOMPARE(streaming::harmlessPauses(points)[1], std::abs(aside) == 1.0);
+      }
     }
+  }
+
+  /// As many as a run has (tst_main_window, tst_job), each where its method stops.
+  void pausesOfTheMethods() {
+    base::Random random(11);
+    const auto points = drawPoints(random, 270);
+    const std::vector<bool> harmless = streaming::harmlessPauses(points);
+    const auto planned = [&](base::MethodKind method, std::size_t perLoop) {
+      const auto pauses = streaming::plannedPauses(points, method, perLoop);
+      for (const streaming::PlannedPause& pause : pauses) {
+        if (pause.inCut == harmless[pause.point]) {
+          qFatal("the kind of a pause is wrong");
+        }
+      }
+      return pauses;
+    };
+    const auto position = planned(base::MethodKind::Position, 9);
+    QCOMPARE(position.size(), std::size_t{29});
+    QCOMPARE(position.front().point, 8U);
+    const auto signal = planned(base::MethodKind::Signal, 7);
+    QCOMPARE(signal.size(), std::size_t{77});
+    QCOMPARE(signal[0].point, 2U);
+    QCOMPARE(signal[1].point, 6U);
+    const PausePlacement placed = streaming::placePauses(points, 7);
+    const auto window = planned(base::MethodKind::Window, 7);
+    QCOMPARE(window.size(), placed.pauses());
+    QCOMPARE(streaming::pausesInCut(window), placed.inCut);
+    for (std::size_t i = 0; i < window.size(); ++i) {
+      QCOMPARE(std::size_t{window[i].point} + 1, placed.begins[i + 1]);
+    }
+    QVERIFY(streaming::plannedPauses({points.data(), 1}, base::MethodKind::Window, 7).empty());
   }
 };
 

@@ -65,6 +65,7 @@ void TestTemplateProof::generatedTemplateHolds_data() {
     QTest::addRow("signal %d", points) << parametersOf(MethodKind::Signal, points);
     QTest::addRow("window %d", points) << parametersOf(MethodKind::Window, points);
     QTest::addRow("credit %d", points) << parametersOf(MethodKind::Credit, points);
+    QTest::addRow("file %d", points) << parametersOf(MethodKind::File, points);
   }
   TemplateParameters xz = parametersOf(MethodKind::Window, 3);
   xz.axes = {true, false, true};

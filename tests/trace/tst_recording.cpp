@@ -244,7 +244,7 @@ class TestRecording : public QObject {
   }
 
   void refusesOtherAndNewerFiles() {
-    const auto newer = parseRecording("rivulet-recording 2\nanything\n");
+    const auto newer = parseRecording("rivulet-recording 3\nanything\n");
     QVERIFY(!newer);
     QVERIFY(newer.error().code == TraceError::NewerVersion);
     QVERIFY(newer.error().message.find("format 2") != std::string::npos);

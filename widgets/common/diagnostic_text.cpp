@@ -128,8 +128,16 @@ struct DiagnosticTexts {
             "is left out.");
       case DiagnosticCode::RotaryAxes:
         return tr(
-            "%1 turns on the path: the points carry it, but no streaming method sends more than X, "
-            "Y and Z.");
+            "%1 turns on the path: only method window streams it, with this axis among those "
+            "chosen.");
+      case DiagnosticCode::ToolTip:
+        return tr(
+            "%1 makes X, Y and Z those of the tool's tip while rotary axes turn, and no method "
+            "switches it on at the control. Have the program written for the axes.");
+      case DiagnosticCode::ToolDirections:
+        return tr(
+            "%1 give the direction of the tool: the points carry it, but only the control could "
+            "make rotary axes of it. Have the program written with A, B or C.");
       case DiagnosticCode::NotAnyDialect:
         return tr(
             "The file holds bytes that no NC text has: choose a text file, not an archive or a "

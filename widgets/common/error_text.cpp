@@ -54,6 +54,8 @@ struct ErrorTexts {
         return tr("The feed F must be greater than zero.");
       case FeasibilityError::DeltaNotPositive:
         return tr("The distance δ must be greater than zero.");
+      case FeasibilityError::NothingKnown:
+        return tr("Nothing can be said of this method beforehand.");
       case FeasibilityError::TooFewPointsPerLoop:
         return tr("N is too small. Choose at least 2 points per loop.");
     }
@@ -75,6 +77,12 @@ struct ErrorTexts {
         return tr("The cells of method window are out of range. See base, stride and windows.");
       case TemplateError::FileNotWritable:
         return tr("The file cannot be written. Choose another folder.");
+      case TemplateError::RotaryNeedsWindow:
+        return tr("Only method window streams rotary axes. Choose it.");
+      case TemplateError::TooManyAxes:
+        return tr("Too many axes. Choose at most five.");
+      case TemplateError::BadAxes:
+        return tr("These are no axes. Choose from X, Y, Z, A, B and C.");
     }
     return {};
   }
@@ -190,8 +198,20 @@ struct ErrorTexts {
         return tr(
             "The control does not let Rivulet write and read part programs. Grant the OPC UA user "
             "these rights, or bring the template there by hand.");
+      case StreamError::Cancelled:
+        return tr("The test was broken off. Reset the control if its program still runs.");
+      case StreamError::NotCommissioned:
+        return tr(
+            "Method credit is experimental and starts only on a control that has passed its test. "
+            "Run rivulet-cli commission for this control, or choose method window.");
       case StreamError::CannotResume:
         return tr("Where the run was left is not known for certain. Start from the beginning.");
+      case StreamError::AxesNotChosen:
+        return tr(
+            "The program needs an axis that is not streamed. Bring it to where the program wants "
+            "it, or choose it.");
+      case StreamError::AxisMissing:
+        return tr("The control lacks an axis the program turns. Use a program for its axes.");
     }
     return {};
   }

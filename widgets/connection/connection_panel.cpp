@@ -75,13 +75,16 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
   position->setVerticalSpacing(2);
   position->setColumnStretch(1, 1);
   int row = 0;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis, ++row) {
-    m_axisNames[axis] = new QLabel(QString(QLatin1Char(base::kAxisNames[axis])), this);
+  for (std::size_t axis = 0; axis < kReadoutCount; ++axis, ++row) {
+    const bool isRotary = axis >= base::kAxisCount;
+    const char name =
+        isRotary ? base::kRotaryAxisNames[axis - base::kAxisCount] : base::kAxisNames[axis];
+    m_axisNames[axis] = new QLabel(QString(QLatin1Char(name)), this);
     m_axisNames[axis]->setFont(readoutFont(font(), 18.0));
     m_axisValues[axis] = makeValueLabel(this);
     m_axisValues[axis]->setFont(readoutFont(font(), 22.0));
     m_axisValues[axis]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_axisUnits[axis] = new QLabel(QStringLiteral("mm"), this);
+    m_axisUnits[axis] = new QLabel(isRotary ? QStringLiteral("°") : QStringLiteral("mm"), this);
     position->addWidget(m_axisNames[axis], row, 0);
     position->addWidget(m_axisValues[axis], row, 1);
     position->addWidget(m_axisUnits[axis], row, 2);
@@ -228,6 +231,16 @@ void ConnectionPanel::showMachine() {
                                                ? (*m_machine.positionMm)[axis]
                                                : std::numeric_limits<double>::quiet_NaN(),
                                            3));
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    const std::size_t readout = base::kAxisCount + axis;
+    m_axisValues[readout]->setText(numberText(m_machine.rotaryDeg
+                                                  ? (*m_machine.rotaryDeg)[axis]
+                                                  : std::numeric_limits<double>::quiet_NaN(),
+                                              3));
+    for (QLabel* label : {m_axisNames[readout], m_axisValues[readout], m_axisUnits[readout]}) {
+      label->setVisible(m_machine.rotaryAxes[axis]);
+    }
   }
   m_feedValue->setText(m_machine.feedMmPerS
                            ? numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0)

@@ -61,9 +61,11 @@ class ConnectionPanel final : public Page {
   StatusLabel* m_virtualBadge;
 
   QGroupBox* m_positionGroup;
-  std::array<QLabel*, base::kAxisCount> m_axisNames{};
-  std::array<QLabel*, base::kAxisCount> m_axisValues{};
-  std::array<QLabel*, base::kAxisCount> m_axisUnits{};
+  /// X Y Z, then A B C, which are hidden where the machine has none.
+  static constexpr std::size_t kReadoutCount = base::kAxisCount + base::kRotaryAxisCount;
+  std::array<QLabel*, kReadoutCount> m_axisNames{};
+  std::array<QLabel*, kReadoutCount> m_axisValues{};
+  std::array<QLabel*, kReadoutCount> m_axisUnits{};
   QLabel* m_feedName;
   QLabel* m_feedValue;
   QLabel* m_feedUnit;

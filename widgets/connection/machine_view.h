@@ -9,6 +9,7 @@
 #include <QString>
 #include <optional>
 
+#include "base/axes.h"
 #include "base/vec3.h"
 
 namespace rivulet::widgets {
@@ -28,6 +29,8 @@ struct MachineView {
   QString alarmText;               ///< may be empty: the number alone is shown
   std::optional<QString> message;  ///< what MSG("…") of the program on the control shows
   std::optional<base::Vec3> positionMm;
+  base::RotarySet rotaryAxes{};  ///< those the machine is known to have
+  std::optional<base::RotaryDeg> rotaryDeg;
   std::optional<double> feedMmPerS;
   bool isStale = false;        ///< the values are older than they should be
   std::optional<double> ageS;  ///< how old, if known

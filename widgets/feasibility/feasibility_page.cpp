@@ -221,7 +221,7 @@ void FeasibilityPage::showLegend() {
   std::vector<LegendEntry> entries;
   entries.push_back(
       {LegendEntry::Symbol::Marker, QPen(colors.text, 2.0), {}, tr("Operating point")});
-  const bool window = m_model && m_model->operatingPoint.method == base::MethodKind::Window;
+  const bool window = m_model && base::hasWindows(m_model->operatingPoint.method);
   entries.push_back({LegendEntry::Symbol::Fill, QPen(colors.line, 1), colors.feasibleFill,
                      window ? tr("Without waiting") : tr("Feasible")});
   entries.push_back(

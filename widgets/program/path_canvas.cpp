@@ -4,8 +4,10 @@
 #include "widgets/program/path_canvas.h"
 
 #include <QEvent>
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
@@ -32,6 +34,7 @@ constexpr double kPixelsPerMmMin = 1e-3;
 constexpr double kPixelsPerMmMax = 1e5;
 constexpr double kNearPx = 14.0;             // a finger does not hit a line
 constexpr double kClickPx = 4.0;             // a press that moves no farther is a click
+constexpr double kMarkCellPx = 18.0;         // of marks in one such cell one is drawn
 constexpr std::size_t kSelectedMax = 2'000;  // moves shown as chosen
 constexpr int kRestMs = 120;  // after the last move of the picture the fine one is made
 
@@ -77,6 +80,7 @@ void PathCanvas::setProgram(std::shared_ptr<const ProgramView> view) {
 
 void PathCanvas::replaceProgram(std::shared_ptr<const ProgramView> view) {
   m_program = std::move(view);
+  m_pauses.reset();
   m_style = {};
   m_levelClasses.clear();
   const std::size_t count = hasPath() ? m_program->points.points.size() : 0;
@@ -140,6 +144,19 @@ void PathCanvas::setSelected(std::vector<std::uint32_t> points) {
 
 void PathCanvas::setMarked(std::optional<std::size_t> point) {
   m_marked = point;
+  update();
+}
+
+void PathCanvas::setPauses(std::shared_ptr<const PauseMap> pauses) {
+  m_pauses = std::move(pauses);
+  const std::size_t count = hasPath() ? m_program->points.points.size() : 0;
+  const auto fits = [count](const std::vector<std::uint32_t>& list) {
+    return list.empty() || list.back() < count;
+  };
+  if (m_pauses && !(fits(m_pauses->offCut) && fits(m_pauses->inCut))) {
+    m_pauses.reset();  // of another program
+  }
+  m_marks = QImage();
   update();
 }
 
@@ -224,8 +241,58 @@ std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
   return found;
 }
 
+std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
+  if (!hasPath() || !m_pauses) {
+    return std::nullopt;
+  }
+  const std::vector<PlaneBox>& boxes = levels().front().boxes[static_cast<std::size_t>(m_view)];
+  double nearest = kNearPx;
+  std::optional<Pause> found;
+  for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) {
+    const PlaneBox& box = boxes[chunk];
+    const QPointF upperLeft = onScreen({box.left, box.high});
+    const QPointF lowerRight = onScreen({box.right, box.low});
+    if (place.x() < upperLeft.x() - kNearPx || place.x() > lowerRight.x() + kNearPx ||
+        place.y() < upperLeft.y() - kNearPx || place.y() > lowerRight.y() + kNearPx) {
+      continue;
+    }
+    // Of two in one place the one in the cut is told: it is the one that is drawn.
+    for (const bool inCut : {true, false}) {
+      const std::vector<std::uint32_t>& list = inCut ? m_pauses->inCut : m_pauses->offCut;
+      const std::size_t end = std::min((chunk + 1) * kChunkMoves, m_program->points.points.size());
+      for (auto at = std::lower_bound(list.begin(), list.end(), chunk * kChunkMoves);
+           at != list.end() && *at <= end; ++at) {
+        const QPointF way = placeOf(*at) - place;
+        const double distance = std::hypot(way.x(), way.y());
+        if (distance < nearest) {
+          nearest = distance;
+          found = Pause{*at, inCut};
+        }
+      }
+    }
+  }
+  return found;
+}
+
 QPointF PathCanvas::placeOf(std::size_t point) const {
   return onScreen(project(m_program->points.points.at(point).positionMm, m_view));
+}
+
+bool PathCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    if (const std::optional<Pause> pause = pauseNear(help->pos())) {
+      QToolTip::showText(help->globalPos(),
+                         (pause->inCut ? m_texts.pauseInCut : m_texts.pauseOffCut)
+                             .arg(countText(pause->point + 1),
+                                  countText(m_program->points.points[pause->point].line.value)),
+                         this);
+    } else {
+      QToolTip::hideText();
+    }
+    return true;
+  }
+  return QWidget::event(event);
 }
 
 void PathCanvas::changeEvent(QEvent* event) {
@@ -254,8 +321,14 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
     drawExecuted(m_picture, m_executedInPicture, m_executed);
     m_executedInPicture = m_executed;
   }
+  if (m_marks.isNull() && m_pauses) {
+    makeMarks();
+  }
   QPainter painter(this);
   painter.drawImage(0, 0, m_picture);
+  if (m_pauses) {
+    painter.drawImage(0, 0, m_marks);
+  }
   if (!hasPath()) {
     painter.setPen(themeColors(palette()).mutedText);
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_texts.empty);
@@ -323,6 +396,7 @@ void PathCanvas::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
 
 void PathCanvas::dropPicture() {
   m_picture = QImage();
+  m_marks = QImage();
   m_fine = QImage();
   m_refineTimer.stop();
   m_executedInPicture = 0;
@@ -563,6 +637,89 @@ void PathCanvas::drawExecuted(QImage& picture, std::size_t from, std::size_t to)
     }
   }
   stroke(picture, strokes, {rapid, cut}, false);
+}
+
+std::vector<QPointF> PathCanvas::placesOf(const std::vector<std::uint32_t>& pauses) const {
+  // Chunk by chunk what may be in sight: ranges of the list.
+  const std::size_t moves = levels().front().kept.size() - 1;
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;
+  std::size_t count = 0;
+  const auto positionOf = [&pauses](std::size_t point) {
+    return static_cast<std::size_t>(std::lower_bound(pauses.begin(), pauses.end(), point) -
+                                    pauses.begin());
+  };
+  for (std::size_t chunk = 0; chunk == 0 || chunk * kChunkMoves < moves; ++chunk) {
+    if (isVisible(0, chunk)) {
+      const std::size_t from = positionOf(chunk == 0 ? 0 : chunk * kChunkMoves + 1);
+      const std::size_t to = positionOf((chunk + 1) * kChunkMoves + 1);
+      if (!ranges.empty() && ranges.back().second == from) {
+        ranges.back().second = to;
+      } else if (to > from) {
+        ranges.emplace_back(from, to);
+      }
+      count += to - from;
+    }
+  }
+  const std::size_t stride = (count + kPausesSeen - 1) / kPausesSeen;
+  std::vector<QPointF> places;
+  std::size_t next = 0;  // counted over all ranges
+  std::size_t passed = 0;
+  for (const auto& [from, to] : ranges) {
+    for (; next < passed + to - from; next += stride) {
+      places.push_back(placeOf(pauses[from + next - passed]));
+    }
+    passed += to - from;
+  }
+  return places;
+}
+
+void PathCanvas::makeMarks() {
+  const ThemeColors& colors = themeColors(palette());
+  const qreal ratio = devicePixelRatioF();
+  m_marks = QImage(size() * ratio, QImage::Format_ARGB32_Premultiplied);
+  m_marks.setDevicePixelRatio(ratio);
+  m_marks.fill(Qt::transparent);
+  m_drawnPauses = 0;
+  m_pausesSeen = 0;
+  if (!hasPath() || m_marks.isNull()) {
+    return;
+  }
+  const auto columns = static_cast<std::size_t>(width() / kMarkCellPx) + 1;
+  const auto rows = static_cast<std::size_t>(height() / kMarkCellPx) + 1;
+  std::vector<bool> taken(columns * rows);
+  const auto thinned = [&](const std::vector<std::uint32_t>& pauses) {
+    std::vector<QPointF> shown;
+    const std::vector<QPointF> places = placesOf(pauses);
+    m_pausesSeen += places.size();
+    for (const QPointF& place : places) {
+      if (!QRectF(rect()).contains(place)) {
+        continue;
+      }
+      const std::size_t cell = static_cast<std::size_t>(place.y() / kMarkCellPx) * columns +
+                               static_cast<std::size_t>(place.x() / kMarkCellPx);
+      if (!taken[cell]) {
+        taken[cell] = true;
+        shown.push_back(place);
+      }
+    }
+    m_drawnPauses += shown.size();
+    return shown;
+  };
+  const std::vector<QPointF> inCut = thinned(m_pauses->inCut);
+  const std::vector<QPointF> offCut = thinned(m_pauses->offCut);
+  QPainter painter(&m_marks);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colors.text, 1.4));
+  painter.setBrush(colors.surface);
+  for (const QPointF& place : offCut) {
+    painter.drawRect(QRectF(place - QPointF(3.5, 3.5), QSizeF(7.0, 7.0)));
+  }
+  painter.setPen(QPen(colors.surface, 1.2));
+  painter.setBrush(colors.attention);
+  for (const QPointF& place : inCut) {
+    painter.drawPolygon(QPolygonF{place + QPointF(0.0, -6.5), place + QPointF(6.5, 5.0),
+                                  place + QPointF(-6.5, 5.0)});
+  }
 }
 
 void PathCanvas::drawGrid(QPainter& painter) const {

@@ -6,6 +6,9 @@
 /// of points, whatever the program: the level of detail is as fine as the screen can show if that
 /// is few enough, else coarser; the fine picture is then made in slices while nothing moves. A
 /// move of the tool costs one copy of the picture, and newly executed points are added to it.
+///
+/// Pauses are marks in a picture of their own over that. Of those in sight a bounded number is
+/// looked at, and of marks that would lie on one another one is drawn, a pause in the cut first.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -35,12 +38,16 @@ class PathCanvas final : public QWidget {
   /// of the GUI thread may cost.
   static constexpr std::size_t kPathMoves = 12'000;
   static constexpr std::size_t kFrameMoves = 2 * kPathMoves;
+  /// Pauses of each kind that are looked at for a picture at most: a look costs some nanoseconds.
+  static constexpr std::size_t kPausesSeen = 200'000;
 
   /// What the canvas writes on itself, in the language of the operator.
   struct Texts {
     QString empty;
     QString start;
     QString tool;
+    QString pauseOffCut;  ///< %1: number of the point behind which it is, %2: its line
+    QString pauseInCut;
   };
 
   /// How the moves of each class are drawn.
@@ -64,6 +71,8 @@ class PathCanvas final : public QWidget {
   void setSelected(std::vector<std::uint32_t> points);
   /// The point the scrub slider stands at.
   void setMarked(std::optional<std::size_t> point);
+  /// Marks where a run will pause. @param pauses  null: no marks
+  void setPauses(std::shared_ptr<const PauseMap> pauses);
   /// Moves the picture if a point is not in it.
   void reveal(std::size_t point);
   void setView(View view);
@@ -72,6 +81,12 @@ class PathCanvas final : public QWidget {
 
   /// The point whose move passes nearest to a place of the widget; nothing within a finger's width.
   [[nodiscard]] std::optional<std::size_t> pointNear(QPointF place) const;
+  struct Pause {
+    std::size_t point = 0;
+    bool inCut = false;
+  };
+  /// The pause that is marked nearest to a place of the widget; nothing within a finger's width.
+  [[nodiscard]] std::optional<Pause> pauseNear(QPointF place) const;
   /// Where a point is drawn.
   [[nodiscard]] QPointF placeOf(std::size_t point) const;
 
@@ -81,6 +96,9 @@ class PathCanvas final : public QWidget {
   /// tests of speed.
   [[nodiscard]] std::size_t drawnMoves() const { return m_drawnMoves; }
   [[nodiscard]] std::size_t takeMostAtOnce() { return std::exchange(m_mostAtOnce, 0); }
+  /// Marks of pauses in the picture, and pauses that were looked at for it: for tests of speed.
+  [[nodiscard]] std::size_t drawnPauses() const { return m_drawnPauses; }
+  [[nodiscard]] std::size_t pausesSeen() const { return m_pausesSeen; }
   /// The picture shows all the screen can.
   [[nodiscard]] bool isFine() const { return !m_picture.isNull() && m_isFine; }
 
@@ -89,6 +107,7 @@ class PathCanvas final : public QWidget {
   void pointClicked(std::size_t point);
 
  protected:
+  bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
@@ -122,6 +141,9 @@ class PathCanvas final : public QWidget {
   /// @param isSlice  of a picture that is made in slices
   void stroke(QImage& picture, const Strokes& strokes, const std::vector<QPen>& pens, bool isSlice);
   void drawExecuted(QImage& picture, std::size_t from, std::size_t to);
+  void makeMarks();
+  /// Places of pauses that may be in sight, at most `kPausesSeen`.
+  [[nodiscard]] std::vector<QPointF> placesOf(const std::vector<std::uint32_t>& pauses) const;
   void drawGrid(QPainter& painter) const;
   void drawScaleBar(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
@@ -140,6 +162,7 @@ class PathCanvas final : public QWidget {
   std::vector<std::uint32_t> m_selected;
   std::optional<std::size_t> m_marked;
   View m_view = View::Top;
+  std::shared_ptr<const PauseMap> m_pauses;
 
   bool m_fits = true;  ///< the whole path is shown; stays so when the widget is resized
   PlanePoint m_centreMm;
@@ -153,6 +176,10 @@ class PathCanvas final : public QWidget {
   std::size_t m_drawnMoves = 0;
   std::size_t m_nowDrawn = 0;  ///< moves drawn by the present event
   std::size_t m_mostAtOnce = 0;
+
+  QImage m_marks;  ///< over the picture; null: to be made, or none
+  std::size_t m_drawnPauses = 0;
+  std::size_t m_pausesSeen = 0;
 
   QTimer m_refineTimer;
   QImage m_fine;  ///< the finer picture that is being made

@@ -140,6 +140,7 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
       break;
     case base::MethodKind::Window:
     case base::MethodKind::Credit:
+    case base::MethodKind::File:  // is not judged
       perMm = feasibility::reachMargin(point.feedMmPerS, accessTime, point.pointsPerLoop, 1.0,
                                        safety.window);
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop));

@@ -52,6 +52,7 @@ PathView::PathView(QWidget* parent)
       m_fit(makeTouchButton(this)),
       m_colourName(new QLabel(this)),
       m_colour(new QComboBox(this)),
+      m_showPauses(makeTouchButton(this)),
       m_legend(new LegendStrip(this)),
       m_slider(new QSlider(Qt::Horizontal, this)),
       m_scale(new QComboBox(this)),
@@ -62,6 +63,8 @@ PathView::PathView(QWidget* parent)
     group->addButton(button);
   }
   m_top->setChecked(true);
+  m_showPauses->setCheckable(true);
+  m_showPauses->setChecked(true);
   for (int i = 0; i < 4; ++i) {
     m_colour->addItem(QString());
   }
@@ -77,6 +80,7 @@ PathView::PathView(QWidget* parent)
   auto* colour = new QHBoxLayout;
   colour->addWidget(m_colourName);
   colour->addWidget(m_colour, 1);
+  colour->addWidget(m_showPauses);
   auto* scrub = new QHBoxLayout;
   scrub->addWidget(m_slider, 1);
   scrub->addWidget(m_scale);
@@ -92,6 +96,7 @@ PathView::PathView(QWidget* parent)
   connect(m_fit, &QPushButton::clicked, this, &PathView::fit);
   connect(m_colour, &QComboBox::activated, this,
           [this](int index) { setColouring(static_cast<PathColouring>(index)); });
+  connect(m_showPauses, &QPushButton::toggled, this, &PathView::showPauses);
   connect(m_scale, &QComboBox::currentIndexChanged, this, &PathView::setScale);
   connect(m_slider, &QSlider::valueChanged, this, &PathView::scrub);
   connect(m_canvas, &PathCanvas::pointClicked, this, [this](std::size_t point) {
@@ -109,6 +114,7 @@ PathView::PathView(QWidget* parent)
 void PathView::setProgram(std::shared_ptr<const ProgramView> view) {
   m_program = std::move(view);
   m_times.reset();
+  m_pauses.reset();
   m_marked.reset();
   m_canvas->setProgram(m_program);
   recolour();
@@ -120,6 +126,7 @@ void PathView::replaceProgram(std::shared_ptr<const ProgramView> view) {
   if (m_times && m_times->atS.size() != pointCount()) {
     m_times.reset();
   }
+  m_pauses.reset();  // they lie at points of the list before
   m_canvas->replaceProgram(m_program);
   if (m_marked && *m_marked >= pointCount()) {
     m_marked.reset();
@@ -137,6 +144,21 @@ void PathView::setTimes(std::shared_ptr<const ProgramTimes> times) {
     recolour();
   }
   setScale();
+}
+
+void PathView::setPauses(std::shared_ptr<const PauseMap> pauses) {
+  m_pauses = std::move(pauses);
+  showPauses();
+}
+
+void PathView::setPausesShown(bool shown) {
+  m_showPauses->setChecked(shown);
+}
+
+void PathView::showPauses() {
+  m_canvas->setPauses(m_showPauses->isChecked() ? m_pauses : nullptr);
+  showLegend();
+  showPlace();
 }
 
 void PathView::setOperatingPoint(const feasibility::OperatingPoint& point,
@@ -209,7 +231,11 @@ void PathView::retranslate() {
   m_scale->setItemText(1, tr("by time"));
   m_slider->setToolTip(tr("Walk along the path"));
   m_slider->setAccessibleName(tr("Walk along the path"));
-  m_canvas->setTexts({tr("No program is loaded"), tr("Start"), tr("Tool")});
+  m_showPauses->setText(tr("Pauses"));
+  m_showPauses->setToolTip(tr("Mark where the run will pause"));
+  m_canvas->setTexts({tr("No program is loaded"), tr("Start"), tr("Tool"),
+                      tr("Pause off the cut, behind point %1, line %2"),
+                      tr("Pause in the cut, behind point %1, line %2")});
   showLegend();
   showPlace();
 }
@@ -353,6 +379,13 @@ void PathView::showLegend() {
     }
     entries.push_back(
         {LegendEntry::Symbol::Line, QPen(themeColors(palette()).accent, 3.0), {}, tr("Executed")});
+    if (m_pauses && m_showPauses->isChecked()) {
+      const ThemeColors& colors = themeColors(palette());
+      entries.push_back({LegendEntry::Symbol::Square, QPen(colors.text, 1.4), colors.surface,
+                         tr("%1 pauses off the cut").arg(countText(m_pauses->offCut.size()))});
+      entries.push_back({LegendEntry::Symbol::Triangle, QPen(colors.surface, 1.2), colors.attention,
+                         tr("%1 in the cut").arg(countText(m_pauses->inCut.size()))});
+    }
   }
   m_legend->setEntries(std::move(entries));
 }
@@ -412,6 +445,16 @@ void PathView::showPlace() {
           .arg(countText(*m_marked + 1), countText(pointCount()), countText(point.line.value));
   if (m_times) {
     text += QStringLiteral(", ") + durationText(m_times->atS[*m_marked]);
+  }
+  if (m_pauses) {
+    const auto isIn = [this](const std::vector<std::uint32_t>& list) {
+      return std::binary_search(list.begin(), list.end(), static_cast<std::uint32_t>(*m_marked));
+    };
+    if (isIn(m_pauses->inCut)) {
+      text += QStringLiteral(", ") + tr("then a pause in the cut");
+    } else if (isIn(m_pauses->offCut)) {
+      text += QStringLiteral(", ") + tr("then a pause off the cut");
+    }
   }
   m_place->setText(text + QStringLiteral("\nX %1 Y %2 Z %3")
                               .arg(numberText(point.positionMm.x, 3),

@@ -35,6 +35,10 @@ class PathView final : public Page {
   void replaceProgram(std::shared_ptr<const ProgramView> view);
   /// When each point is passed; null: not known (yet).
   void setTimes(std::shared_ptr<const ProgramTimes> times);
+  /// Where a run will pause; null: not known (yet).
+  void setPauses(std::shared_ptr<const PauseMap> pauses);
+  /// Pauses are marked on the path, if they are known.
+  void setPausesShown(bool shown);
   /// What margins are reckoned for.
   void setOperatingPoint(const feasibility::OperatingPoint& point,
                          const feasibility::AccessModel& access = {});
@@ -52,6 +56,7 @@ class PathView final : public Page {
   void selectPoints(const std::vector<std::uint32_t>& points);
   void fit();
 
+  [[nodiscard]] const std::shared_ptr<const PauseMap>& pauses() const { return m_pauses; }
   [[nodiscard]] PathCanvas* canvas() const { return m_canvas; }
   [[nodiscard]] QSlider* slider() const { return m_slider; }
 
@@ -72,11 +77,13 @@ class PathView final : public Page {
   void moveSlider();
   void scrub();
   void showPlace();
+  void showPauses();
   [[nodiscard]] QPen penOf(std::size_t one) const;
   [[nodiscard]] QString nameOf(std::size_t one) const;
 
   std::shared_ptr<const ProgramView> m_program;
   std::shared_ptr<const ProgramTimes> m_times;
+  std::shared_ptr<const PauseMap> m_pauses;
   feasibility::OperatingPoint m_point;
   feasibility::AccessModel m_access;
   PathColouring m_colouring = PathColouring::Kind;
@@ -90,6 +97,7 @@ class PathView final : public Page {
   QPushButton* m_fit;
   QLabel* m_colourName;
   QComboBox* m_colour;
+  QPushButton* m_showPauses;
   LegendStrip* m_legend;
   QSlider* m_slider;
   QComboBox* m_scale;

@@ -332,11 +332,12 @@ void ProgramPanel::showProgram() {
     if (found[2] > 0) {
       m_summary->setStatus(Status::Fault, tr("Cannot be streamed.") + QLatin1Char(' ') + counts);
     } else if (!program.isStreamable()) {
-      m_summary->setStatus(Status::Fault,
-                           (program.trajectory.points.empty()
-                                ? tr("Cannot be streamed: no axis moves.")
-                                : tr("Cannot be streamed: rotary axes turn on the path.")) +
-                               QLatin1Char(' ') + counts);
+      m_summary->setStatus(
+          Status::Fault,
+          (program.trajectory.points.empty()
+               ? tr("Cannot be streamed: no axis moves.")
+               : tr("Cannot be streamed: it needs a transformation of the control.")) +
+              QLatin1Char(' ') + counts);
     } else {
       m_summary->setStatus(found[1] > 0 ? Status::Attention : Status::Good, counts);
     }
@@ -440,10 +441,10 @@ void ProgramPanel::showTimes() {
   m_figureValues[ProgrammedTime]->setText(
       m_times ? tr("%1 without pauses").arg(durationText(m_times->programmedS)) : unknown);
   m_figureValues[StreamedTime]->setText(m_times && m_times->run
-                                            ? tr("%1 with %2 pauses, of which %3 standing")
+                                            ? tr("%1 with %2 pauses, which cost %3")
                                                   .arg(durationText(m_times->run->totalS),
                                                        countText(m_times->run->pauses),
-                                                       durationText(m_times->run->standingS))
+                                                       durationText(m_times->run->pausesCostS()))
                                             : unknown);
   const QString machine =
       m_times ? tr("Computed with the axes of %1").arg(QString::fromStdString(m_times->machine))

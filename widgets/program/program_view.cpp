@@ -23,7 +23,9 @@ void takeMoves(ProgramView& view) {
   view.kinds.reserve(count);
   view.feedsMmPerS.reserve(count);
   view.trajectoryIndices.reserve(count);
+  const std::vector<gcode::RotaryPosition>& rotary = view.program->trajectory.rotary;
   base::Vec3 beforeMm{};
+  base::RotaryDeg beforeDeg{};
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     base::Vec3 positionMm = trajectory[i].positionMm;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -32,10 +34,19 @@ void takeMoves(ProgramView& view) {
         positionMm.set(axis, view.startMm[axis]);
       }
     }
-    if (!view.kinds.empty() && positionMm == beforeMm) {
+    // As `gcode::streamPoints` does: a move that only turns is one, too.
+    base::RotaryDeg rotaryDeg{};
+    if (!rotary.empty()) {
+      rotaryDeg = rotary[i].degrees;
+      for (double& degrees : rotaryDeg) {
+        degrees = std::isnan(degrees) ? 0.0 : degrees;
+      }
+    }
+    if (!view.kinds.empty() && positionMm == beforeMm && rotaryDeg == beforeDeg) {
       continue;
     }
     beforeMm = positionMm;
+    beforeDeg = rotaryDeg;
     view.kinds.push_back(trajectory[i].kind);
     view.feedsMmPerS.push_back(static_cast<float>(trajectory[i].feedMmPerS));
     view.trajectoryIndices.push_back(static_cast<std::uint32_t>(i));
@@ -49,7 +60,9 @@ void takeDistances(ProgramView& view) {
   distances.reserve(points.size());
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double distance = base::distance(points[i - 1].positionMm, points[i].positionMm);
-    distances.push_back(distance);
+    if (distance > 0.0) {  // else only rotary axes turn
+      distances.push_back(distance);
+    }
     switch (view.kinds[i]) {
       case gcode::MoveKind::Rapid:
         view.lengths.rapidMm += distance;
@@ -118,6 +131,7 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
   view->program = std::move(program);
   view->startMm = startMm;
   view->points = gcode::streamPoints(view->program->trajectory, startMm);
+  view->turnedAxes = gcode::turnedAxes(view->program->trajectory);
   takeMoves(*view);
   if (!goesOn(0.1)) {
     return nullptr;
@@ -129,7 +143,9 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
     return nullptr;
   }
   if (view->points.points.size() >= 2) {
-    view->statistics = feasibility::pathStatistics(view->points);
+    if (feasibility::hasDistances(view->points)) {
+      view->statistics = feasibility::pathStatistics(view->points);
+    }
     view->distancesFor = pointsPerLoop;
     view->distances = feasibility::programDistances(view->points.points, pointsPerLoop);
   }

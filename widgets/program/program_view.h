@@ -38,6 +38,7 @@ struct ProgramView {
   bool dependsOnStart = false;
 
   gcode::PointList points;
+  base::RotarySet turnedAxes{};  ///< rotary axes the program turns on its path
   /// One per streamed point: the move that ends there.
   std::vector<gcode::MoveKind> kinds;
   std::vector<float> feedsMmPerS;
@@ -72,6 +73,19 @@ struct RunTime {
   double totalS = 0.0;
   double standingS = 0.0;  ///< of it, in pauses
   std::size_t pauses = 0;
+  double withoutPausesS = 0.0;  ///< what it would take with the same feed
+
+  /// What the pauses cost: standing, braking and accelerating.
+  [[nodiscard]] double pausesCostS() const { return totalS - withoutPausesS; }
+};
+
+/// Where a run will pause: streamed points behind which the axes stand, each list ascending. What
+/// off the cut means is told in streaming/pause_placement.h.
+struct PauseMap {
+  std::vector<std::uint32_t> offCut;
+  std::vector<std::uint32_t> inCut;
+
+  [[nodiscard]] std::size_t count() const { return offCut.size() + inCut.size(); }
 };
 
 /// When the machine passes each streamed point, and how long it takes in all.

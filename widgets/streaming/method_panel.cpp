@@ -59,6 +59,13 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_feed(new QDoubleSpinBox(this)),
       m_layoutLabel(new QLabel(this)),
       m_layout(new QComboBox(this)),
+      m_accessLabel(new QLabel(this)),
+      m_access(new QComboBox(this)),
+      m_pausesGroup(new QGroupBox(this)),
+      m_plannedLabel(new QLabel(this)),
+      m_planned(makeValueLabel(this)),
+      m_costLabel(new QLabel(this)),
+      m_cost(makeValueLabel(this)),
       m_verdictGroup(new QGroupBox(this)),
       m_headline(new StatusLabel(this)),
       m_reason(new QLabel(this)),
@@ -72,10 +79,16 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_useDelta(makeTouchButton(this)) {
   setMinimumWidth(330);
   for (const base::MethodKind method : base::kMethodKinds) {
-    m_method->addItem(QString(), static_cast<int>(method));
+    if (method != base::MethodKind::File) {  // for comparison, on the command line
+      m_method->addItem(QString(), static_cast<int>(method));
+    }
   }
   for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
     m_layout->addItem(QString(), static_cast<int>(layout));
+  }
+  for (const AccessOrder access :
+       {AccessOrder::Automatic, AccessOrder::Array, AccessOrder::List, AccessOrder::Single}) {
+    m_access->addItem(QString(), static_cast<int>(access));
   }
   m_points->setRange(1, 9999);
   m_delta->setDecimals(3);
@@ -102,6 +115,15 @@ MethodPanel::MethodPanel(QWidget* parent)
   addRow(m_deltaLabel, m_delta);
   addRow(m_feedLabel, m_feed);
   addRow(m_layoutLabel, m_layout);
+  addRow(m_accessLabel, m_access);
+
+  m_planned->setWordWrap(true);
+  m_cost->setWordWrap(true);
+  auto* pauses = new QFormLayout(m_pausesGroup);
+  pauses->setLabelAlignment(Qt::AlignLeft);
+  pauses->setHorizontalSpacing(16);
+  pauses->addRow(m_plannedLabel, m_planned);
+  pauses->addRow(m_costLabel, m_cost);
 
   m_headline->setEmphasis(16.0, true);
   m_reason->setWordWrap(true);
@@ -123,10 +145,12 @@ MethodPanel::MethodPanel(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_settingsGroup);
   layout->addWidget(m_verdictGroup);
+  layout->addWidget(m_pausesGroup);
   layout->addStretch();
 
   connect(m_method, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_layout, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
+  connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_points, &QSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_delta, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_feed, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
@@ -160,6 +184,11 @@ void MethodPanel::setVerdict(const std::optional<feasibility::Verdict>& verdict,
   showVerdict();
 }
 
+void MethodPanel::setPauses(const std::optional<PauseSummary>& pauses) {
+  m_pauses = pauses;
+  showPauses();
+}
+
 void MethodPanel::setEditable(bool editable) {
   m_editable = editable;
   showSettings();
@@ -173,30 +202,47 @@ void MethodPanel::retranslate() {
   m_method->setItemText(0, tr("Window"));
   m_method->setItemText(1, tr("Position"));
   m_method->setItemText(2, tr("Signal"));
+  m_method->setItemText(3, tr("Credit (experimental)"));
   m_method->setToolTip(
       tr("Window: the machine waits when the client is late; it never executes a point twice. "
          "Position: the client watches the tool and replaces points it has "
          "passed. Signal: the client watches a cell in which the program says "
-         "which half of the loop may be replaced."));
+         "which half of the loop may be replaced. Credit: as window, without a stop between "
+         "windows; it starts only on a control that has passed the test of rivulet-cli "
+         "commission."));
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
   m_layout->setItemText(0, tr("Paper (R11, R21 …)"));
   m_layout->setItemText(1, tr("Contiguous (R10 …)"));
+  m_accessLabel->setText(tr("Access"));
+  m_access->setItemText(0, tr("Automatic"));
+  m_access->setItemText(1, tr("Arrays, or no start"));
+  m_access->setItemText(2, tr("Lists"));
+  m_access->setItemText(3, tr("One by one"));
   m_isShowing = wasShowing;
+  m_pausesGroup->setTitle(tr("Pauses"));
+  m_plannedLabel->setText(tr("Planned"));
+  m_plannedLabel->setToolTip(
+      tr("Places where the axes will stand for a moment. Off the cut is behind a rapid or a "
+         "retract, or at a sharp corner; the path shows them."));
+  m_costLabel->setText(tr("They cost"));
+  m_costLabel->setToolTip(
+      tr("Standing, braking and accelerating, computed with the axes of the virtual machine"));
   m_verdictGroup->setTitle(tr("Verdict"));
   m_marginLabel->setText(tr("Margin"));
   m_limitLabel->setText(tr("Largest feed"));
   m_placeLabel->setText(tr("Limiting place"));
   showSettings();
   showVerdict();
+  showPauses();
 }
 
 void MethodPanel::restyle() {
   const QColor color = themeColors(palette()).text;
   m_useFeed->setIcon(themedIcon(QStringLiteral("apply"), color));
   m_useDelta->setIcon(themedIcon(QStringLiteral("apply"), color));
-  for (QLabel* label : {m_marginLabel, m_limitLabel, m_placeLabel}) {
+  for (QLabel* label : {m_marginLabel, m_limitLabel, m_placeLabel, m_plannedLabel, m_costLabel}) {
     setMuted(label, palette());
   }
 }
@@ -206,24 +252,30 @@ bool MethodPanel::usesDelta() const {
 }
 
 bool MethodPanel::isWindow() const {
-  return m_settings.parameters.method == base::MethodKind::Window;
+  return base::hasWindows(m_settings.parameters.method);
 }
 
 void MethodPanel::showSettings() {
   const bool wasShowing = std::exchange(m_isShowing, true);
   m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_settings.parameters.method)));
   m_layout->setCurrentIndex(m_layout->findData(static_cast<int>(m_settings.parameters.layout)));
+  m_access->setCurrentIndex(m_access->findData(static_cast<int>(m_settings.access)));
   m_points->setValue(m_settings.parameters.pointsPerLoop);
   m_delta->setValue(m_settings.deltaMm);
   m_feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
   for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_points),
-                         static_cast<QWidget*>(m_feed)}) {
+                         static_cast<QWidget*>(m_feed), static_cast<QWidget*>(m_access)}) {
     field->setEnabled(m_editable);
   }
   const bool window = isWindow();
   m_pointsLabel->setText(window ? tr("N (points per window)") : tr("N (points per loop)"));
   m_layout->setEnabled(m_editable && !window);
-  m_layout->setToolTip(window ? tr("Method window has a layout of its own") : QString());
+  m_layout->setToolTip(window ? tr("Windows have a layout of their own") : QString());
+  m_access->setToolTip(
+      window ? tr("Automatic: before anything moves, the best form of access is proved on the "
+                  "control and used. The report names it.")
+             : tr("Automatic: lists, as this method was published. Arrays need the contiguous "
+                  "layout."));
   m_delta->setEnabled(m_editable && usesDelta());
   m_delta->setToolTip(usesDelta()
                           ? tr("Distance from the tool at which a point counts as reached")
@@ -238,6 +290,7 @@ void MethodPanel::takeSettings() {
   }
   m_settings.parameters.method = static_cast<base::MethodKind>(m_method->currentData().toInt());
   m_settings.parameters.layout = static_cast<templates::Layout>(m_layout->currentData().toInt());
+  m_settings.access = static_cast<AccessOrder>(m_access->currentData().toInt());
   m_settings.parameters.pointsPerLoop = m_points->value();
   // The fields round; a value the operator did not touch keeps its digits.
   if (std::abs(m_delta->value() - m_settings.deltaMm) > 5e-4) {
@@ -267,6 +320,18 @@ QString MethodPanel::equationText(feasibility::Equation equation) const {
       return tr("Reach: the next window must be written while the tool works off another.");
   }
   return {};
+}
+
+void MethodPanel::showPauses() {
+  m_planned->setText(m_pauses ? tr("%1, of them %2 in the cut")
+                                    .arg(countText(m_pauses->count), countText(m_pauses->inCut))
+                              : noValue());
+  if (m_pauses && m_pauses->costS && m_pauses->totalS) {
+    m_cost->setText(
+        tr("%1 of %2").arg(secondsText(*m_pauses->costS), durationText(*m_pauses->totalS)));
+  } else {
+    m_cost->setText(m_pauses ? tr("being computed …") : noValue());
+  }
 }
 
 void MethodPanel::showVerdict() {

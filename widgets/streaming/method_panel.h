@@ -28,6 +28,14 @@ class StatusLabel;
 /// @return mm/s; nothing if no such feed is left
 [[nodiscard]] std::optional<double> offeredFeedMmPerS(double feedMmPerSMax);
 
+/// What is known of the pauses of a run before its start.
+struct PauseSummary {
+  std::size_t count = 0;
+  std::size_t inCut = 0;
+  std::optional<double> costS;   ///< nothing: not known yet
+  std::optional<double> totalS;  ///< of the run, with them
+};
+
 class MethodPanel final : public Page {
   Q_OBJECT
 
@@ -40,6 +48,8 @@ class MethodPanel final : public Page {
   /// @param verdict  nothing: not judged  @param problem  why it could not be judged
   void setVerdict(const std::optional<feasibility::Verdict>& verdict,
                   const std::optional<QString>& problem);
+  /// @param pauses  nothing: not known
+  void setPauses(const std::optional<PauseSummary>& pauses);
   /// While a run lasts nothing can be changed.
   void setEditable(bool editable);
 
@@ -53,6 +63,7 @@ class MethodPanel final : public Page {
  private:
   void showSettings();
   void showVerdict();
+  void showPauses();
   void takeSettings();
   [[nodiscard]] QString equationText(feasibility::Equation equation) const;
   [[nodiscard]] bool usesDelta() const;
@@ -61,6 +72,7 @@ class MethodPanel final : public Page {
   StreamSettings m_settings;
   std::optional<feasibility::Verdict> m_verdict;
   std::optional<QString> m_problem;
+  std::optional<PauseSummary> m_pauses;
   bool m_editable = true;
   bool m_isShowing = false;  ///< fields are being filled, not edited
 
@@ -75,6 +87,14 @@ class MethodPanel final : public Page {
   QDoubleSpinBox* m_feed;
   QLabel* m_layoutLabel;
   QComboBox* m_layout;
+  QLabel* m_accessLabel;
+  QComboBox* m_access;
+
+  QGroupBox* m_pausesGroup;
+  QLabel* m_plannedLabel;
+  QLabel* m_planned;
+  QLabel* m_costLabel;
+  QLabel* m_cost;
 
   QGroupBox* m_verdictGroup;
   StatusLabel* m_headline;

@@ -3,6 +3,7 @@
 
 #include "widgets/streaming/report_panel.h"
 
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
@@ -13,6 +14,33 @@
 #include "widgets/common/status_label.h"
 
 namespace rivulet::widgets {
+
+namespace {
+
+struct GroupingTexts {
+  Q_DECLARE_TR_FUNCTIONS(GroupingTexts)
+
+ public:
+  static QString text(opcua::Grouping grouping) {
+    switch (grouping) {
+      case opcua::Grouping::List:
+        return tr("Lists");
+      case opcua::Grouping::Single:
+        return tr("One by one");
+      case opcua::Grouping::ArrayCount:
+        return tr("Arrays by count");
+      case opcua::Grouping::ArrayRange:
+        return tr("Arrays by range");
+    }
+    return {};
+  }
+};
+
+}  // namespace
+
+QString groupingText(opcua::Grouping grouping) {
+  return GroupingTexts::text(grouping);
+}
 
 ReportPanel::ReportPanel(QWidget* parent)
     : Page(parent),
@@ -40,7 +68,7 @@ ReportPanel::ReportPanel(QWidget* parent)
   fill(m_runGroup, Program, Duration);
   fill(m_integrityGroup, Executed, Foreign);
   fill(m_pausesGroup, PauseCount, PauseTotal);
-  fill(m_accessGroup, Requests, AccessMax);
+  fill(m_accessGroup, AccessForm, AccessMax);
   static_cast<QFormLayout*>(m_runGroup->layout())
       ->addRow(m_names[StopConfirmed], m_values[StopConfirmed]);
 
@@ -85,6 +113,7 @@ void ReportPanel::retranslate() {
   name(PauseCount, tr("Number"));
   name(PauseMean, tr("Mean"));
   name(PauseTotal, tr("Total"));
+  name(AccessForm, tr("Form"));
   name(Requests, tr("Requests"));
   name(AccessMean, tr("Mean"));
   name(AccessP50, tr("Median"));
@@ -137,17 +166,34 @@ void ReportPanel::showReport() {
   show(Program,
        report.programName.empty() ? noValue() : QString::fromStdString(report.programName));
   const bool position = report.settings.parameters.method == base::MethodKind::Position;
-  const bool window = report.settings.parameters.method == base::MethodKind::Window;
+  const auto methodText = [](base::MethodKind method) {
+    switch (method) {
+      case base::MethodKind::Position:
+        return tr("Position");
+      case base::MethodKind::Signal:
+        return tr("Signal");
+      case base::MethodKind::Credit:
+        return tr("Credit (experimental)");
+      case base::MethodKind::Window:
+        break;
+    }
+    return tr("Window");
+  };
   show(Method, QStringLiteral("%1, N = %2")
-                   .arg(position ? tr("Position") : (window ? tr("Window") : tr("Signal")),
+                   .arg(methodText(report.settings.parameters.method),
                         QString::number(report.settings.parameters.pointsPerLoop)));
   show(Feed, feedText(report.settings.feedMmPerS));
   show(Delta, position ? lengthText(report.settings.deltaMm) : noValue());
   show(Duration, secondsText(base::toSeconds(report.duration), 2));
   if (integrity.judged) {
     const auto fault = [](std::size_t count) { return count > 0 ? Status::Fault : Status::Good; };
-    show(Executed,
-         tr("%1 of %2").arg(countText(integrity.executed), countText(report.counters.total)));
+    const QString executed =
+        tr("%1 of %2").arg(countText(integrity.executed), countText(report.counters.total));
+    show(
+        Executed,
+        report.settings.resume
+            ? tr("%1, from point %2 on").arg(executed, countText(report.settings.resume->point + 1))
+            : executed);
     show(Repeated, countText(integrity.repeated), fault(integrity.repeated));
     show(Skipped, countText(integrity.skipped), fault(integrity.skipped));
     show(Foreign, countText(integrity.foreign), fault(integrity.foreign));
@@ -172,6 +218,8 @@ void ReportPanel::showReport() {
                                          static_cast<double>(report.pauses.size())));
   show(PauseTotal, secondsText(base::toSeconds(total), 2));
 
+  const QString form = groupingText(report.settings.grouping);
+  show(AccessForm, report.accessForms ? tr("%1 (proved)").arg(form) : form);
   const streaming::AccessStatistics& access = report.access;
   show(Requests, countText(access.requests));
   const trace::DurationStatistics& perNode = access.perNode;

@@ -19,6 +19,9 @@ namespace rivulet::widgets {
 
 class StatusLabel;
 
+/// "Lists", "Arrays by count", … in the language of the operator.
+[[nodiscard]] QString groupingText(opcua::Grouping grouping);
+
 class ReportPanel final : public Page {
   Q_OBJECT
 
@@ -46,6 +49,7 @@ class ReportPanel final : public Page {
     PauseCount,
     PauseMean,
     PauseTotal,
+    AccessForm,
     Requests,
     AccessMean,
     AccessP50,

@@ -31,6 +31,8 @@ RunPanel::RunPanel(QWidget* parent)
       m_strip(new StateStrip(this)),
       m_start(makeTouchButton(this)),
       m_stop(makeTouchButton(this)),
+      m_hold(makeTouchButton(this)),
+      m_resume(makeTouchButton(this)),
       m_startReason(new StatusLabel(this)),
       m_stopStatus(new StatusLabel(this)),
       m_progressGroup(new QGroupBox(this)),
@@ -42,7 +44,7 @@ RunPanel::RunPanel(QWidget* parent)
   QFont buttonFont = font();
   buttonFont.setPointSizeF(14.0);
   buttonFont.setBold(true);
-  for (QPushButton* button : {m_start, m_stop}) {
+  for (QPushButton* button : {m_start, m_stop, m_hold, m_resume}) {
     button->setMinimumHeight(kRunButtonHeightPx);
     button->setIconSize(QSize(24, 24));
     button->setFont(buttonFont);
@@ -50,6 +52,8 @@ RunPanel::RunPanel(QWidget* parent)
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(24);  // wide enough apart that one is not hit for the other
   buttons->addWidget(m_start, 1);
+  buttons->addWidget(m_hold, 1);
+  buttons->addWidget(m_resume, 1);
   buttons->addWidget(m_stop, 1);
   m_startReason->setWordWrap(true);
   m_stopStatus->setWordWrap(true);
@@ -82,8 +86,8 @@ RunPanel::RunPanel(QWidget* parent)
 
   auto* orders = new QHBoxLayout;
   orders->setSpacing(24);
-  orders->addWidget(m_strip, 5);
-  orders->addLayout(buttons, 4);
+  orders->addWidget(m_strip, 2);
+  orders->addLayout(buttons, 3);
   // The buttons stay where they are, whatever is said below them: a finger that goes for Stop must
   // not meet a row that has moved.
   for (StatusLabel* label : {m_startReason, m_stopStatus}) {
@@ -101,6 +105,9 @@ RunPanel::RunPanel(QWidget* parent)
   layout->addWidget(m_progressGroup);
 
   connect(m_start, &QPushButton::clicked, this, &RunPanel::startRequested);
+  connect(m_hold, &QPushButton::clicked, this,
+          [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
+  connect(m_resume, &QPushButton::clicked, this, &RunPanel::resumeRequested);
   connect(m_stop, &QPushButton::clicked, this, [this] {
     if (m_stopState == StopState::None) {
       m_stopState = StopState::Requested;
@@ -142,6 +149,16 @@ void RunPanel::setStartBlocked(const QString& reason) {
   showAll();
 }
 
+void RunPanel::setCanHold(bool canHold) {
+  m_canHold = canHold;
+  showAll();
+}
+
+void RunPanel::setResumeBlocked(const QString& reason) {
+  m_resumeBlocked = reason;
+  showAll();
+}
+
 void RunPanel::setStopUnconfirmed() {
   m_stopState = StopState::Unconfirmed;
   showAll();
@@ -150,6 +167,7 @@ void RunPanel::setStopUnconfirmed() {
 void RunPanel::retranslate() {
   m_start->setText(tr("Start"));
   m_stop->setText(tr("Stop"));
+  m_resume->setText(tr("Resume …"));
   m_stop->setToolTip(
       tr("Ends the run at the end of the loop. It does not replace the machine's emergency stop."));
   m_progressGroup->setTitle(tr("Progress"));
@@ -168,6 +186,8 @@ void RunPanel::restyle() {
   const QColor color = themeColors(palette()).text;
   m_start->setIcon(themedIcon(QStringLiteral("play"), color));
   m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
+  m_resume->setIcon(themedIcon(QStringLiteral("resume"), color));
+  showHoldIcon();
   for (QLabel* label : m_counterNames) {
     setMuted(label, palette());
   }
@@ -183,6 +203,12 @@ bool RunPanel::isActive() const {
 QString RunPanel::waitingText() const {
   // The stream names its reasons by key; one without a sentence here is shown as it is.
   const QString key = QString::fromStdString(m_update.waitingFor);
+  if (key.isEmpty() && m_update.state == RunState::Holding) {
+    return tr("Continue; it stands in front of the next window");
+  }
+  if (key == QStringLiteral("proof")) {
+    return tr("proof of the template on the virtual machine");
+  }
   if (key.isEmpty()) {
     return noValue();
   }
@@ -201,12 +227,31 @@ QString RunPanel::waitingText() const {
   return key;
 }
 
+void RunPanel::showHoldIcon() {
+  m_hold->setIcon(themedIcon(
+      m_update.state == RunState::Holding ? QStringLiteral("play") : QStringLiteral("hold"),
+      themeColors(palette()).text));
+}
+
 void RunPanel::showAll() {
   const bool active = isActive();
   m_strip->setState(m_update.state);
   const bool blocked = !m_startBlocked.isEmpty();
   m_start->setEnabled(!active && !blocked);
   m_stop->setEnabled(active);
+  // One place for both, so that a hand finds what it needs: it holds what runs, and lets go on what
+  // is held.
+  const bool isHolding = m_update.state == RunState::Holding;
+  m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
+  showHoldIcon();
+  m_hold->setEnabled(m_canHold && (isHolding || m_update.state == RunState::Running));
+  m_hold->setToolTip(m_canHold
+                         ? tr("The machine stands in front of the next window until Continue.")
+                         : tr("Only method window can hold."));
+  m_resume->setEnabled(!active && m_resumeBlocked.isEmpty());
+  m_resume->setToolTip(m_resumeBlocked.isEmpty()
+                           ? tr("Asks the control where the run was left. Nothing moves yet.")
+                           : m_resumeBlocked);
   m_startReason->setVisible(!active);
   m_startReason->setStatus(
       blocked ? Status::Attention : Status::Good,
@@ -243,7 +288,7 @@ void RunPanel::showAll() {
                                                 static_cast<double>(counters.total);
   m_progress->setValue(static_cast<int>(done * kProgressSteps));
   m_progress->setFormat(QStringLiteral("%1 %").arg(numberText(done * 100.0, 1)));
-  if (m_update.margin && active) {
+  if (m_update.margin && active && m_update.state != RunState::Holding) {
     const bool late = m_update.margin->count() < 0;
     m_margin->setStatus(late ? Status::Attention : Status::Good,
                         millisecondsText(*m_update.margin) +

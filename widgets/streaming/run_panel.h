@@ -36,12 +36,20 @@ class RunPanel final : public Page {
   void setTotal(std::size_t points);
   /// Why Start is not possible; an empty text: it is.
   void setStartBlocked(const QString& reason);
+  /// The run that lasts, or the next one, can be held in front of a window.
+  void setCanHold(bool canHold);
+  /// A run was left that can be taken up again. @param reason  why not (now); empty: it can
+  void setResumeBlocked(const QString& reason);
   /// The stop was asked for and its deadline passed without an answer from the control.
   void setStopUnconfirmed();
 
  Q_SIGNALS:
   void startRequested();
   void stopRequested();
+  /// @param hold  false: go on
+  void holdRequested(bool hold);
+  /// Nothing is to move yet: the place is to be asked for.
+  void resumeRequested();
 
  protected:
   void retranslate() override;
@@ -51,16 +59,21 @@ class RunPanel final : public Page {
   enum class StopState { None, Requested, Confirmed, Unconfirmed };
 
   void showAll();
+  void showHoldIcon();
   [[nodiscard]] bool isActive() const;
   [[nodiscard]] QString waitingText() const;
 
   streaming::LiveUpdate m_update;
   QString m_startBlocked;
   StopState m_stopState = StopState::None;
+  bool m_canHold = false;
+  QString m_resumeBlocked;
 
   StateStrip* m_strip;
   QPushButton* m_start;
   QPushButton* m_stop;
+  QPushButton* m_hold;
+  QPushButton* m_resume;
   StatusLabel* m_startReason;
   StatusLabel* m_stopStatus;
   QGroupBox* m_progressGroup;

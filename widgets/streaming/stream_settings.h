@@ -9,10 +9,19 @@
 
 namespace rivulet::widgets {
 
+/// How R-parameters are to be written and read.
+enum class AccessOrder : unsigned char {
+  Automatic,  ///< method window: the best form that is proved before the start; else lists
+  Array,      ///< the best array form that is proved, or no start
+  List,
+  Single,
+};
+
 struct StreamSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
   double deltaMm = 0.3;                      ///< δ, > 0; used by method position
   double feedMmPerS = 500.0 / 60.0;          ///< > 0
+  AccessOrder access = AccessOrder::Automatic;
 };
 
 }  // namespace rivulet::widgets

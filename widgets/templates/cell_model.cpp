@@ -98,6 +98,9 @@ QString CellModel::pointText(int slot, const QString& role, int column) const {
         axes.append(QString(QLatin1Char(base::kAxisNames[axis])));
       }
     }
+    for (const char name : base::rotaryNames(m_cells->rotaryAxes)) {
+      axes.append(QString(QLatin1Char(name)));
+    }
     return role.arg(axes.join(QLatin1Char(' ')));
   }
   if (column == Parameters) {

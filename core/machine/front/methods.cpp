@@ -71,6 +71,7 @@ UA_StatusCode copyFileToServer(Methods& methods, const UA_Variant* input, UA_Var
   if (data.length > kFileBytesMax) {
     return UA_STATUSCODE_BADREQUESTTOOLARGE;
   }
+  methods.serveProgram(data.length);
   const auto stored = methods.machine().storeProgram(*name, std::string(opcua::view(data)),
                                                      argument<UA_Boolean>(input, 2));
   return stored ? UA_STATUSCODE_GOOD : statusCodeOf(stored.error());

@@ -36,6 +36,8 @@ class Methods {
   [[nodiscard]] Machine& machine() const { return m_service.machine(); }
   /// Moves the machine to the present; every method begins with it.
   void advance() { m_service.advance(); }
+  /// Waits as long as writing a program takes.
+  void serveProgram(std::size_t bytes) { m_service.serveProgram(bytes); }
   /// The trace as text; rendered anew when a fetch begins at offset 0.
   [[nodiscard]] const std::string& traceText(bool anew);
 

@@ -31,4 +31,15 @@ void VariableService::serve(AccessKind kind) {
   ++m_nodes;
 }
 
+void VariableService::serveProgram(std::size_t bytes) {
+  if (!m_live) {
+    return;
+  }
+  m_request.reset();
+  m_machine.beginRequest(AccessKind::Write, now() - kOnTheWay);
+  const base::Instant served = m_machine.serveProgram(bytes);
+  m_clock.sleepUntil(served - m_offset);
+  m_machine.advance(served);
+}
+
 }  // namespace rivulet::machine

@@ -37,6 +37,8 @@ class VariableService {
   /// Waits until the next variable of the present request is served and moves the machine to
   /// that moment; the caller reads or writes there.
   void serve(AccessKind kind);
+  /// Waits until a program of this size is written, a request of its own.
+  void serveProgram(std::size_t bytes);
   /// The present request is complete; the next variable belongs to another one.
   void endRequest() { m_request.reset(); }
 

@@ -221,6 +221,7 @@ class UaLink::Impl {
 
   base::RequestId request(Operation operation, std::vector<Variable> variables,
                           std::vector<double> values, Duration deadline, Grouping grouping);
+  base::RequestId store(const std::string& name, const std::string& text, Duration deadline);
   std::optional<Event> wait(Instant until);
 
   /// Calls a method and waits for its answer. @return its output arguments
@@ -245,6 +246,9 @@ class UaLink::Impl {
     Grouping grouping = Grouping::List;
     std::vector<Variable> variables;
     std::vector<double> values;  ///< Write: one per variable
+    std::string path;            ///< Call: of the program to be stored
+    std::string text;            ///< Call
+    bool isCalled = false;       ///< Call: has been sent
     Instant deadline{};
     std::uint64_t serial = 0;  ///< of the service call under way; 0 none
     std::size_t itemsSent = 0;
@@ -253,7 +257,9 @@ class UaLink::Impl {
     UA_StatusCode failure = UA_STATUSCODE_GOOD;
     bool done = false;
 
-    [[nodiscard]] bool isSent() const { return itemsSent == variables.size(); }
+    [[nodiscard]] bool isSent() const {
+      return operation == Operation::Call ? isCalled : itemsSent == variables.size();
+    }
   };
 
   /// One call of `exchange`.
@@ -271,6 +277,7 @@ class UaLink::Impl {
   void answered(std::uint64_t serial, void* response);
   static void takeRead(Pending& pending, const UA_ReadResponse& response);
   static void takeWrite(Pending& pending, const UA_WriteResponse& response);
+  static void takeCall(Pending& pending, const UA_CallResponse& response);
 
   [[nodiscard]] base::Error error(LinkError code) const;
   [[nodiscard]] base::Error connectError(UA_StatusCode status) const;
@@ -282,6 +289,7 @@ class UaLink::Impl {
   void expire(Instant now);
   void sendDue();
   void send(Pending& pending);
+  [[nodiscard]] UA_StatusCode sendCall(Pending& pending, UA_UInt32 timeoutHint, void* serial);
   void fail(Pending& pending, base::Error error);
   void noticeLoss();
   [[nodiscard]] const std::string& identifier(const Node& node);
@@ -300,6 +308,7 @@ class UaLink::Impl {
   UA_Client* m_client = nullptr;
   UA_UInt16 m_namespace = 0;
   std::optional<UA_UInt16> m_virtualNamespace;
+  std::string_view m_fileMethods = kMethodsObject;  ///< where this edition keeps them
 
   /// Requests borrow from it: its elements stay where they are.
   std::unordered_map<Node, std::string, NodeHash> m_identifiers;
@@ -552,6 +561,8 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
   }
   if (pending->operation == Operation::Read) {
     takeRead(*pending, *static_cast<const UA_ReadResponse*>(response));
+  } else if (pending->operation == Operation::Call) {
+    takeCall(*pending, *static_cast<const UA_CallResponse*>(response));
   } else {
     takeWrite(*pending, *static_cast<const UA_WriteResponse*>(response));
   }
@@ -593,6 +604,12 @@ void UaLink::Impl::takeWrite(Pending& pending, const UA_WriteResponse& response)
   pending.done = statuses.size() == pending.variables.size();
 }
 
+void UaLink::Impl::takeCall(Pending& pending, const UA_CallResponse& response) {
+  pending.failure =
+      response.resultsSize == 1 ? response.results[0].statusCode : UA_STATUSCODE_BADUNKNOWNRESPONSE;
+  pending.done = true;
+}
+
 // --- requests -----------------------------------------------------------------------------------
 
 base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable> variables,
@@ -632,6 +649,52 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   return m_lastId;
 }
 
+base::RequestId UaLink::Impl::store(const std::string& name, const std::string& text,
+                                    Duration deadline) {
+  Pending pending;
+  pending.id = ++m_lastId;
+  pending.operation = Operation::Call;
+  pending.path = programPath(name);
+  pending.text = text;
+  pending.event.kind = EventKind::WriteDone;
+  pending.event.request = pending.id;
+  pending.event.sent = now();
+  pending.event.at = pending.event.sent;
+  pending.deadline = addSaturating(pending.event.sent, deadline);
+  noticeLoss();  // comes before this request
+  if (m_lost) {
+    fail(pending, error(LinkError::ConnectionLost));
+  } else {
+    m_pending.push_back(std::move(pending));
+    sendDue();
+  }
+  return m_lastId;
+}
+
+UA_StatusCode UaLink::Impl::sendCall(Pending& pending, UA_UInt32 timeoutHint, void* serial) {
+  UA_String target = borrow(pending.path);
+  UA_ByteString data = borrow(pending.text);
+  UA_Boolean mayOverwrite = true;
+  std::array inputs{borrowScalar(target, UA_TYPES_STRING), borrowScalar(data, UA_TYPES_BYTESTRING),
+                    borrowScalar(mayOverwrite, UA_TYPES_BOOLEAN)};
+  const std::string methodIdentifier = memberIdentifier(m_fileMethods, kCopyToServer);
+  UA_CallMethodRequest item;
+  UA_CallMethodRequest_init(&item);
+  item.objectId = borrowNodeId(m_namespace, m_fileMethods);
+  item.methodId = borrowNodeId(m_namespace, methodIdentifier);
+  item.inputArguments = inputs.data();
+  item.inputArgumentsSize = inputs.size();
+  UA_CallRequest request;
+  UA_CallRequest_init(&request);
+  request.requestHeader.timeoutHint = timeoutHint;
+  request.methodsToCall = &item;
+  request.methodsToCallSize = 1;
+  pending.isCalled = true;
+  return __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_CALLREQUEST],
+                                  &Impl::onAnswer, &UA_TYPES[UA_TYPES_CALLRESPONSE], serial,
+                                  nullptr);
+}
+
 const std::string& UaLink::Impl::identifier(const Node& node) {
   const auto found = m_identifiers.find(node);
   if (found != m_identifiers.end()) {
@@ -666,6 +729,11 @@ void UaLink::Impl::send(Pending& pending) {
   pending.serial = ++m_lastSerial;
   pending.itemsSent = first + items;
   void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(pending.serial));
+  if (pending.operation == Operation::Call) {
+    const UA_StatusCode called = sendCall(pending, timeoutHint, serial);
+    m_lost = m_lost || isBad(called);
+    return;
+  }
   m_nodes.clear();
   for (std::size_t item = first; item < pending.itemsSent; item += m_nodes.back().length) {
     const std::size_t length = sharedNodeLength(pending.variables, item, pending.grouping);
@@ -875,9 +943,12 @@ base::Result<CallResponse> UaLink::Impl::call(UA_UInt16 namespaceIndex, std::str
 
 base::Result<CallResponse> UaLink::Impl::callFileMethod(std::string_view method,
                                                         std::span<UA_Variant> inputs) {
-  auto answer = call(m_namespace, kMethodsObject, method, inputs);
+  auto answer = call(m_namespace, m_fileMethods, method, inputs);
   if (!answer && answer.error().code == LinkError::MethodMissing) {
-    answer = call(m_namespace, kFileMethodsObject, method, inputs);
+    const std::string_view other =
+        m_fileMethods == kMethodsObject ? kFileMethodsObject : kMethodsObject;
+    answer = call(m_namespace, other, method, inputs);
+    m_fileMethods = answer ? other : m_fileMethods;
   }
   return answer;
 }
@@ -962,6 +1033,11 @@ base::RequestId UaLink::write(std::span<const Assignment> assignments, base::Dur
   }
   return m_impl->request(Operation::Write, std::move(variables), std::move(values), deadline,
                          grouping);
+}
+
+base::RequestId UaLink::store(const std::string& name, const std::string& text,
+                              base::Duration deadline) {
+  return m_impl->store(name, text, deadline);
 }
 
 std::optional<Event> UaLink::wait(base::Instant until) {

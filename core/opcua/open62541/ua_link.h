@@ -40,6 +40,8 @@ class UaLink final : public Link, public Control {
                        Grouping grouping) override;
   base::RequestId write(std::span<const Assignment> assignments, base::Duration deadline,
                         Grouping grouping) override;
+  base::RequestId store(const std::string& name, const std::string& text,
+                        base::Duration deadline) override;
   /// Never returns before `until` without an event, also after the connection is lost.
   /// An answer found in time is reported even if this call came after the request's deadline.
   std::optional<Event> wait(base::Instant until) override;

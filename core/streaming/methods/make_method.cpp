@@ -15,6 +15,7 @@ std::unique_ptr<Method> makeMethod(MethodSetup setup) {
       return std::make_unique<SignalMethod>(std::move(setup));
     case base::MethodKind::Window:
     case base::MethodKind::Credit:
+    case base::MethodKind::File:
       break;
   }
   return std::make_unique<WindowMethod>(std::move(setup));

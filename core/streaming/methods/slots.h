@@ -26,12 +26,12 @@ class SlotPlan {
     for (std::size_t slot = 0; slot < slots; ++slot) {
       m_cells.push_back(m_setup.cells.slotCells(static_cast<int>(slot)));
     }
-    m_writes.reserve(slots * base::kAxisCount + 4);
+    m_writes.reserve(slots * base::kStreamedAxesMax + 4);
     m_arcMm.reserve(m_setup.points.size());
     double length = 0.0;
     for (std::size_t i = 0; i < m_setup.points.size(); ++i) {
       if (i > 0) {
-        length += base::distance(m_setup.points[i - 1].positionMm, m_setup.points[i].positionMm);
+        length += wayTo(m_setup.points[i - 1].positionMm, m_setup.points[i - 1].rotaryDeg, i);
       }
       m_arcMm.push_back(length);
     }
@@ -64,7 +64,7 @@ class SlotPlan {
 
   /// Shortest time from where the tool stands to the first point.
   [[nodiscard]] base::Duration approachTime() const {
-    return base::fromSeconds(base::distance(m_setup.startMm, pointMm(0)) /
+    return base::fromSeconds(wayTo(m_setup.startMm, m_setup.startDeg, 0) /
                              m_setup.settings.feedMmPerS);
   }
 
@@ -77,13 +77,24 @@ class SlotPlan {
   void clearWrites() { m_writes.clear(); }
   void addCell(int cell, double value) { m_writes.push_back({opcua::rParameter(cell), value}); }
   /// Point `index` (or the last one) into its slot.
-  void addPoint(std::size_t index) { addPointAt(index % slotCount(), pointMm(index)); }
-  void addPointAt(std::size_t slot, base::Vec3 point) {
+  void addPoint(std::size_t index) { addPointAt(index % slotCount(), index); }
+  void addPointAt(std::size_t slot, std::size_t index) {
     const std::vector<int>& cells = m_cells[slot];
     std::size_t next = 0;
+    forEachCoordinate(index, [&](double value) { addCell(cells[next++], value); });
+  }
+  /// The coordinates of point `index` (or the last one) that are streamed, in the order of cells.
+  template <class Take>
+  void forEachCoordinate(std::size_t index, const Take& take) const {
+    const gcode::StreamPoint& point = m_setup.points[std::min(index, pointCount() - 1)];
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (m_setup.cells.axes[axis]) {
-        addCell(cells[next++], point[axis]);
+        take(point.positionMm[axis]);
+      }
+    }
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      if (m_setup.cells.rotaryAxes[axis]) {
+        take(point.rotaryDeg[axis]);
       }
     }
   }
@@ -98,9 +109,15 @@ class SlotPlan {
   }
 
  private:
+  [[nodiscard]] double wayTo(base::Vec3 fromMm, const base::RotaryDeg& fromDeg,
+                             std::size_t point) const {
+    return base::wayAlongFeed(base::distance(fromMm, m_setup.points[point].positionMm),
+                              base::turnDeg(fromDeg, m_setup.points[point].rotaryDeg));
+  }
+
   MethodSetup m_setup;
   std::vector<std::vector<int>> m_cells;
-  std::vector<double> m_arcMm;  ///< path length up to each point
+  std::vector<double> m_arcMm;  ///< way up to each point, see `base::wayAlongFeed`
   std::vector<opcua::Assignment> m_writes;
 };
 

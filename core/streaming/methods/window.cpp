@@ -3,6 +3,8 @@
 
 #include "streaming/methods/window.h"
 
+#include "templates/generator.h"
+
 namespace rivulet::streaming {
 
 namespace {
@@ -33,6 +35,7 @@ WindowMethod::WindowMethod(MethodSetup setup)
       m_begins(m_plan.windowBegins(m_perWindow)),
       m_windowCount(m_begins.size() - 1),
       m_ownerCell{opcua::rParameter(m_plan.cells().owner)},
+      m_saysExecuted(m_plan.settings().parameters.method != base::MethodKind::Window),
       m_isCredit(m_plan.settings().parameters.method == base::MethodKind::Credit),
       m_watched{opcua::rParameter(m_plan.cells().latched)},
       m_header{opcua::rParameter(m_plan.cells().latched),
@@ -40,7 +43,7 @@ WindowMethod::WindowMethod(MethodSetup setup)
                opcua::rParameter(m_plan.cells().state), opcua::rParameter(m_plan.cells().run)} {
   RIVULET_ASSERT(m_slots >= 1);
   RIVULET_ASSERT(m_plan.settings().runNumber > 0);
-  if (m_isCredit) {
+  if (m_saysExecuted) {
     m_watched.push_back(opcua::rParameter(m_plan.cells().executed));
     m_header.push_back(opcua::rParameter(m_plan.cells().executed));
   }
@@ -78,13 +81,13 @@ Duration WindowMethod::takenTimeMax() const {
 Action WindowMethod::write(Step step, std::size_t points) {
   m_step = step;
   m_waiting = true;
-  return {Action::Kind::Write, {}, m_plan.writes(), points};
+  return {Action::Kind::Write, {}, m_plan.writes(), points, {}, {}};
 }
 
 Action WindowMethod::read(Step step, std::span<const opcua::Variable> variables) {
   m_step = step;
   m_waiting = true;
-  return {Action::Kind::Read, variables, {}, 0};
+  return {Action::Kind::Read, variables, {}, 0, {}, {}};
 }
 
 /// Coordinates, number of points, feed, check: what the control adds up is added up here, term by
@@ -101,8 +104,7 @@ void WindowMethod::addContent(std::size_t window) {
                  templates::kCheckCount * count + templates::kCheckFeed * feedMmPerMin;
   for (std::size_t i = 0; i < m_perWindow; ++i) {
     // A short window is filled up with its last point: the check covers every slot.
-    const base::Vec3 pointMm = m_plan.pointMm(std::min(begin + i, end - 1));
-    m_plan.addPointAt(slot * m_perWindow + i, pointMm);
+    m_plan.addPointAt(slot * m_perWindow + i, std::min(begin + i, end - 1));
   }
   int place = 0;
   for (const opcua::Assignment& coordinate : m_plan.writes()) {
@@ -115,6 +117,24 @@ void WindowMethod::addContent(std::size_t window) {
   if (opcua::isArray(m_plan.settings().grouping)) {
     m_plan.lastToFront(3);  // where they stand on the control: the window is one array
   }
+}
+
+Action WindowMethod::store(std::size_t window) {
+  const std::size_t begin = windowBegin(window);
+  const std::size_t end = windowBegin(window + 1);
+  templates::WindowFile file;
+  file.run = m_plan.settings().runNumber;
+  file.number = window + 1;
+  file.isLast = end == m_plan.pointCount();
+  file.feedMmPerMin = base::mmPerMinFromMmPerS(m_plan.settings().feedMmPerS);
+  for (std::size_t point = begin; point < end; ++point) {
+    m_plan.forEachCoordinate(point, [&](double value) { file.coordinates.push_back(value); });
+  }
+  m_fileName = templates::windowFileName(static_cast<int>(window % m_slots));
+  m_fileText = templates::windowFileText(m_plan.cells(), file);
+  m_step = Step::Content;
+  m_waiting = true;
+  return {Action::Kind::Store, {}, {}, end - begin, m_fileName, m_fileText};
 }
 
 double WindowMethod::runWanted() const {
@@ -155,7 +175,11 @@ std::optional<Action> WindowMethod::poll(Instant now) {
       m_plan.addCell(cells.delivered, static_cast<double>(m_filled));
       return write(Step::Number);
     }
-    if (m_filled < m_windowCount && m_filled < m_latched + m_slots) {
+    const std::size_t freed = cells.inFiles ? m_executed : m_latched;
+    if (m_filled < m_windowCount && m_filled < freed + m_slots) {
+      if (cells.inFiles) {
+        return store(m_filled);
+      }
       addContent(m_filled);
       return write(Step::Content, windowBegin(m_filled + 1) - windowBegin(m_filled));
     }
@@ -212,13 +236,17 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       }
       m_delivered = m_filled;
       m_renumber = false;
+      if (m_filled == m_windowCount || m_filled >= m_latched + m_slots) {
+        m_progress.nextEarliest = m_windowEnds;  // until then there is nothing to be brought
+      }
       break;
     case Step::Run:
       m_run = m_runAsked;
       m_progress.lastProgress = now;
-      if (m_run == kRun) {
+      if (m_run != kHold) {
+        // Behind a stop as well: the control goes on to the end of what it has taken.
         m_progress.nextLatest = now + takenTimeMax() + kSlowerThanPlanned;
-      } else if (m_run == kHold) {
+      } else {
         m_progress.nextLatest = now + kOurTurn;
       }
       m_progress.stopWritten = m_run == kEnd;
@@ -230,7 +258,8 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       }
       break;
     case Step::Watch:
-      observe(answer.readings[0].number, m_isCredit ? answer.readings[1].number : 0.0, answer, now);
+      observe(answer.readings[0].number, m_saysExecuted ? answer.readings[1].number : 0.0, answer,
+              now);
       break;
     case Step::Look:
       look(answer, now);
@@ -249,10 +278,10 @@ void WindowMethod::observe(double latched, double executed, const Answer& answer
     return;
   }
   const auto windows = static_cast<std::size_t>(latched);
-  // With method window, one that is copied has everything in front of it executed. With method
-  // credit the control says so; what it cannot have meant is left out of account.
+  // With method window, one that is copied has everything in front of it executed. With the others
+  // the control says so; what it cannot have meant is left out of account.
   std::size_t passed = windows == 0 ? 0 : windows - 1;
-  if (m_isCredit) {
+  if (m_saysExecuted) {
     const bool isMeant = executed >= static_cast<double>(m_executed) && executed <= latched;
     passed = isMeant ? static_cast<std::size_t>(executed) : m_executed;
   }
@@ -263,9 +292,10 @@ void WindowMethod::observe(double latched, double executed, const Answer& answer
   m_executed = passed;
   m_progress.lastProgress = now;
   m_progress.executed = windowBegin(m_executed);
-  m_progress.stopsPassed = m_isCredit ? 0 : m_latched - 1;
-  const bool moreToBring = m_filled < m_windowCount;
-  m_progress.nextEarliest = moreToBring ? now : answer.sent + takenTime();
+  m_progress.stopsPassed = m_isCredit ? 0 : m_executed;
+  const bool moreToBring = m_filled < m_windowCount && !m_stopWanted;
+  m_windowEnds = answer.sent + takenTime();
+  m_progress.nextEarliest = moreToBring ? now : m_windowEnds;
   m_progress.nextLatest = moreToBring && m_delivered == m_latched
                               ? now + kOurTurn
                               : now + takenTimeMax() + kSlowerThanPlanned;
@@ -288,7 +318,7 @@ void WindowMethod::look(const Answer& answer, Instant now) {
   if (m_stopWanted && answer.readings[4].number != kEnd) {
     m_run = kHold;
   }
-  observe(answer.readings[0].number, m_isCredit ? answer.readings[5].number : 0.0, answer, now);
+  observe(answer.readings[0].number, m_saysExecuted ? answer.readings[5].number : 0.0, answer, now);
 }
 
 std::optional<base::Error> WindowMethod::failure() const {

@@ -13,7 +13,9 @@
 /// and its content; the program refuses what does not fit.
 ///
 /// Method credit is the same client. Its program copies windows while those before are under way,
-/// so what has been executed is read from a cell of its own.
+/// so what has been executed is read from a cell of its own. With method file a window is a
+/// subprogram that is transferred; it is taken while it is executed, not copied, so its place is
+/// free once it has been executed.
 /// @threadsafety one object, one thread.
 #pragma once
 
@@ -43,6 +45,8 @@ class WindowMethod final : public Method {
   [[nodiscard]] Action write(Step step, std::size_t points = 0);
   [[nodiscard]] Action read(Step step, std::span<const opcua::Variable> variables);
   void addContent(std::size_t window);
+  /// Method file: the same window as a subprogram.
+  [[nodiscard]] Action store(std::size_t window);
   /// @param executed  as the control says; method credit only
   void observe(double latched, double executed, const Answer& answer, base::Instant now);
   void look(const Answer& answer, base::Instant now);
@@ -61,14 +65,18 @@ class WindowMethod final : public Method {
   std::vector<std::size_t> m_begins;  ///< first point of each window, and behind the last one
   std::size_t m_windowCount;          ///< windows the points make
   std::array<opcua::Variable, 1> m_ownerCell;
+  bool m_saysExecuted;  ///< the program says what has been executed: all but method window
   bool m_isCredit;
+  std::string m_fileName;  ///< method file: of the window under way, and its text
+  std::string m_fileText;
   std::vector<opcua::Variable> m_watched;  ///< latched; method credit: and executed
   std::vector<opcua::Variable> m_header;
   Step m_step = Step::Claim;
   bool m_waiting = false;
   bool m_stopWanted = false;
   bool m_holdWanted = false;
-  bool m_renumber = false;  ///< the number on the control is not ours: it is written again
+  bool m_renumber = false;       ///< the number on the control is not ours: it is written again
+  base::Instant m_windowEnds{};  ///< the window in motion, at the earliest
   Trouble m_trouble = Trouble::None;
   bool m_owned = false;         ///< the control has granted us its cells
   double m_run = 0.0;           ///< value of the run cell, as far as confirmed

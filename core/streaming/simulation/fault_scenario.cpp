@@ -42,12 +42,40 @@ class Operator final : public RunSink, public RunOrders {
   bool holdRequested(Instant now) override { return holdAt && now >= *holdAt && now < holdUntil; }
 };
 
-double pathMm(const std::vector<base::Vec3>& points) {
-  double length = 0.0;
+double wayOf(const gcode::Program& program) {
+  const std::vector<gcode::StreamPoint> points = gcode::streamPoints(program.trajectory, {}).points;
+  double way = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    length += base::distance(points[i - 1], points[i]);
+    way += base::wayAlongFeed(base::distance(points[i - 1].positionMm, points[i].positionMm),
+                              base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg));
   }
-  return length;
+  return way;
+}
+
+/// One or two rotary axes beside X, Y and Z; now and then only they turn, or none of them.
+void addRotaryAxes(FaultScenario& drawn, Random random) {
+  constexpr double kReachDeg = 100.0;
+  base::RotarySet axes{};
+  axes[random.below(axes.size())] = true;
+  axes[random.below(axes.size())] = true;
+  const double stepDeg = 0.01 * std::pow(1000.0, random.uniform());
+  std::vector<base::RotaryDeg> angles;
+  base::RotaryDeg at{};
+  for (std::size_t i = 0; i < drawn.run.pointsMm.size(); ++i) {
+    const std::uint64_t kind = random.below(6);
+    if (kind == 0 && i > 0) {
+      drawn.run.pointsMm[i] = drawn.run.pointsMm[i - 1];
+    }
+    for (double& angle : at) {
+      angle =
+          kind == 1 ? angle : std::clamp(angle + stepDeg * random.normal(), -kReachDeg, kReachDeg);
+    }
+    angles.push_back(at);
+  }
+  Scenario& scenario = drawn.run.scenario;
+  scenario.program = programOf(drawn.run.pointsMm, angles, axes);
+  scenario.machine = withRotaryAxes(scenario.machine, axes);
+  scenario.settings.parameters.rotaryAxes = axes;
 }
 
 /// One exposure, step by step.
@@ -150,10 +178,11 @@ class Exposure {
     // The servo settles first.
     m_machine.advance(m_machine.now() + std::chrono::seconds{1});
     const std::size_t blocks = m_machine.trace().blocks.size();
-    const base::Vec3 before = m_machine.state().commandMm;
+    const machine::MachineState before = m_machine.state();
     m_link.wait(m_machine.now() + kWatched);
     if (m_machine.trace().blocks.size() != blocks ||
-        base::distance(before, m_machine.state().commandMm) > kStillMm) {
+        base::distance(before.commandMm, m_machine.state().commandMm) > kStillMm ||
+        base::turnDeg(before.commandDeg, m_machine.state().commandDeg) > kStillMm) {
       m_evidence.violations.push_back(fmt::format("motion {}", where));
     }
   }
@@ -189,6 +218,7 @@ class Exposure {
     FaultSegment segment;
     segment.trace = m_machine.trace();
     segment.endMm = m_machine.state().commandMm;
+    segment.endDeg = m_machine.state().commandDeg;
     segment.wasReset = m_wasReset;
     m_wasReset = false;
     m_delivered = 0;
@@ -319,6 +349,10 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   settings.parameters.rParameterCount = 300;
   settings.isCommissioned = true;
   if (base::hasWindows(method)) {
+    Random axesRandom = Random(seed).fork(34);
+    if (method != MethodKind::Credit && axesRandom.below(3) == 0) {
+      addRotaryAxes(drawn, axesRandom);
+    }
     settings.parameters.pointsPerLoop = 1 + static_cast<int>(random.below(14));
     settings.parameters.windows = 1 + static_cast<int>(random.below(4));
     settings.parameters.baseCell = random.below(3) == 0 ? static_cast<int>(random.below(40)) : 0;
@@ -336,7 +370,7 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   settings.requestDeadline = base::fromSeconds(0.5 + 3.0 * random.uniform());
   scenario.limit = std::chrono::hours{1};
 
-  const double motionS = pathMm(drawn.run.pointsMm) / settings.feedMmPerS;
+  const double motionS = wayOf(*scenario.program) / settings.feedMmPerS;
   const double lastsS = 2.0 + motionS +
                         0.07 * static_cast<double>(drawn.run.pointsMm.size()) /
                             std::max(1, settings.parameters.pointsPerLoop) * 3.0;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Runs on which everything goes wrong that can, drawn from a seed: what `FaultyLink` does, stops
+/// Runs on which everything goes wrong that can, drawn from a seed, a third of those of method
+/// window with rotary axes: what `FaultyLink` does, stops
 /// and holds at any moment, a control that drops into reset, another writer in the same cells,
 /// another program on the control. Afterwards an operator takes the run up again, as often as it
 /// takes. What is left behind is evidence, not a judgement: the machine's own trace, and each write
@@ -36,7 +37,8 @@ struct FaultScenario {
 /// One start of the program on the control, up to the next or to the end.
 struct FaultSegment {
   trace::ControlTrace trace;
-  base::Vec3 endMm;       ///< where the tool stood when it was over
+  base::Vec3 endMm;  ///< where the tool stood when it was over
+  base::RotaryDeg endDeg{};
   bool wasReset = false;  ///< the control dropped into reset meanwhile
 };
 

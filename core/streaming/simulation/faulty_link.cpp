@@ -82,6 +82,14 @@ base::RequestId FaultyLink::write(std::span<const opcua::Assignment> assignments
   return submit(std::move(request), deadline);
 }
 
+base::RequestId FaultyLink::store(const std::string& name, const std::string& text,
+                                  Duration deadline) {
+  Sent request;
+  request.program = name;
+  request.text = text;
+  return submit(std::move(request), deadline);
+}
+
 base::RequestId FaultyLink::submit(Sent request, Duration deadline) {
   request.id = ++m_lastId;
   request.sent = now();
@@ -105,6 +113,10 @@ base::RequestId FaultyLink::submit(Sent request, Duration deadline) {
 }
 
 void FaultyLink::deliver(Sent& request) {
+  if (!request.program.empty()) {
+    request.inner = m_inner.store(request.program, request.text, kNeverGivenUp);
+    return;
+  }
   request.inner = request.isRead
                       ? m_inner.read(request.variables, kNeverGivenUp, request.grouping)
                       : m_inner.write(request.assignments, kNeverGivenUp, request.grouping);

@@ -59,6 +59,8 @@ class FaultyLink final : public opcua::Link, public opcua::Control {
                        opcua::Grouping grouping) override;
   base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
                         opcua::Grouping grouping) override;
+  base::RequestId store(const std::string& name, const std::string& text,
+                        base::Duration deadline) override;
   std::optional<opcua::Event> wait(base::Instant until) override;
 
   base::Result<void> uploadProgram(const std::string& name, const std::string& text,
@@ -77,6 +79,8 @@ class FaultyLink final : public opcua::Link, public opcua::Control {
     bool isRead = false;
     std::vector<opcua::Variable> variables;
     std::vector<opcua::Assignment> assignments;
+    std::string program;  ///< name of the program to be stored; empty: variables
+    std::string text;
     opcua::Grouping grouping = opcua::Grouping::List;
     base::Instant sent{};
     base::Instant arrives{};  ///< at the machine

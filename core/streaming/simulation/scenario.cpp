@@ -60,6 +60,29 @@ std::shared_ptr<const gcode::Program> programOf(const std::vector<base::Vec3>& p
   return program;
 }
 
+std::shared_ptr<const gcode::Program> programOf(const std::vector<base::Vec3>& pointsMm,
+                                                const std::vector<base::RotaryDeg>& anglesDeg,
+                                                const base::RotarySet& rotaryAxes) {
+  auto program = std::make_shared<gcode::Program>(*programOf(pointsMm));
+  for (const base::RotaryDeg& angles : anglesDeg) {
+    gcode::RotaryPosition& at = program->trajectory.rotary.emplace_back();
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      at.degrees[axis] = rotaryAxes[axis] ? angles[axis] : at.degrees[axis];
+    }
+  }
+  return program;
+}
+
+machine::MachineConfig withRotaryAxes(machine::MachineConfig machine,
+                                      const base::RotarySet& rotaryAxes) {
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (rotaryAxes[axis] && !machine.rotaryAxes[axis]) {
+      machine.rotaryAxes[axis] = machine::loadPreset("dmu75-5axis")->rotaryAxes[0];
+    }
+  }
+  return machine;
+}
+
 std::vector<base::Vec3> drawContour(const ContourOptions& options, base::Random& random) {
   std::vector<base::Vec3> points;
   base::Vec3 at{};

@@ -34,6 +34,14 @@ struct Scenario {
 /// Program whose points are streamed as they are.
 [[nodiscard]] std::shared_ptr<const gcode::Program> programOf(
     const std::vector<base::Vec3>& pointsMm);
+/// The same with angles of those rotary axes, one per point.
+[[nodiscard]] std::shared_ptr<const gcode::Program> programOf(
+    const std::vector<base::Vec3>& pointsMm, const std::vector<base::RotaryDeg>& anglesDeg,
+    const base::RotarySet& rotaryAxes);
+
+/// The machine with these rotary axes: those it lacks are like A of dmu75-5axis.
+[[nodiscard]] machine::MachineConfig withRotaryAxes(machine::MachineConfig machine,
+                                                    const base::RotarySet& rotaryAxes);
 
 /// A contour as [P1] describes its own: thinned, so that no two neighbours are closer than d_min
 /// and most are further apart. Steps are d_min plus an exponential rest; the direction wanders, in

@@ -46,6 +46,15 @@ base::RequestId SimulatedLink::write(std::span<const opcua::Assignment> assignme
   return submit(std::move(request), deadline);
 }
 
+base::RequestId SimulatedLink::store(const std::string& name, const std::string& text,
+                                     base::Duration deadline) {
+  Request request;
+  request.kind = machine::AccessKind::Write;
+  request.program = name;
+  request.text = text;
+  return submit(std::move(request), deadline);
+}
+
 base::RequestId SimulatedLink::submit(Request request, base::Duration deadline) {
   request.id = ++m_lastId;
   request.sent = now();
@@ -64,6 +73,10 @@ void SimulatedLink::beginNode(Request& request) {
     m_machine.beginRequest(request.kind, request.begun ? now() : request.sent);
   }
   request.begun = true;
+  if (!request.program.empty()) {
+    request.nextDoneAt = m_machine.serveProgram(request.text.size());
+    return;
+  }
   request.nextDoneAt = m_machine.serveNode();
   const std::size_t length = nodeLength(request);
   const machine::ArrayAccess& arrays = m_machine.config().access.arrays;
@@ -72,6 +85,10 @@ void SimulatedLink::beginNode(Request& request) {
       request.nextDoneAt = m_machine.serveNode();
     }
   }
+}
+
+bool SimulatedLink::isServed(const Request& request) {
+  return request.program.empty() && request.next == request.variables.size();
 }
 
 std::size_t SimulatedLink::nodeLength(const Request& request) {
@@ -99,7 +116,7 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
           LinkError::BadValue, "A value that is no number was to be written. Nothing was sent.");
       return finish();
     }
-    if (request.next == request.variables.size()) {
+    if (isServed(request)) {
       const Instant answerAt = std::max(now(), request.sent + kRoundTripMin);
       if (answerAt > until) {
         break;
@@ -131,10 +148,19 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
       break;
     }
     m_machine.advance(request.nextDoneAt);
+    if (!request.program.empty()) {
+      if (const auto stored = m_machine.storeProgram(request.program, request.text, true);
+          !stored) {
+        request.event.kind = EventKind::RequestFailed;
+        request.event.error = stored.error();
+      }
+      request.program.clear();
+      continue;
+    }
     const std::size_t length = nodeLength(request);
     access(request, length);
     request.next += length;
-    if (request.next < request.variables.size()) {
+    if (!isServed(request)) {
       beginNode(request);
     }
   }

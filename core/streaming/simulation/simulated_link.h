@@ -30,6 +30,8 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
                        opcua::Grouping grouping) override;
   base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
                         opcua::Grouping grouping) override;
+  base::RequestId store(const std::string& name, const std::string& text,
+                        base::Duration deadline) override;
   std::optional<opcua::Event> wait(base::Instant until) override;
 
   base::Result<void> uploadProgram(const std::string& name, const std::string& text,
@@ -48,6 +50,8 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
     opcua::Grouping grouping = opcua::Grouping::List;
     std::vector<opcua::Variable> variables;
     std::vector<double> values;  ///< Write
+    std::string program;         ///< name of the program to be stored; empty: variables
+    std::string text;            ///< of the program
     base::Instant sent{};
     base::Instant deadline{};
     std::size_t next = 0;        ///< first variable of the node to be served
@@ -60,6 +64,8 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
 
   base::RequestId submit(Request request, base::Duration deadline);
   void beginNode(Request& request);
+  /// True once nothing is left to be served.
+  [[nodiscard]] static bool isServed(const Request& request);
   /// Variables of the node to be served.
   [[nodiscard]] static std::size_t nodeLength(const Request& request);
   /// Reads or writes them.

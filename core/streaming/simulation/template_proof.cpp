@@ -11,6 +11,7 @@
 #include "streaming/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/scenario.h"
+#include "templates/generator.h"
 #include "trace/analysis/integrity.h"
 
 namespace rivulet::streaming {
@@ -53,18 +54,25 @@ double wayMm(int step) {
 }
 
 /// Some loops and a rest; no two points are alike, in none of the axes.
-std::vector<base::Vec3> proofPoints(const templates::TemplateParameters& parameters,
-                                    const machine::MachineConfig& config) {
+std::shared_ptr<const gcode::Program> proofProgram(const templates::TemplateParameters& parameters,
+                                                   const machine::MachineConfig& config) {
   const int loops = base::hasWindows(parameters.method) ? parameters.windows + 2 : 3;
   const int count = loops * parameters.pointsPerLoop + std::min(2, parameters.pointsPerLoop);
   std::vector<base::Vec3> points;
+  std::vector<base::RotaryDeg> angles;
+  const base::AxisPosition start = config.start();
   for (int i = 0; i < count; ++i) {
     const auto at = [&](std::size_t axis, double scale) {
-      return config.axes[axis].startMm + (parameters.axes[axis] ? scale * wayMm(i + 1) : 0.0);
+      return start.mm[axis] + (parameters.axes[axis] ? scale * wayMm(i + 1) : 0.0);
     };
     points.push_back({at(0, 1.0), at(1, 0.75), at(2, 0.5)});
+    constexpr base::RotaryDeg kDegPerStep{0.3, 0.4, 0.5};
+    base::RotaryDeg& turned = angles.emplace_back(start.deg);
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      turned[axis] += kDegPerStep[axis] * wayMm(i + 1);
+    }
   }
-  return points;
+  return programOf(points, angles, parameters.rotaryAxes);
 }
 
 /// One run of the program under proof.
@@ -72,7 +80,7 @@ class Trial {
  public:
   Trial(std::string_view text, const templates::TemplateParameters& parameters,
         const machine::MachineConfig& config, const LinkFaults& faults, std::uint64_t seed)
-      : m_program(programOf(proofPoints(parameters, config))),
+      : m_program(proofProgram(parameters, config)),
         m_machine(config, seed),
         m_link(m_machine, faults, seed) {
     m_link.programInstead = std::string(text);
@@ -86,7 +94,7 @@ class Trial {
     m_settings.stallDeadline = std::chrono::minutes{2};
     m_settings.stopDeadline = std::chrono::minutes{2};
     m_settings.monitor = false;
-    m_startMm = {config.axes[0].startMm, config.axes[1].startMm, config.axes[2].startMm};
+    m_start = config.start();
   }
 
   [[nodiscard]] machine::Machine& machine() { return m_machine; }
@@ -101,19 +109,20 @@ class Trial {
 
   /// Time the points take, without pauses.
   [[nodiscard]] Duration motionTime() const {
-    double lengthMm = 0.0;
-    base::Vec3 at = m_startMm;
-    for (const gcode::TrajectoryPoint& point : m_program->trajectory.points) {
-      lengthMm += base::distance(at, point.positionMm);
-      at = point.positionMm;
+    double way = 0.0;
+    base::AxisPosition at = m_start;
+    for (const gcode::StreamPoint& point : points()) {
+      way += base::wayAlongFeed(base::distance(at.mm, point.positionMm),
+                                base::turnDeg(at.deg, point.rotaryDeg));
+      at = {point.positionMm, point.rotaryDeg};
     }
-    return base::fromSeconds(lengthMm / kFeedMmPerS);
+    return base::fromSeconds(way / kFeedMmPerS);
   }
 
   /// What the axes have done wrong so far; empty: nothing.
   [[nodiscard]] std::string wrongMotion() const {
-    const auto points = gcode::streamPoints(m_program->trajectory, m_startMm).points;
-    const trace::Integrity seen = trace::judgeIntegrity(points, m_machine.trace().blocks, kSameMm);
+    const trace::Integrity seen = trace::judgeIntegrity(points(), m_machine.trace().blocks, kSameMm,
+                                                        m_settings.parameters.rotaryAxes);
     if (seen.isFaultless()) {
       return {};
     }
@@ -147,17 +156,22 @@ class Trial {
 
   [[nodiscard]] bool movesOn() {
     m_machine.advance(m_machine.now() + std::chrono::seconds{1});  // the servo settles
-    const base::Vec3 before = m_machine.state().commandMm;
+    const machine::MachineState before = m_machine.state();
     m_machine.advance(m_machine.now() + kWatched);
-    return base::distance(before, m_machine.state().commandMm) > kStillMm;
+    return base::distance(before.commandMm, m_machine.state().commandMm) > kStillMm ||
+           base::turnDeg(before.commandDeg, m_machine.state().commandDeg) > kStillMm;
   }
 
  private:
+  [[nodiscard]] std::vector<gcode::StreamPoint> points() const {
+    return gcode::streamPoints(m_program->trajectory, m_start.mm, m_start.deg).points;
+  }
+
   std::shared_ptr<const gcode::Program> m_program;
   machine::Machine m_machine;
   FaultyLink m_link;
   RunSettings m_settings;
-  base::Vec3 m_startMm;
+  base::AxisPosition m_start;
   RunReport m_report;
 };
 
@@ -171,6 +185,7 @@ class Prover {
   Prover(std::string_view text, const templates::TemplateParameters& parameters,
          machine::MachineConfig config)
       : m_text(text), m_parameters(parameters), m_config(std::move(config)) {
+    m_config = withRotaryAxes(std::move(m_config), parameters.rotaryAxes);
     m_config.rParameterCount = parameters.rParameterCount;
   }
 
@@ -225,22 +240,11 @@ class Prover {
                      trial.hasEnded() ? "" : "the program does not end without its client");
     });
     const templates::CellMap cells = *templates::planCells(m_parameters);
-    // One coordinate of the second window is changed behind the client's back. Each in its turn.
-    const std::vector<int> slot = cells.slotCells(cells.windows > 1 ? cells.pointsPerLoop : 0);
-    add("damaged-window", true, slot.size(), {}, [&](Trial& trial) {
-      const int cell = slot[m_turn % slot.size()];
-      bool isDone = false;
-      trial.link().onWrite = [&, cell](int written, double value, bool) {
-        if (written == cells.delivered && value >= 2.0 && !isDone) {
-          isDone = true;
-          trial.machine().writeRParameter(cell, trial.machine().rParameter(cell) + 0.25);
-        }
-      };
-      const RunReport& report = trial.run();
-      const bool isRefused = report.error.code == StreamError::WindowDamaged;
-      return firstOf(trial.wrongMotion(),
-                     isRefused ? "" : "a window that does not fit its check number was taken");
-    });
+    if (cells.inFiles) {
+      addWrongFile(cells);
+    } else {
+      addDamagedWindow(cells);
+    }
     add("client-gone", true, 2, {}, [this](Trial& trial) {
       const Instant goneAt = trial.machine().now() + trial.motionTime() / 2;
       // Once the connection breaks, once nothing comes through any more.
@@ -255,6 +259,48 @@ class Prover {
       trial.leaveAlone();
       return firstOf(trial.wrongMotion(),
                      trial.hasEnded() ? "" : "the program does not end without its client");
+    });
+  }
+
+  /// The file of the second window is that of another, an older one.
+  void addWrongFile(const templates::CellMap& cells) {
+    add("damaged-window", true, 1, {}, [&](Trial& trial) {
+      bool isDone = false;
+      trial.link().onWrite = [&](int written, double value, bool) {
+        if (written == cells.delivered && value >= 2.0 && !isDone) {
+          isDone = true;
+          const std::string older = *trial.machine().programText(templates::windowFileName(0));
+          const int second = cells.windows > 1 ? 1 : 0;
+          const std::string other =
+              cells.windows > 1 ? older : "M17\n";  // of one file the second is all there is
+          static_cast<void>(
+              trial.machine().storeProgram(templates::windowFileName(second), other, true));
+        }
+      };
+      return refusal(trial);
+    });
+  }
+
+  /// @return empty: it was refused, and nothing has moved wrongly
+  static std::string refusal(Trial& trial) {
+    const RunReport& report = trial.run();
+    const bool isRefused = report.error.code == StreamError::WindowDamaged;
+    return firstOf(trial.wrongMotion(), isRefused ? "" : "a window that does not fit was taken");
+  }
+
+  void addDamagedWindow(const templates::CellMap& cells) {
+    // One coordinate of the second window is changed behind the client's back. Each in its turn.
+    const std::vector<int> slot = cells.slotCells(cells.windows > 1 ? cells.pointsPerLoop : 0);
+    add("damaged-window", true, slot.size(), {}, [&](Trial& trial) {
+      const int cell = slot[m_turn % slot.size()];
+      bool isDone = false;
+      trial.link().onWrite = [&, cell](int written, double value, bool) {
+        if (written == cells.delivered && value >= 2.0 && !isDone) {
+          isDone = true;
+          trial.machine().writeRParameter(cell, trial.machine().rParameter(cell) + 0.25);
+        }
+      };
+      return refusal(trial);
     });
   }
 
@@ -304,6 +350,24 @@ base::Result<TemplateProof> proveTemplate(std::string_view text,
     proof.cases = Prover(text, parameters, machine).run();
   }
   return proof;
+}
+
+base::Result<void> requireProven(const templates::TemplateParameters& parameters) {
+  const auto text = templates::generateTemplate(parameters);
+  const auto machine = machine::loadPreset("dmu75");
+  if (!text || !machine) {
+    return base::fail(text ? machine.error() : text.error());
+  }
+  const auto proof = proveTemplate(*text, parameters, *machine);
+  if (!proof) {
+    return base::fail(proof.error());
+  }
+  if (!proof->holds()) {
+    return base::fail(templates::LintError::Rejected,
+                      "The flexible program of these settings did not hold on the virtual machine "
+                      "and is not written to the control. See template --verify.");
+  }
+  return {};
 }
 
 }  // namespace rivulet::streaming

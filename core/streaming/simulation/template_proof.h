@@ -38,10 +38,16 @@ struct TemplateProof {
 };
 
 /// @param text        the program; the client believes it to be that of `parameters`
-/// @param machine     whose number of R-parameters is set to that of `parameters`
+/// @param machine     whose number of R-parameters is set to that of `parameters`; rotary axes it
+///                    lacks are added
 /// @return the errors of `planCells`
 [[nodiscard]] base::Result<TemplateProof> proveTemplate(
     std::string_view text, const templates::TemplateParameters& parameters,
     const machine::MachineConfig& machine);
+
+/// What goes to a real control has run on the virtual one first: the generated program of the
+/// parameters is put to the proof on the machine of the paper.
+/// @return nothing if it holds; else LintError::Rejected, or the errors of `proveTemplate`
+[[nodiscard]] base::Result<void> requireProven(const templates::TemplateParameters& parameters);
 
 }  // namespace rivulet::streaming

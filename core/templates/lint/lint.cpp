@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "templates/generator.h"
 #include "templates/lint/flow.h"
 
 namespace rivulet::templates {
@@ -120,6 +121,15 @@ class Linter {
 
   // --- block by block ---------------------------------------------------------------------
 
+  /// Method file: the client writes it, and it moves nothing unless it is the window asked for.
+  [[nodiscard]] bool isOwnSubprogram(const std::string& name) const {
+    bool isOwn = false;
+    for (int file = 0; m_cells.inFiles && file < m_cells.windows; ++file) {
+      isOwn = isOwn || name + ".SPF" == windowFileName(file);
+    }
+    return isOwn;
+  }
+
   void lookAtBlocks() {
     m_reports = true;
     for (std::size_t i = 0; i < m_statements.size(); ++i) {
@@ -135,7 +145,7 @@ class Linter {
                 fmt::format("{} is neither a word of the control nor a variable of this program. "
                             "Correct the name, or define it with DEF.",
                             call->name));
-        } else {
+        } else if (!isOwnSubprogram(call->name)) {
           warn(LintRule::NotChecked, statement.line,
                fmt::format("The subprogram {} is not looked into. Write its blocks into this "
                            "program.",

@@ -43,6 +43,7 @@
 namespace rivulet::trace {
 namespace {
 
+using base::AxisPosition;
 using base::Vec3;
 using Kind = IntegrityFault::Kind;
 
@@ -50,16 +51,32 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kFaultsMax = 100;
 /// A block shorter than this moves no axis.
 constexpr double kHoldMm = 1e-9;
+constexpr double kHoldDeg = 1e-9;
 /// Candidates on each side of the due point that are looked into.
 constexpr std::size_t kCandidatesPerSide = 4;
 /// Blocks that are followed to decide between candidates: longer than any window in use.
 constexpr std::size_t kLookAheadBlocks = 256;
 
+/// Millimetres and degrees have the same tolerance.
+bool isSame(const gcode::StreamPoint& point, const AxisPosition& place, double tolerance,
+            const base::RotarySet& rotaryAxes) {
+  return base::distance(point.positionMm, place.mm) <= tolerance &&
+         base::differenceDeg(point.rotaryDeg, place.deg, rotaryAxes) <= tolerance;
+}
+
+AxisPosition endOf(const ExecutedBlock& block) {
+  return {block.targetMm, block.targetDeg};
+}
+
 /// Finds the points at a place: points sorted by the cell of a grid they lie in.
 class PointGrid {
  public:
-  PointGrid(const std::vector<gcode::StreamPoint>& points, double toleranceMm)
-      : m_points(points), m_toleranceMm(toleranceMm), m_cellMm(std::max(4 * toleranceMm, 1e-6)) {
+  PointGrid(const std::vector<gcode::StreamPoint>& points, double toleranceMm,
+            const base::RotarySet& rotaryAxes)
+      : m_points(points),
+        m_toleranceMm(toleranceMm),
+        m_rotaryAxes(rotaryAxes),
+        m_cellMm(std::max(4 * toleranceMm, 1e-6)) {
     m_entries.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3 at = points[i].positionMm;
@@ -71,13 +88,13 @@ class PointGrid {
   }
 
   /// The nearest few points before and behind `due` that lie at `place`, ascending.
-  [[nodiscard]] std::vector<std::size_t> at(Vec3 place, std::size_t due) const {
+  [[nodiscard]] std::vector<std::size_t> at(const AxisPosition& place, std::size_t due) const {
     std::vector<std::size_t> found;
-    if (!isInside(place)) {
+    if (!isInside(place.mm)) {
       return found;
     }
-    const auto low = place - Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
-    const auto high = place + Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
+    const auto low = place.mm - Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
+    const auto high = place.mm + Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
     // A cell is wider than the tolerance reaches, so there are two cells per axis at most.
     for (std::int64_t x = cell(low.x); x <= cell(high.x); ++x) {
       for (std::int64_t y = cell(low.y); y <= cell(high.y); ++y) {
@@ -121,11 +138,11 @@ class PointGrid {
     }
     return mixed;
   }
-  [[nodiscard]] bool isAt(std::size_t index, Vec3 place) const {
-    return base::distance(m_points[index].positionMm, place) <= m_toleranceMm;
+  [[nodiscard]] bool isAt(std::size_t index, const AxisPosition& place) const {
+    return isSame(m_points[index], place, m_toleranceMm, m_rotaryAxes);
   }
 
-  void collect(std::uint64_t cellKey, Vec3 place, std::size_t due,
+  void collect(std::uint64_t cellKey, const AxisPosition& place, std::size_t due,
                std::vector<std::size_t>& found) const {
     const auto split = std::lower_bound(m_entries.begin(), m_entries.end(), Entry{cellKey, due});
     std::size_t count = 0;
@@ -150,6 +167,7 @@ class PointGrid {
 
   const std::vector<gcode::StreamPoint>& m_points;
   double m_toleranceMm;
+  base::RotarySet m_rotaryAxes;
   double m_cellMm;
   std::vector<Entry> m_entries;
 };
@@ -157,10 +175,11 @@ class PointGrid {
 class Judge {
  public:
   Judge(const std::vector<gcode::StreamPoint>& points, const std::vector<ExecutedBlock>& blocks,
-        double toleranceMm)
+        double toleranceMm, const base::RotarySet& rotaryAxes)
       : m_points(points),
         m_blocks(blocks),
         m_toleranceMm(toleranceMm),
+        m_rotaryAxes(rotaryAxes),
         m_firstBlock(points.size(), kNone) {}
 
   [[nodiscard]] Integrity judge();
@@ -168,9 +187,11 @@ class Judge {
  private:
   [[nodiscard]] bool matches(std::size_t block, std::size_t point) const {
     return point < m_points.size() &&
-           base::distance(m_blocks[block].targetMm, m_points[point].positionMm) <= m_toleranceMm;
+           isSame(m_points[point], endOf(m_blocks[block]), m_toleranceMm, m_rotaryAxes);
   }
-  [[nodiscard]] static bool isHold(const ExecutedBlock& block) { return block.lengthMm < kHoldMm; }
+  [[nodiscard]] static bool isHold(const ExecutedBlock& block) {
+    return block.lengthMm < kHoldMm && block.turnDeg < kHoldDeg;
+  }
   void judgeHold(std::size_t block);
   void judgeMotion(std::size_t block);
   void execute(std::size_t block, std::size_t point);
@@ -186,11 +207,12 @@ class Judge {
   const std::vector<gcode::StreamPoint>& m_points;
   const std::vector<ExecutedBlock>& m_blocks;
   double m_toleranceMm;
+  base::RotarySet m_rotaryAxes;
   std::vector<std::size_t> m_firstBlock;  ///< per point the block that executed it first
   std::vector<std::size_t> m_order;       ///< points in the order of their first executions
   std::size_t m_due = 0;
   std::size_t m_last = kNone;
-  std::optional<Vec3> m_positionMm;  ///< where the axes stand; unknown before the first block
+  std::optional<AxisPosition> m_position;  ///< where the axes stand; unknown before the first block
   bool m_inOrder = true;
   std::optional<PointGrid> m_grid;  ///< made at the first fault
   Integrity m_result;
@@ -221,11 +243,13 @@ Integrity Judge::judge() {
 
 void Judge::judgeHold(std::size_t block) {
   // What moves nothing cannot be wrong. It is the point due if the axes stand there already.
-  const Vec3 target = m_blocks[block].targetMm;
-  if (m_positionMm && base::distance(*m_positionMm, target) > m_toleranceMm) {
+  const AxisPosition target = endOf(m_blocks[block]);
+  if (m_position &&
+      (base::distance(m_position->mm, target.mm) > m_toleranceMm ||
+       base::differenceDeg(m_position->deg, target.deg, m_rotaryAxes) > m_toleranceMm)) {
     return;
   }
-  m_positionMm = target;
+  m_position = target;
   if (matches(block, m_due)) {
     execute(block, m_due);
   }
@@ -236,7 +260,7 @@ void Judge::judgeMotion(std::size_t block) {
     passOverDuePointsHere(block);
   }
   const std::size_t point = choose(block);
-  m_positionMm = m_blocks[block].targetMm;
+  m_position = endOf(m_blocks[block]);
   if (point == kNone) {
     ++m_result.foreign;
     addFault(Kind::Foreign, std::min(m_due, m_points.empty() ? 0 : m_points.size() - 1),
@@ -248,8 +272,10 @@ void Judge::judgeMotion(std::size_t block) {
 
 /// Due points at which the axes stand already need no block: they were executed on arrival.
 void Judge::passOverDuePointsHere(std::size_t block) {
-  while (m_positionMm && m_last != kNone && m_due == m_last + 1 && m_due < m_points.size() &&
-         base::distance(m_points[m_due].positionMm, m_points[m_last].positionMm) < kHoldMm) {
+  while (m_position && m_last != kNone && m_due == m_last + 1 && m_due < m_points.size() &&
+         base::distance(m_points[m_due].positionMm, m_points[m_last].positionMm) < kHoldMm &&
+         base::differenceDeg(m_points[m_due].rotaryDeg, m_points[m_last].rotaryDeg, m_rotaryAxes) <
+             kHoldDeg) {
     execute(block, m_due);
   }
 }
@@ -275,9 +301,9 @@ std::size_t Judge::choose(std::size_t block) {
     return m_last + 1;
   }
   if (!m_grid) {
-    m_grid.emplace(m_points, m_toleranceMm);
+    m_grid.emplace(m_points, m_toleranceMm, m_rotaryAxes);
   }
-  const std::vector<std::size_t> candidates = m_grid->at(m_blocks[block].targetMm, m_due);
+  const std::vector<std::size_t> candidates = m_grid->at(endOf(m_blocks[block]), m_due);
   if (candidates.size() < 2) {
     return candidates.empty() ? kNone : candidates.front();
   }
@@ -363,10 +389,11 @@ void Judge::findOutOfOrder() {
 }  // namespace
 
 Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
-                         const std::vector<ExecutedBlock>& blocks, double toleranceMm) {
+                         const std::vector<ExecutedBlock>& blocks, double toleranceMm,
+                         const base::RotarySet& rotaryAxes) {
   RIVULET_ASSERT(toleranceMm >= 0.0);
   RIVULET_ASSERT(points.size() <= std::numeric_limits<std::uint32_t>::max());
-  return Judge(points, blocks, toleranceMm).judge();
+  return Judge(points, blocks, toleranceMm, rotaryAxes).judge();
 }
 
 }  // namespace rivulet::trace

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/id.h"
 #include "gcode/trajectory.h"
 #include "trace/control_trace.h"
@@ -41,7 +42,7 @@ struct Integrity {
   }
 };
 
-/// Judges what was executed. A block that moves nothing (shorter than 1e-9 mm) is no execution,
+/// Judges what was executed. A block that moves nothing (1e-9 mm, 1e-9 deg) is no execution,
 /// except that it stands for the point due if that is where the axes stand. Where several points
 /// of the program coincide, a block is taken for the point due; only if that does not fit, for the
 /// one that the following blocks speak for. O(blocks) for a faultless run; otherwise the points
@@ -49,9 +50,10 @@ struct Integrity {
 /// @param points  in program order, finite, workpiece frame
 /// @param blocks  in time order; all of them: a truncated trace cannot be judged
 /// @param toleranceMm  how far a block's end may lie from its point (numbers in R-parameters are
-///        doubles: 1e-6 suffices for the virtual machine)
+///        doubles: 1e-6 suffices for the virtual machine); for angles as many degrees
+/// @param rotaryAxes  those that were streamed: their angles have to be right too
 [[nodiscard]] Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
-                                       const std::vector<ExecutedBlock>& blocks,
-                                       double toleranceMm);
+                                       const std::vector<ExecutedBlock>& blocks, double toleranceMm,
+                                       const base::RotarySet& rotaryAxes = {});
 
 }  // namespace rivulet::trace

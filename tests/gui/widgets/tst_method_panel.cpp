@@ -96,7 +96,7 @@ class TestMethodPanel : public QObject {
     QVERIFY(test::visibleText(panel).contains("Feasible"));
     QVERIFY(buttonWith(panel, "Use F = ") == nullptr);
     for (const QComboBox* box : panel.findChildren<QComboBox*>()) {
-      QCOMPARE(box->isEnabled(), box->count() == 3);  // the layout is that of the method
+      QCOMPARE(box->isEnabled(), box->count() > 2);  // the layout is that of the method
     }
   }
 

@@ -112,6 +112,92 @@ class TestPathView : public QObject {
              qPrintable(QString("%1 %2").arg(expected).arg(found)));
   }
 
+  /// Two kinds of marks that differ without colour; gone with the switch, and with the program.
+  void pausesAreMarked() {
+    test::Language language;
+    PathView view;
+    const auto program = test::viewOf(test::pocket());
+    view.setProgram(program);
+    const QImage without = test::picture(view, {560, 620});
+    auto pauses = std::make_shared<PauseMap>();
+    const auto corner = [&](double xMm, double yMm) {
+      return static_cast<std::uint32_t>(nearest(*program, {xMm, yMm, -2.0}));
+    };
+    std::uint32_t offCut = corner(-30.0, 20.0);
+    std::uint32_t other = corner(30.0, 20.0);
+    const std::uint32_t inCut = corner(-30.0, -20.0);
+    if (other < offCut) {
+      std::swap(offCut, other);
+    }
+    pauses->offCut = {offCut, other};
+    pauses->inCut = {inCut};
+    view.setPauses(pauses);
+    const QImage with = test::picture(view, {560, 620});
+    QVERIFY(with != without);
+    QCOMPARE(view.canvas()->drawnPauses(), std::size_t{3});
+    QVERIFY(test::cutTexts(view).isEmpty());
+    const auto around = [&](std::size_t point) {
+      const QImage picture =
+          view.canvas()->grab().toImage().convertToFormat(QImage::Format_Grayscale8);
+      const QPoint place = view.canvas()->placeOf(point).toPoint();
+      return picture.copy(place.x() - 3, place.y() - 7, 7, 4);
+    };
+    // Above its middle the square is empty, the triangle's tip is full.
+    QVERIFY(around(offCut) != around(inCut));
+    const QPointF place = view.canvas()->placeOf(inCut);
+    const auto near = view.canvas()->pauseNear(place + QPointF(3.0, 2.0));
+    QVERIFY(near && near->point == inCut && near->inCut);
+    QVERIFY(!view.canvas()->pauseNear({2.0, 2.0}));
+    view.markPoint(inCut);
+    QVERIFY(test::visibleText(view).contains("then a pause in the cut"));
+    view.markPoint(offCut);
+    QVERIFY(test::visibleText(view).contains("then a pause off the cut"));
+    view.markPoint(offCut + 1);
+    QVERIFY(!test::visibleText(view).contains("then a pause"));
+    view.setPausesShown(false);
+    QVERIFY(!view.canvas()->pauseNear(place));
+    view.setPausesShown(true);
+    QVERIFY(view.canvas()->pauseNear(place));
+    view.setProgram(test::viewOf(test::pocket()));
+    QVERIFY(!view.canvas()->pauseNear(place));
+    // Points that are not there: the pauses of another program.
+    auto beyond = std::make_shared<PauseMap>();
+    beyond->inCut = {1'000'000};
+    view.setPauses(beyond);
+    static_cast<void>(test::picture(view, {560, 620}));
+    QVERIFY(!view.canvas()->pauseNear(place));
+  }
+
+  /// A million pauses: what is looked at and drawn is bounded, and close up each is there.
+  void manyPausesAreThinnedToTheScreen() {
+    PathCanvas canvas;
+    const auto view = test::viewOf(test::programOf(test::manyPoints(1'000'000)));
+    show(canvas, view);
+    auto pauses = std::make_shared<PauseMap>();
+    for (std::uint32_t i = 0; i < 999'999; ++i) {
+      (i % 10 == 0 ? pauses->inCut : pauses->offCut).push_back(i);
+    }
+    canvas.setPauses(pauses);
+    static_cast<void>(test::picture(canvas, {800, 600}));
+    QVERIFY(canvas.drawnPauses() > 50);
+    QVERIFY2(canvas.drawnPauses() < 2000, qPrintable(QString::number(canvas.drawnPauses())));
+    QVERIFY(canvas.pausesSeen() <= 2 * (PathCanvas::kPausesSeen + 1));
+    // Magnified until single moves can be seen.
+    for (int step = 0; step < 12; ++step) {
+      turnWheel(canvas, canvas.placeOf(500'000), 480);
+    }
+    static_cast<void>(test::picture(canvas, {800, 600}));
+    QVERIFY(canvas.drawnPauses() > 0);
+    const auto near = canvas.pauseNear(canvas.placeOf(500'000));
+    QVERIFY(near && near->point == 500'000 && near->inCut);
+    // Made anew, they take a moment of the GUI thread.
+    QElapsedTimer clock;
+    clock.start();
+    canvas.setPauses(pauses);
+    static_cast<void>(canvas.grab());
+    qInfo("1,000,000 pauses: their picture took %lld ms", clock.elapsed());
+  }
+
   void toolIsShown() {
     PathCanvas canvas;
     show(canvas, test::viewOf(test::pocket()));

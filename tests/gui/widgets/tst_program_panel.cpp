@@ -179,19 +179,19 @@ class TestProgramPanel : public QObject {
     QVERIFY(wanted.back() == gcode::CentreReading::AsProgrammed);
   }
 
-  void rotaryAxesOnThePathAreSaid() {
+  void directionsOfTheToolAreSaid() {
     test::Language language;
     auto program = std::make_shared<gcode::Program>(*test::pocket());
     gcode::Diagnostic finding;
     finding.severity = gcode::Severity::Warning;
     finding.line = {9};
-    finding.code = gcode::DiagnosticCode::RotaryAxes;
-    finding.argument = "A";
+    finding.code = gcode::DiagnosticCode::ToolDirections;
+    finding.argument = "A3 B3 C3";
     program->diagnostics = {finding};
     QVERIFY(program->isUnderstood() && !program->isStreamable());
     ProgramPanel panel;
     panel.setProgram(test::viewOf(program));
-    QVERIFY(test::visibleText(panel).contains("rotary axes turn on the path"));
+    QVERIFY(test::visibleText(panel).contains("needs a transformation of the control"));
     // A text that moves nothing is shown as well.
     auto still = std::make_shared<gcode::Program>(
         gcode::interpretProgram("STILL.MPF", "G71\nM30\n").value_or(gcode::Program{}));

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/control_axes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/contract.h"
+#include "streaming/job.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Result;
+using base::RotarySet;
+using opcua::Variable;
+using opcua::VariableKind;
+
+/// An axis that is to stay may stand beside the programmed place by this much: the control rounds
+/// what it shows.
+constexpr double kStandsMm = 0.01;
+constexpr double kStandsDeg = 0.01;
+
+/// "A", "A and C".
+std::string inWords(const RotarySet& set) {
+  std::string words;
+  for (const char name : base::rotaryNames(set)) {
+    words += words.empty() ? std::string(1, name) : std::string(" and ") + name;
+  }
+  return words;
+}
+
+/// Those of the first that are not in the second.
+RotarySet without(const RotarySet& set, const RotarySet& taken) {
+  return {set[0] && !taken[0], set[1] && !taken[1], set[2] && !taken[2]};
+}
+
+RotarySet both(const RotarySet& a, const RotarySet& b) {
+  return {a[0] || b[0], a[1] || b[1], a[2] || b[2]};
+}
+
+base::Error missing(const RotarySet& axes, const RotarySet& there) {
+  const std::string has =
+      base::any(there) ? "X, Y, Z, " + inWords(there) : std::string("X, Y and Z");
+  return base::makeError(StreamError::AxisMissing,
+                         fmt::format("The control has no axis {}; it has {}. Choose axes it has.",
+                                     inWords(axes), has));
+}
+
+}  // namespace
+
+Result<ControlAxes> readControlAxes(opcua::Link& link, base::Duration deadline) {
+  std::vector<Variable> names;
+  for (std::size_t i = 0; i < base::kRotaryAxisCount; ++i) {
+    names.push_back({VariableKind::AxisName, static_cast<int>(base::kAxisCount + i)});
+  }
+  const auto readings = readNow(link, names, deadline);
+  if (!readings) {
+    return base::fail(readings.error());
+  }
+  ControlAxes axes;
+  for (std::size_t i = 0; i < readings->size(); ++i) {
+    const opcua::Reading& reading = (*readings)[i];
+    for (std::size_t axis = 0; !reading.status && axis < base::kRotaryAxisCount; ++axis) {
+      if (reading.text == std::string(1, base::kRotaryAxisNames[axis])) {
+        axes.index[axis] = names[i].index;
+      }
+    }
+  }
+  return axes;
+}
+
+Result<base::RotaryDeg> readAngles(opcua::Link& link, const ControlAxes& axes,
+                                   const RotarySet& wanted, base::Duration deadline) {
+  if (!base::contains(axes.set(), wanted)) {
+    return base::fail(missing(without(wanted, axes.set()), axes.set()));
+  }
+  base::RotaryDeg angles{};
+  if (!base::any(wanted)) {
+    return angles;
+  }
+  std::vector<Variable> positions;
+  std::vector<std::size_t> order;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (wanted[axis]) {
+      positions.push_back({VariableKind::ActualPosition, axes.index[axis]});
+      order.push_back(axis);
+    }
+  }
+  const auto readings = readNow(link, positions, deadline);
+  if (!readings) {
+    return base::fail(readings.error());
+  }
+  for (std::size_t i = 0; i < readings->size(); ++i) {
+    if ((*readings)[i].status) {
+      return base::fail((*readings)[i].status,
+                        "A variable of the control cannot be read. Check the access rights.");
+    }
+    angles[order[i]] = (*readings)[i].number;
+  }
+  return angles;
+}
+
+templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
+                                             const gcode::Trajectory& trajectory) {
+  if (base::streamsRotary(parameters.method)) {
+    parameters.rotaryAxes = gcode::turnedAxes(trajectory);
+  }
+  return parameters;
+}
+
+Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
+                               const templates::TemplateParameters& parameters,
+                               const ControlAxes& axes, const base::RotaryDeg& atDeg) {
+  const RotarySet turned = gcode::turnedAxes(trajectory);
+  const RotarySet chosen = parameters.rotaryAxes;
+  if (base::any(turned) && !base::streamsRotary(parameters.method)) {
+    return base::fail(StreamError::ProgramNotStreamable,
+                      fmt::format("The program turns {}: only method window streams rotary axes.",
+                                  inWords(turned)));
+  }
+  if (!base::contains(chosen, turned)) {
+    templates::TemplateParameters right = parameters;
+    right.rotaryAxes = both(chosen, turned);
+    return base::fail(
+        StreamError::AxesNotChosen,
+        fmt::format("The program turns {}, which is not among the axes chosen. Choose {}.",
+                    inWords(without(turned, chosen)), templates::axisLetters(right)));
+  }
+  if (!base::contains(axes.set(), chosen)) {
+    return base::fail(missing(without(chosen, axes.set()), axes.set()));
+  }
+  for (const gcode::RotaryPosition& set : trajectory.rotary) {
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      const double wanted = set.degrees[axis];
+      if (!std::isnan(wanted) && !chosen[axis] && axes.set()[axis] &&
+          std::abs(wanted - atDeg[axis]) > kStandsDeg) {
+        return base::fail(
+            StreamError::AxesNotChosen,
+            fmt::format("The program wants {0} at {1} deg, and it stands at {2:.3f}. Choose {0} "
+                        "among the axes, or bring it there first.",
+                        base::kRotaryAxisNames[axis], wanted, atDeg[axis]));
+      }
+    }
+  }
+  return {};
+}
+
+Result<gcode::PointList> pointsOnAxes(const gcode::Trajectory& trajectory,
+                                      const templates::TemplateParameters& parameters,
+                                      const base::AxisPosition& start) {
+  gcode::PointList list = gcode::streamPoints(trajectory, start.mm, start.deg);
+  for (gcode::StreamPoint& point : list.points) {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (parameters.axes[axis]) {
+        continue;
+      }
+      if (std::abs(point.positionMm[axis] - start.mm[axis]) > kStandsMm) {
+        templates::TemplateParameters right = parameters;
+        right.axes[axis] = true;
+        return base::fail(
+            StreamError::AxesNotChosen,
+            fmt::format("The program moves {}, which is not among the axes chosen. Choose {}.",
+                        base::kAxisNames[axis], templates::axisLetters(right)));
+      }
+      point.positionMm.set(axis, start.mm[axis]);
+    }
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      point.rotaryDeg[axis] = parameters.rotaryAxes[axis] ? point.rotaryDeg[axis] : start.deg[axis];
+    }
+  }
+  return list;
+}
+
+}  // namespace rivulet::streaming

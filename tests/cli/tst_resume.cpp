@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// A run of method window that is broken off twice and taken up again, by the programs themselves:
+/// rivulet-cli against a live rivulet-machine over OPC UA, in real time. The judge has nothing but
+/// the list of points and what the machine itself recorded.
+
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "gcode/program.h"
+#include "trace/analysis/integrity.h"
+#include "trace/file.h"
+#include "trace/recording.h"
+
+using namespace rivulet;
+using nlohmann::json;
+
+namespace {
+
+constexpr int kSoonMs = 20'000;
+constexpr int kRunMs = 120'000;
+
+QStringList words(const char* text) {
+  return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+/// Rows with corners at their ends, and the tool's first coordinates left open.
+QByteArray rows() {
+  QByteArray text("G0 Z20\nG0 X0 Y0\nG1 Z10 F1000\n");
+  for (int row = 0; row < 12; ++row) {
+    for (int i = 0; i <= 5; ++i) {
+      text += QByteArray("G1 X") + QByteArray::number(row % 2 == 0 ? 6 * i : 30 - 6 * i) + " Y" +
+              QByteArray::number(4 * row) + '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+class TestResume : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+  QProcess m_machine;
+  QString m_endpoint;
+  QString m_program;
+
+  [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
+
+  [[nodiscard]] QStringList streamed(const QString& recording) const {
+    return QStringList{QStringLiteral("stream"), m_program} + words("--feed 2000 --json") +
+           QStringList{QStringLiteral("--endpoint"), m_endpoint, QStringLiteral("--record"),
+                       path(recording)};
+  }
+
+  /// Blocks the machine executed in a run, by its own trace.
+  [[nodiscard]] std::vector<trace::ExecutedBlock> executed(const QString& recording) const {
+    const auto text = trace::readFile(path(recording).toStdString());
+    const auto parsed = text ? trace::parseRecording(*text) : base::fail(text.error());
+    return parsed && parsed->controlTrace ? parsed->controlTrace->blocks
+                                          : std::vector<trace::ExecutedBlock>{};
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    m_program = path(QStringLiteral("rows.nc"));
+    QFile program(m_program);
+    QVERIFY(program.open(QIODevice::WriteOnly));
+    QVERIFY(program.write(rows()) > 0);
+    program.close();
+    m_machine.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    m_machine.start(QStringLiteral(RIVULET_MACHINE), words("--port 0 --seed 1"));
+    while (m_machine.state() != QProcess::NotRunning && !m_machine.canReadLine()) {
+      m_machine.waitForReadyRead(kSoonMs);
+    }
+    m_endpoint = QString::fromUtf8(m_machine.readLine()).section(QLatin1Char(' '), 0, 0).trimmed();
+    QVERIFY(m_endpoint.startsWith(QStringLiteral("opc.tcp://")));
+  }
+
+  void cleanupTestCase() {
+    m_machine.terminate();
+    QVERIFY(m_machine.waitForFinished(kSoonMs));
+  }
+
+  void everyPointOnceOverThreeRuns() {
+    // Once at a time ordered beforehand, once by a signal to the program in the middle.
+    QProcess first;
+    first.start(QStringLiteral(RIVULET_CLI),
+                streamed(QStringLiteral("1.rivulet")) + words("--stop-after 4"));
+    QVERIFY(first.waitForFinished(kRunMs));
+    QCOMPARE(first.exitCode(), 0);
+    const QByteArray report1 = first.readAllStandardOutput();
+    const json parsed1 = json::parse(report1.toStdString(), nullptr, false);
+    QCOMPARE(parsed1["outcome"].get<std::string>(), std::string("stopped"));
+    QVERIFY(parsed1["executed"].get<int>() > 0);
+    QVERIFY(parsed1["executed"].get<int>() < parsed1["points"].get<int>());
+
+    const auto resumed = [this](const QString& recording, const QByteArray& report) {
+      QFile file(path(recording + QStringLiteral(".json")));
+      if (!file.open(QIODevice::WriteOnly) || file.write(report) < 0) {
+        qFatal("the test's folder cannot be written");
+      }
+      return streamed(recording) << QStringLiteral("--resume") << file.fileName();
+    };
+    QProcess second;
+    second.start(QStringLiteral(RIVULET_CLI), resumed(QStringLiteral("2.rivulet"), report1));
+    QVERIFY(second.waitForStarted(kSoonMs));
+    // Its recording says when the stream has got going.
+    const auto accesses = [this] {
+      QFile file(path(QStringLiteral("2.rivulet")));
+      return file.open(QIODevice::ReadOnly) ? file.readAll().count('\n') : qsizetype{0};
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(accesses() > 400, kRunMs);
+    ::kill(static_cast<pid_t>(second.processId()), SIGINT);
+    QVERIFY(second.waitForFinished(kRunMs));
+    const QByteArray report2 = second.readAllStandardOutput();
+    const json parsed2 = json::parse(report2.toStdString(), nullptr, false);
+    QCOMPARE(parsed2["outcome"].get<std::string>(), std::string("stopped"));
+    const int firstPoint = parsed2["checkpoint"]["first_point"].get<int>();
+    QVERIFY(firstPoint >= parsed1["executed"].get<int>());
+    QVERIFY(parsed2["executed"].get<int>() > 0);
+    // What was judged before the judge below: the points from there on.
+    QCOMPARE(parsed2["points"].get<int>(), parsed1["points"].get<int>() - firstPoint);
+
+    QProcess third;
+    third.start(QStringLiteral(RIVULET_CLI), resumed(QStringLiteral("3.rivulet"), report2));
+    QVERIFY(third.waitForFinished(kRunMs));
+    QCOMPARE(third.exitCode(), 0);
+    const json parsed3 = json::parse(third.readAllStandardOutput().toStdString(), nullptr, false);
+    QCOMPARE(parsed3["outcome"].get<std::string>(), std::string("completed"));
+
+    std::vector<trace::ExecutedBlock> blocks;
+    for (const char* recording : {"1.rivulet", "2.rivulet", "3.rivulet"}) {
+      const auto part = executed(QString::fromLatin1(recording));
+      QVERIFY(!part.empty());
+      blocks.insert(blocks.end(), part.begin(), part.end());
+    }
+    const auto program = gcode::loadProgram(m_program.toStdString());
+    QVERIFY(program.has_value());
+    const json start = parsed1["checkpoint"]["start_mm"];
+    const auto points =
+        gcode::streamPoints(program->trajectory, {start[0].get<double>(), start[1].get<double>(),
+                                                  start[2].get<double>()})
+            .points;
+    QCOMPARE(static_cast<int>(points.size()), parsed1["points"].get<int>());
+    const trace::Integrity integrity = trace::judgeIntegrity(points, blocks, 1e-6);
+    QVERIFY(integrity.isFaultless());
+    QCOMPARE(integrity.executed, points.size());
+
+    // There is nothing left to be resumed, and nothing moves for the question.
+    QProcess again;
+    again.start(QStringLiteral(RIVULET_CLI), resumed(QStringLiteral("4.rivulet"), report2));
+    QVERIFY(again.waitForFinished(kRunMs));
+    QCOMPARE(again.exitCode(), 2);
+    QVERIFY(!QFile::exists(path(QStringLiteral("4.rivulet"))));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestResume)
+#include "tst_resume.moc"

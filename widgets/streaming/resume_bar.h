@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A bar over the foot of the window: a run was left, the control has been asked where, and this is
+/// where it would go on. Nothing moves until the operator says so here. Hidden while there is
+/// nothing to say. @threadsafety GUI thread.
+#pragma once
+
+#include <optional>
+
+#include "base/id.h"
+#include "base/vec3.h"
+#include "widgets/common/page.h"
+
+class QLabel;
+class QPushButton;
+
+namespace rivulet::widgets {
+
+/// Where a run would be taken up again.
+struct ResumePlace {
+  std::size_t point = 0;  ///< index of the first to be executed
+  std::size_t points = 0;
+  base::LineNumber line;             ///< of that point
+  base::Vec3 positionMm;             ///< of that point, workpiece frame
+  std::optional<double> approachMm;  ///< straight way from the tool to it, if it is known
+};
+
+class ResumeBar final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ResumeBar(QWidget* parent = nullptr);
+
+  void showAsking();
+  void showPlace(const ResumePlace& place);
+  /// @param reason  a sentence
+  void showRefusal(const QString& reason);
+  void showNothing();
+  /// The place, while one is shown.
+  [[nodiscard]] const std::optional<ResumePlace>& place() const { return m_place; }
+
+ Q_SIGNALS:
+  /// The operator has read the place and wants to go on there.
+  void goOnRequested();
+  void dismissed();
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  enum class State { Nothing, Asking, Place, Refusal };
+  void setState(State state);
+
+  State m_state = State::Nothing;
+  std::optional<ResumePlace> m_place;
+  QString m_reason;
+  QLabel* m_icon;
+  QLabel* m_text;
+  QPushButton* m_goOn;
+  QPushButton* m_dismiss;
+};
+
+}  // namespace rivulet::widgets
