@@ -1628,7 +1628,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Access</source>
-        <translation type="unfinished">Zugriff</translation>
+        <translation>Zugriff</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -1648,7 +1648,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Pauses</source>
-        <translation type="unfinished">Pausen</translation>
+        <translation>Pausen</translation>
     </message>
     <message>
         <source>Planned</source>
@@ -1680,11 +1680,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished">%1 von %2</translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>being computed …</source>
-        <translation type="unfinished">wird berechnet …</translation>
+        <translation>wird berechnet …</translation>
     </message>
 </context>
 <context>
@@ -1799,7 +1799,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Pauses</source>
-        <translation type="unfinished">Pausen</translation>
+        <translation>Pausen</translation>
     </message>
     <message>
         <source>Mark where the run will pause</source>
@@ -2297,7 +2297,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Form</source>
-        <translation type="unfinished">Form</translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>%1, from point %2 on</source>
