@@ -453,6 +453,18 @@
         <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
         <translation>Die Methode Kredit ist experimentell und startet nur an einer Steuerung, die ihren Test bestanden hat. Führen Sie rivulet-cli commission für diese Steuerung aus, oder wählen Sie die Methode Fenster.</translation>
     </message>
+    <message>
+        <source>The online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
+        <translation>Die Online-Korrektur ist mit der Methode Fenster möglich, für X, Y und Z, bis 1 mm.</translation>
+    </message>
+    <message>
+        <source>Something is laid over the axes already. Take it back at the control: reset it, wait, and see that $AA_OFF is 0.</source>
+        <translation>Den Achsen ist bereits etwas überlagert. Nehmen Sie es an der Steuerung zurück: Reset, warten, und prüfen, dass $AA_OFF 0 ist.</translation>
+    </message>
+    <message>
+        <source>The control adds up what is laid over its axes (MD36750 bit 0). Set the bit to 0, or do without online correction.</source>
+        <translation>Die Steuerung summiert auf, was ihren Achsen überlagert wird (MD36750 Bit 0). Setzen Sie das Bit auf 0, oder verzichten Sie auf die Online-Korrektur.</translation>
+    </message>
 </context>
 <context>
     <name>GroupingTexts</name>
@@ -1019,6 +1031,10 @@ GPL-3.0-or-later</translation>
         <source>Heartbeat</source>
         <translation>Lebenszeichen</translation>
     </message>
+    <message>
+        <source>Online correction: %1</source>
+        <translation>Online-Korrektur: %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ConnectionPanel</name>
@@ -1145,6 +1161,81 @@ GPL-3.0-or-later</translation>
     <message>
         <source>None</source>
         <translation>Keiner</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CorrectionPanel</name>
+    <message>
+        <source>UDP port %1 cannot be opened: choose another.</source>
+        <translation>UDP-Port %1 lässt sich nicht öffnen: Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Up to ±%1 per axis, while a run lasts.</source>
+        <translation>Bis ±%1 je Achse, solange ein Lauf dauert.</translation>
+    </message>
+    <message>
+        <source>By hand, up to ±%1 per axis.</source>
+        <translation>Von Hand, bis ±%1 je Achse.</translation>
+    </message>
+    <message>
+        <source>The source is silent: its last value is held.</source>
+        <translation>Die Quelle schweigt: Ihr letzter Wert wird gehalten.</translation>
+    </message>
+    <message>
+        <source>Nothing has come from the source yet.</source>
+        <translation>Von der Quelle ist noch nichts gekommen.</translation>
+    </message>
+    <message>
+        <source>The source is heard. Lines that are no correction: %1</source>
+        <translation>Die Quelle ist zu hören. Zeilen, die keine Korrektur sind: %1</translation>
+    </message>
+    <message>
+        <source>The source is heard.</source>
+        <translation>Die Quelle ist zu hören.</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Online-Korrektur</translation>
+    </message>
+    <message>
+        <source>confirmed by the control</source>
+        <translation>von der Steuerung bestätigt</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Null</translation>
+    </message>
+    <message>
+        <source>Take the correction of all axes back, and set it by hand from then on</source>
+        <translation>Die Korrektur aller Achsen zurücknehmen und von da an von Hand einstellen</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Datagrams to 127.0.0.1 with lines as X 0.01 Y -0.02, in mm</source>
+        <translation>Datagramme an 127.0.0.1 mit Zeilen wie X 0.01 Y -0.02, in mm</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Stille nach</translation>
+    </message>
+    <message>
+        <source>Correction of %1</source>
+        <translation>Korrektur von %1</translation>
     </message>
 </context>
 <context>
@@ -1685,6 +1776,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>being computed …</source>
         <translation>wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Correction up to</source>
+        <translation>Korrektur bis</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">keine</translation>
+    </message>
+    <message>
+        <source>What may be laid over each axis while the run lasts. The control must not add it up (MD36750 bit 0), and its own limit (SD43350) should be no larger.</source>
+        <translation>Was jeder Achse während des Laufs überlagert werden darf. Die Steuerung darf es nicht aufsummieren (MD36750 Bit 0), und ihre eigene Grenze (SD43350) soll nicht größer sein.</translation>
     </message>
 </context>
 <context>

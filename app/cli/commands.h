@@ -93,6 +93,7 @@ struct StreamOptions {
   std::string access = "auto";    ///< auto, single, list, array
   std::string transfer = "auto";  ///< auto, by-hand
   std::string programFile;        ///< by-hand: where the program is written; empty: its name
+  std::string correct;            ///< source of corrections, - is standard input; empty: none
   bool noMonitor = false;
   bool evenPauses = false;
   bool acceptInfeasible = false;

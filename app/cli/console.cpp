@@ -36,6 +36,7 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.pointsPerLoop = pointsPerLoop;
   parameters.windows = windows;
   parameters.baseCell = baseCell;
+  parameters.correctionLimitMm = correctionLimitMm;
   parameters.windowsAhead = windowsAhead;
   parameters.slowDown = !noSlowDown;
   if (!axes.empty()) {

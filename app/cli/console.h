@@ -39,6 +39,7 @@ struct OperatingOptions {
   double deltaMm = 0.3;
   double feedMmPerMin = 0.0;
   std::string layout = "paper";
+  double correctionLimitMm = 0.0;  ///< online correction; 0: none
   std::string axes;  ///< letters; empty: X Y Z, for a run also what the program turns
 
   /// Checked and in internal units. The names are checked by the option parser.

@@ -65,6 +65,10 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
           "Axes to move, of XYZABC; rotary ones in degrees (method window). Without it XYZ "
           "and, in a run, the rotary axes the program turns")
       ->check(kAxes);
+  command
+      ->add_option("--correction-limit", point.correctionLimitMm,
+                   "Online correction of each linear axis, at most, mm (methods window and credit)")
+      ->check(CLI::Range(0.001, rivulet::templates::kCorrectionLimitMmMax));
   command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
   command
@@ -242,6 +246,10 @@ int main(int argc, char** argv) {
       ->add_option("--program-file", stream.programFile,
                    "by-hand: file for the flexible program (default: its name, in this folder)")
       ->needs(byHand);
+  streamCommand
+      ->add_option("--correct", stream.correct,
+                   "Live source of corrections, lines as X 0.01 Y -0.02; - is standard input")
+      ->needs(streamCommand->get_option("--correction-limit"));
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
   streamCommand->add_flag("--even-pauses", stream.evenPauses,
                           "Method window: windows of M points each, wherever they end");

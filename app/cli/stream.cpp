@@ -12,6 +12,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/correction_source.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "machine/config.h"
@@ -34,7 +35,9 @@ namespace {
 /// Stop by Ctrl-C, or at a time of the run that was ordered beforehand.
 class ConsoleOrders final : public streaming::RunOrders {
  public:
-  explicit ConsoleOrders(double stopAfterS) : m_stopAfterS(stopAfterS) {}
+  /// @param source  of corrections; null: none
+  ConsoleOrders(double stopAfterS, CorrectionSource* source)
+      : m_stopAfterS(stopAfterS), m_source(source) {}
   bool stopRequested(base::Instant now) override {
     if (wasInterrupted()) {
       return true;
@@ -47,9 +50,13 @@ class ConsoleOrders final : public streaming::RunOrders {
     }
     return now - *m_first >= base::fromSeconds(m_stopAfterS);
   }
+  base::Vec3 correctionMm(base::Instant) override {
+    return m_source != nullptr ? m_source->valueMm() : base::Vec3{};
+  }
 
  private:
   double m_stopAfterS;
+  CorrectionSource* m_source;
   std::optional<base::Instant> m_first;
 };
 
@@ -175,6 +182,7 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   earlier.parameters.pointsPerLoop = static_cast<int>(*points);
   earlier.parameters.windows = static_cast<int>(*windows);
   earlier.parameters.baseCell = static_cast<int>(*baseCell);
+  earlier.parameters.correctionLimitMm = number("/settings/correction_limit_mm").value_or(0.0);
   const std::string axes =
       json.value(nlohmann::json::json_pointer("/settings/axes"), std::string("XYZ"));
   if (const auto chosen = templates::chooseAxes(earlier.parameters, axes); !chosen) {
@@ -326,6 +334,14 @@ Exit stream(const StreamOptions& options) {
       return reportError(proven.error(), options.json);
     }
   }
+  std::optional<CorrectionSource> source;
+  if (!options.correct.empty()) {
+    base::Result<CorrectionSource> opened = CorrectionSource::open(options.correct);
+    if (!opened) {
+      return reportError(opened.error(), options.json);
+    }
+    source.emplace(std::move(*opened));
+  }
   auto connection =
       options.simulate ? simulate(options.preset, options.seed) : connectTo(options.endpoint);
   if (!connection) {
@@ -389,7 +405,7 @@ Exit stream(const StreamOptions& options) {
     }
   }
   watchForInterrupt();
-  ConsoleOrders orders(options.stopAfterS);
+  ConsoleOrders orders(options.stopAfterS, source ? &*source : nullptr);
   streaming::RunReport report;
   {
     ConsoleSink sink;

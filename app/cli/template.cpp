@@ -154,6 +154,9 @@ Exit makeTemplate(const TemplateOptions& options) {
         numbers["window_stride"] = cells->windowStride;
         numbers["slot_stride"] = cells->slotStride;
       }
+      if (cells->corrects()) {
+        numbers["correction"] = cells->correction;
+      }
     } else {
       numbers = {{"signal", cells->signal},
                  {"run", cells->run},

@@ -38,6 +38,7 @@
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/report_panel.h"
 #include "widgets/streaming/resume_bar.h"
@@ -172,7 +173,14 @@ void MainWindow::buildPages() {
   columns->addWidget(m_tabs);
 
   m_method = new widgets::MethodPanel;
-  columns->addWidget(new Column(m_method, columns));
+  m_correction = new widgets::CorrectionPanel;
+  auto* right = new QWidget;
+  auto* rightRows = new QVBoxLayout(right);
+  rightRows->setContentsMargins(0, 0, 0, 0);
+  rightRows->setSpacing(0);
+  rightRows->addWidget(m_correction);
+  rightRows->addWidget(m_method, 1);
+  columns->addWidget(new Column(right, columns));
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
   columns->setStretchFactor(2, 0);
@@ -278,6 +286,7 @@ void MainWindow::connectPages() {
           [this](const QString& path) { saveText(path, m_template->text()); });
   connect(m_log, &widgets::LogView::saveRequested, this,
           [this](const QString& path) { saveText(path, m_log->toText()); });
+  connectCorrection();
   connect(m_run, &widgets::RunPanel::startRequested, this, &MainWindow::start);
   connect(m_run, &widgets::RunPanel::stopRequested, this, &MainWindow::stop);
   connect(m_run, &widgets::RunPanel::holdRequested, this, &MainWindow::hold);
@@ -371,6 +380,28 @@ void MainWindow::connectPages() {
   connect(&m_session, &session::StreamSession::noteArrived, this, [this](const trace::Note& note) {
     log(Severity::Note, QString::fromStdString(note.text));
   });
+}
+
+void MainWindow::connectCorrection() {
+  using widgets::CorrectionPanel;
+  connect(m_correction, &CorrectionPanel::correctionRequested, this,
+          [this](const base::Vec3& valueMm) { m_session.correct(valueMm); });
+  connect(m_correction, &CorrectionPanel::inputChanged, this,
+          [this](const widgets::CorrectionInput& input) {
+            if (input.isLive) {
+              m_feed.open(static_cast<quint16>(input.port),
+                          static_cast<int>(input.silenceS * 1000.0));
+            } else {
+              m_feed.close();
+            }
+          });
+  connect(&m_feed, &session::CorrectionFeed::valueArrived, this,
+          [this](const base::Vec3& valueMm) { m_session.correct(valueMm); });
+  connect(
+      &m_feed, &session::CorrectionFeed::stateChanged, this,
+      [this](const session::FeedState& state) {
+        m_correction->setLiveSource({state.isOpen, state.hasValue, state.isSilent, state.unknown});
+      });
 }
 
 void MainWindow::retranslate() {
@@ -671,6 +702,9 @@ void MainWindow::judge() {
   m_reckonTimer.start();
   showPauses();
   m_method->setVerdict(m_verdict, m_problem);
+  m_correction->setLimit(
+      cells && cells->corrects() ? m_settings.stream.parameters.correctionLimitMm : 0.0,
+      m_settings.stream.parameters.axes);
   widgets::FeasibilityModel model;
   model.operatingPoint = point;
   model.access = access;
@@ -949,6 +983,8 @@ bool MainWindow::startRun(std::optional<streaming::Resume> resume) {
   m_region.cancel();
   m_session.start(m_program, settings, newRecordingPath(),
                   resume ? m_left : std::optional<session::ResumeQuestion>{});
+  m_feed.forget();
+  m_correction->setRunning(true);
   refreshStart();
   Q_EMIT runStarted();
   return true;
@@ -965,6 +1001,7 @@ void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
   m_update.counters = inProgram(update.counters, m_firstPoint);
   m_run->setUpdate(m_update);
   m_path->setExecuted(m_update.counters.executed);
+  m_correction->setCorrection(update.correction);
   if (update.state == streaming::RunState::Running && !m_runBegan) {
     m_runBegan = update.at;
   }
@@ -1029,6 +1066,7 @@ void MainWindow::showFinished(const session::RunFinished& finished) {
   last.waitingFor.clear();
   m_update = last;
   m_run->setUpdate(last);
+  m_correction->setRunning(false);
   m_path->setExecuted(last.counters.executed);
   if (m_report->error.code == streaming::StreamError::StopNotConfirmed) {
     m_run->setStopUnconfirmed();

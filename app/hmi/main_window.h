@@ -15,6 +15,7 @@
 #include "feasibility/verdict.h"
 #include "hmi/settings.h"
 #include "hmi/translator.h"
+#include "session/correction_feed.h"
 #include "session/file_watch.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
@@ -33,6 +34,7 @@ class QTabWidget;
 namespace rivulet::widgets {
 class CalibrationPage;
 class ConnectionPanel;
+class CorrectionPanel;
 class FeasibilityPage;
 class FileBanner;
 class LoadBar;
@@ -107,6 +109,7 @@ class MainWindow final : public QMainWindow {
   void buildPages();
   void buildMenus();
   void connectPages();
+  void connectCorrection();
   void retranslate();
 
   /// @param reading  how the text is to be read
@@ -156,6 +159,7 @@ class MainWindow final : public QMainWindow {
   session::ProgramLoader m_loader;
   session::ProgramTimer m_timer;
   session::FileWatch m_watch;
+  session::CorrectionFeed m_feed;
   QTimer m_reckonTimer;  ///< settings change while a hand turns them: reckon when it rests
   session::RegionWorker m_region;
 
@@ -184,6 +188,7 @@ class MainWindow final : public QMainWindow {
   widgets::MessageArea* m_messages = nullptr;
   widgets::ConnectionPanel* m_connection = nullptr;
   widgets::MethodPanel* m_method = nullptr;
+  widgets::CorrectionPanel* m_correction = nullptr;
   widgets::LoadBar* m_loadBar = nullptr;
   widgets::FileBanner* m_fileBanner = nullptr;
   widgets::ProgramPage* m_programPage = nullptr;

@@ -87,6 +87,12 @@ Settings loadSettings() {
   if (points >= 2) {
     stream.parameters.pointsPerLoop = points;
   }
+  const double correctionMm =
+      positive(store.value(QStringLiteral("stream/correctionLimitMm")), 0.0);
+  if (correctionMm <= templates::kCorrectionLimitMmMax &&
+      stream.parameters.method == base::MethodKind::Window) {
+    stream.parameters.correctionLimitMm = correctionMm;
+  }
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
   stream.feedMmPerS =
       base::mmPerSFromMmPerMin(positive(store.value(QStringLiteral("stream/feedMmPerMin")),
@@ -112,6 +118,7 @@ void saveSettings(const Settings& settings) {
   }
   store.setValue(QStringLiteral("stream/points"), stream.parameters.pointsPerLoop);
   store.setValue(QStringLiteral("stream/deltaMm"), stream.deltaMm);
+  store.setValue(QStringLiteral("stream/correctionLimitMm"), stream.parameters.correctionLimitMm);
   store.setValue(QStringLiteral("stream/feedMmPerMin"),
                  base::mmPerMinFromMmPerS(stream.feedMmPerS));
 }

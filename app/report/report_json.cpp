@@ -87,6 +87,7 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"points_per_loop", settings.parameters.pointsPerLoop},
           {"windows", settings.parameters.windows},
           {"base_cell", settings.parameters.baseCell},
+          {"correction_limit_mm", settings.parameters.correctionLimitMm},
           {"windows_ahead", settings.parameters.windowsAhead},
           {"slow_down", settings.parameters.slowDown},
           {"layout", templates::layoutName(settings.parameters.layout)},

@@ -55,6 +55,10 @@ class SessionWorker::Orders final : public streaming::RunOrders {
   bool stopRequested(base::Instant) override {
     return m_worker.m_stopRun.load() || m_worker.m_quit.load();
   }
+  base::Vec3 correctionMm(base::Instant) override {
+    const std::lock_guard lock(m_worker.m_correctionMutex);
+    return m_worker.m_correctionMm;
+  }
   bool holdRequested(base::Instant) override { return m_worker.m_holdRun.load(); }
 
  private:
@@ -73,6 +77,7 @@ SessionWorker::~SessionWorker() {
 bool SessionWorker::order(SessionOrder order) {
   if (std::holds_alternative<StartOrder>(order) || std::holds_alternative<CalibrateOrder>(order)) {
     m_stopRun.store(false);
+    correct({});
     m_holdRun.store(false);
   }
   if (!m_orders.tryPush(std::move(order))) {
@@ -84,6 +89,11 @@ bool SessionWorker::order(SessionOrder order) {
 
 void SessionWorker::stopRun() {
   m_stopRun.store(true);
+}
+
+void SessionWorker::correct(base::Vec3 valueMm) {
+  const std::lock_guard lock(m_correctionMutex);
+  m_correctionMm = valueMm;
 }
 
 void SessionWorker::holdRun(bool hold) {

@@ -4,12 +4,13 @@
 /// @file
 /// The streaming thread: owns the link and, during a run, driver and method. Orders come in and
 /// events go out through bounded rings; nothing on this side waits for the GUI.
-/// @threadsafety constructor, destructor, `order`, `stopRun`, `holdRun` and `take` belong to the
-/// GUI thread.
+/// @threadsafety constructor, destructor, `order`, `stopRun`, `holdRun`, `correct` and `take`
+/// belong to the GUI thread.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <semaphore>
 #include <thread>
@@ -39,6 +40,8 @@ class SessionWorker {
   /// Takes effect within a driver's look at its orders, 20 ms; cancels a calibration behind the
   /// request under way.
   void stopRun();
+  /// Online correction of the run that lasts, mm; a run begins with none.
+  void correct(base::Vec3 valueMm);
   /// The run that lasts is to wait in front of its next window, or to go on (method window).
   void holdRun(bool hold);
   /// The oldest event not taken yet.
@@ -73,6 +76,8 @@ class SessionWorker {
   std::atomic<bool> m_stopRun{false};
   std::atomic<bool> m_holdRun{false};
   std::atomic<std::size_t> m_lost{0};
+  std::mutex m_correctionMutex;  // held for a copy
+  base::Vec3 m_correctionMm;
   std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
   streaming::ControlAxes m_axes;          // of the control at the other end
   std::string m_proven;                   // text of the template proved last; streaming thread only

@@ -51,6 +51,12 @@ void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
       CalibrateOrder{plan, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
 }
 
+void StreamSession::correct(base::Vec3 valueMm) {
+  if (m_running) {
+    m_worker->correct(valueMm);
+  }
+}
+
 void StreamSession::stop() {
   m_worker->stopRun();
 }

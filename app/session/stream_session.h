@@ -32,6 +32,8 @@ class StreamSession final : public QObject {
   void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
              const QString& recordingPath, std::optional<ResumeQuestion> resumes = {});
   void stop();
+  /// Online correction of the run that lasts, X Y Z, mm; every run begins with none.
+  void correct(base::Vec3 valueMm);
   void hold(bool hold);
   /// Answered by `resumeFound`. Nothing while a run lasts.
   void askResume(ResumeQuestion question);

@@ -263,6 +263,9 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
     reader.problem("control.resetDynamics", "must be \"BRISK\" or \"SOFT\"", nullptr);
   }
   config.blocksPerCycleMax = reader.number("control.blocksPerCycleMax", 0.0, 1000.0);
+  if (reader.has("control.overlayMode")) {
+    config.overlayMode = static_cast<int>(reader.number("control.overlayMode", 0.0, 3.0));
+  }
   config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
   config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
   config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));

@@ -111,10 +111,13 @@ struct MachineConfig {
   bool jumpStops = false;                    ///< jumps stop the pre-run as STOPRE does
   Dynamics resetDynamics = Dynamics::Brisk;  ///< until the program says otherwise (MD20150)
   double blocksPerCycleMax = 0.0;  ///< path speed within a block: blocks per IPO cycle; 0: any
-  double roundingMm = 0.0;         ///< deviation at corners that G64 and G642 allow
-  int rParameterCount = 0;         ///< MD28050
-  double rapidMmPerS = 0.0;        ///< path speed of G0
-  base::Duration traceLimit{};     ///< longest recording of the control's own trace
+  /// MD36750 of X, Y and Z: 1 $AA_OFF adds up what it is given, 2 it stays when the channel is
+  /// reset, also at the end of a program. May be missing in a preset: 0.
+  int overlayMode = 0;
+  double roundingMm = 0.0;      ///< deviation at corners that G64 and G642 allow
+  int rParameterCount = 0;      ///< MD28050
+  double rapidMmPerS = 0.0;     ///< path speed of G0
+  base::Duration traceLimit{};  ///< longest recording of the control's own trace
   AccessCost access;
 
   [[nodiscard]] base::RotarySet rotarySet() const {

@@ -41,11 +41,13 @@ std::int64_t asBits(double value) {
 
 std::optional<SystemVariable> systemVariableOf(std::string_view name) {
   using enum SystemVariable;
-  static constexpr std::array<std::pair<std::string_view, SystemVariable>, 11> kNames{
+  static constexpr std::array<std::pair<std::string_view, SystemVariable>, 13> kNames{
       {{"$AA_IM", AaIm},
        {"$AA_IW", AaIw},
        {"$AA_DTEW", AaDtew},
        {"$AA_OFF", AaOff},
+       {"$AA_OFF_VAL", AaOffVal},
+       {"$MA_AA_OFF_MODE", MaAaOffMode},
        {"$AC_DTEW", AcDtew},
        {"$AC_PATHN", AcPathn},
        {"$AC_OVR", AcOvr},

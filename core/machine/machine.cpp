@@ -32,6 +32,9 @@ constexpr base::RotarySet kAllRotary{true, true, true};
 /// Speed and limit of $AA_OFF (MD32070 and SD43350 of the control; assumed).
 constexpr double kOffsetMmPerS = 50.0;
 constexpr double kOffsetMmMax = 10.0;
+/// Bits of MD36750.
+constexpr int kOffsetAddsUp = 1;
+constexpr int kOffsetStays = 2;
 
 // Streams of the seed: each kind of chance has its own, so that they do not disturb each other.
 constexpr std::uint64_t kStandstillStream = 1;
@@ -82,6 +85,7 @@ class Machine::Impl final : public MainRun {
     state.program = m_programStatus;
     state.actualMm = m_servo.actualMm();
     state.commandMm = commandMm();
+    state.overlayMm = m_offsetMm;
     state.distanceToGoMm = m_planner.distanceToGoMm();
     state.actualDeg = m_servo.actualDeg();
     state.commandDeg = m_planner.commandDeg();
@@ -195,7 +199,7 @@ class Machine::Impl final : public MainRun {
   void reset() {
     m_prerun.stop();
     m_syncActions.clear();
-    m_offsetWantedMm = {};
+    dropOffset();
     if (m_channel == ChannelStatus::Active && m_planner.blockCount() > 0) {
       m_planner.abort();
       m_resetting = true;  // the channel is in reset once the axes stand
@@ -250,7 +254,10 @@ class Machine::Impl final : public MainRun {
         return isAxis ? std::optional(m_planner.commandMm()[element]) : std::nullopt;
       case SystemVariable::AaDtew:
         return isAxis ? std::optional(m_planner.distanceToGoMm()[element]) : std::nullopt;
+      case SystemVariable::MaAaOffMode:
+        return isAxis ? std::optional<double>(m_config.overlayMode) : std::nullopt;
       case SystemVariable::AaOff:
+      case SystemVariable::AaOffVal:
         return isAxis ? std::optional(m_offsetMm[element]) : std::nullopt;
       case SystemVariable::AcDtew:
         return m_planner.pathToGoMm();
@@ -278,6 +285,7 @@ class Machine::Impl final : public MainRun {
         if (index < 0 || element >= base::kAxisCount) {
           return false;
         }
+        value += (m_config.overlayMode & kOffsetAddsUp) != 0 ? m_offsetWantedMm[element] : 0.0;
         m_offsetWantedMm.set(element, std::clamp(value, -kOffsetMmMax, kOffsetMmMax));
         return true;
       case SystemVariable::AcOvr:
@@ -325,6 +333,12 @@ class Machine::Impl final : public MainRun {
       const double step = kOffsetMmPerS * cycleS;
       const double way = m_offsetWantedMm[axis] - m_offsetMm[axis];
       m_offsetMm.set(axis, m_offsetMm[axis] + std::clamp(way, -step, step));
+    }
+  }
+
+  void dropOffset() {
+    if ((m_config.overlayMode & kOffsetStays) == 0) {
+      m_offsetWantedMm = {};
     }
   }
 
@@ -404,6 +418,7 @@ class Machine::Impl final : public MainRun {
   void enterReset() {
     m_alarm = {};
     m_syncActions.endProgram();
+    dropOffset();
     m_resetting = false;
     m_channel = ChannelStatus::Reset;
     m_programStatus = ProgramStatus::Aborted;

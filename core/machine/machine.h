@@ -31,8 +31,9 @@ struct MachineState {
   ProgramStatus program = ProgramStatus::Aborted;  ///< SINUMERIK shows "aborted" in reset
   base::Vec3 actualMm;                             ///< workpiece frame, behind the servo
   base::Vec3 commandMm;                            ///< set point
-  base::Vec3 distanceToGoMm;                       ///< to the end of the block in motion
-  base::RotaryDeg actualDeg{};                     ///< A, B, C; 0 where there is none
+  base::Vec3 overlayMm;         ///< part of it that is laid over the path ($AA_OFF)
+  base::Vec3 distanceToGoMm;    ///< to the end of the block in motion
+  base::RotaryDeg actualDeg{};  ///< A, B, C; 0 where there is none
   base::RotaryDeg commandDeg{};
   base::RotaryDeg distanceToGoDeg{};
   double feedMmPerS = 0.0;  ///< path speed of the set point; deg/s where only rotary axes turn

@@ -25,6 +25,8 @@ constexpr Duration kStatusInterval = std::chrono::milliseconds{200};
 constexpr Duration kPublishInterval = std::chrono::milliseconds{40};
 /// An inferred pause gives way to a measured one that comes within this time.
 constexpr Duration kInferredSettles = std::chrono::milliseconds{200};
+/// A correction that the control confirms is noted this often at most.
+constexpr Duration kNoteInterval = std::chrono::seconds{1};
 /// A display read may take this many times its estimate before the method is due.
 constexpr int kSlackFactor = 2;
 /// Request durations the live margin is computed from.
@@ -53,8 +55,14 @@ int longestWrite(const templates::TemplateParameters& parameters) {
 }  // namespace
 
 Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-               RunSink& sink, std::size_t total, opcua::Assignment stop)
-    : m_link(link), m_method(method), m_settings(settings), m_orders(orders), m_sink(sink) {
+               RunSink& sink, std::size_t total, opcua::Assignment stop,
+               const templates::CellMap& cells)
+    : m_link(link),
+      m_method(method),
+      m_settings(settings),
+      m_orders(orders),
+      m_sink(sink),
+      m_correction(cells, settings.parameters) {
   m_counters.total = total;
   m_stop = stop;
   // Method position reads the axes itself; for it only the feed is missing on the display.
@@ -113,6 +121,7 @@ StreamEnd Driver::run() {
     }
   }
   settleInferred(true);
+  noteCorrection(true);
   publish();
   return m_end;
 }
@@ -132,6 +141,10 @@ void Driver::checkOrders() {
     m_sink.note({m_link.now(), hold ? "hold requested" : "continue requested"});
     publish();
   }
+  if (m_correction.exists() && !m_stopWantedAt && !m_abandonedAt) {
+    m_correction.want(m_orders.correctionMm(m_link.now()), m_link.now());
+    noteCorrection(false);
+  }
   if (m_stopWantedAt || !m_orders.stopRequested(m_link.now())) {
     return;
   }
@@ -140,6 +153,33 @@ void Driver::checkOrders() {
   m_method.requestStop();
   m_sink.note({m_link.now(), "stop requested"});
   publish();
+}
+
+void Driver::noteCorrection(bool now) {
+  const base::Vec3 confirmedMm = m_correction.value().confirmedMm;
+  if (confirmedMm == m_notedMm || (!now && m_link.now() - m_notedAt < kNoteInterval)) {
+    return;
+  }
+  m_notedMm = confirmedMm;
+  m_notedAt = m_link.now();
+  m_sink.note({m_link.now(), fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
+                                         confirmedMm.x, confirmedMm.y, confirmedMm.z)});
+}
+
+bool Driver::submitCorrection() {
+  // Behind a stop the program takes back by itself what is laid over the axes.
+  if (m_stopWantedAt || m_abandonedAt || !m_correction.isDue(m_link.now())) {
+    return false;
+  }
+  const int nodes = m_correction.nodeCount();
+  if (!hasSlackFor(nodes) && !m_correction.isOverdue(m_link.now())) {
+    return false;
+  }
+  m_monitor = Monitor::Correction;
+  m_monitorPending = Pending{m_link.write(m_correction.take(m_link.now()),
+                                          m_settings.requestDeadline, opcua::Grouping::List),
+                             true, nodes, 0};
+  return true;
 }
 
 bool Driver::hasSlackFor(int nodes) const {
@@ -190,18 +230,22 @@ void Driver::submitMonitor() {
   if (m_methodPending || m_monitorPending || !started) {
     return;
   }
+  if (submitCorrection()) {
+    return;
+  }
   const Instant now = m_link.now();
   if (wantsStatus()) {
-    m_monitorIsStatus = true;
+    m_monitor = Monitor::Status;
     m_nextStatus = now + kStatusInterval;
   } else if (m_settings.monitor && !m_abandonedAt && now >= m_nextDisplay &&
              hasSlackFor(static_cast<int>(m_display.size()))) {
-    m_monitorIsStatus = false;
+    m_monitor = Monitor::Display;
     m_nextDisplay = now + kDisplayInterval;
   } else {
     return;
   }
-  const std::vector<opcua::Variable>& variables = m_monitorIsStatus ? m_status : m_display;
+  const std::vector<opcua::Variable>& variables =
+      m_monitor == Monitor::Status ? m_status : m_display;
   m_monitorPending =
       Pending{m_link.read(variables, m_settings.requestDeadline, opcua::Grouping::List), false,
               static_cast<int>(variables.size()), 0};
@@ -263,11 +307,14 @@ void Driver::handle(const opcua::Event& event) {
   }
   const Pending pending = forMethod ? *m_methodPending : *m_monitorPending;
   (forMethod ? m_methodPending : m_monitorPending).reset();
+  const bool isCorrection = !forMethod && m_monitor == Monitor::Correction;
   if (event.kind == opcua::EventKind::RequestFailed) {
     if (!forgives(event, forMethod)) {
       abandon(event.error);
     } else if (forMethod) {
       m_counters.sent -= pending.points;
+    } else if (isCorrection) {
+      m_correction.lost();
     }
     return;
   }
@@ -297,6 +344,9 @@ void Driver::handle(const opcua::Event& event) {
   if (forMethod) {
     m_counters.accepted += pending.points;
     handleMethod(event);
+  } else if (isCorrection) {
+    m_correction.confirm();
+    publish();
   } else {
     handleMonitor(event);
   }
@@ -337,7 +387,7 @@ void Driver::handleMethod(const opcua::Event& event) {
 }
 
 void Driver::handleMonitor(const opcua::Event& event) {
-  if (m_monitorIsStatus) {
+  if (m_monitor == Monitor::Status) {
     if (event.readings[0].number == kChannelReset) {
       m_end.programEnded = true;
       if (m_stopWantedAt) {
@@ -395,6 +445,9 @@ void Driver::publishPause(const trace::Pause& pause) {
   update.state = state();
   update.at = m_link.now();
   update.counters = m_counters;
+  if (m_correction.exists()) {
+    update.correction = m_correction.value();
+  }
   update.pause = pause;
   m_sink.update(update);
 }
@@ -457,6 +510,9 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
   update.state = state();
   update.at = m_link.now();
   update.counters = m_counters;
+  if (m_correction.exists()) {
+    update.correction = m_correction.value();
+  }
   update.sample = std::move(sample);
   const Progress& progress = m_method.progress();
   const std::optional<Duration> slow = slowAccess();

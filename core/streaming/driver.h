@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The only loop that performs a method's accesses on a link. It adds three things a method
-/// does not know: the operator's stop, reads for the display where the stream has slack, and
-/// the end of the program on the control. The same driver runs real and simulated.
+/// The only loop that performs a method's accesses on a link. It adds what a method does not
+/// know: the operator's stop, the online correction, reads for the display where the stream has
+/// slack, and the end of the program on the control. The same driver runs real and simulated.
 /// @threadsafety runs on the thread that calls `run`; the sink is called on that thread.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "streaming/correction.h"
 #include "streaming/method.h"
 #include "trace/analysis/pauses.h"
 #include "trace/recording.h"
@@ -36,6 +37,9 @@ class RunOrders {
   [[nodiscard]] virtual bool stopRequested(base::Instant now) = 0;
   /// True while the machine is to wait in front of its next window (method window only).
   [[nodiscard]] virtual bool holdRequested(base::Instant /*now*/) { return false; }
+  /// Online correction wanted now, mm, X Y Z. What is beyond the limit of the template is cut off;
+  /// what is no number leaves the axis as it is. Asked only where the template has one.
+  [[nodiscard]] virtual base::Vec3 correctionMm(base::Instant /*now*/) { return {}; }
 };
 
 /// How the stream ended, as far as the client can know.
@@ -51,8 +55,9 @@ class Driver {
   /// @param total     points of the program, for the counters
   /// @param stop      what ends the program; written by the driver itself only when the stream has
   ///                  to be abandoned
+  /// @param cells     for the online correction
   Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-         RunSink& sink, std::size_t total, opcua::Assignment stop);
+         RunSink& sink, std::size_t total, opcua::Assignment stop, const templates::CellMap& cells);
 
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
   void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
@@ -74,6 +79,9 @@ class Driver {
 
   void submitMethod();
   void submitMonitor();
+  /// @return true if a correction is on its way
+  bool submitCorrection();
+  void noteCorrection(bool now);
   void handle(const opcua::Event& event);
   void handleMethod(const opcua::Event& event);
   void handleMonitor(const opcua::Event& event);
@@ -105,7 +113,11 @@ class Driver {
   opcua::Assignment m_stop;
   std::optional<Pending> m_methodPending;
   std::optional<Pending> m_monitorPending;
-  bool m_monitorIsStatus = false;
+  enum class Monitor { Display, Status, Correction };
+  Monitor m_monitor = Monitor::Display;
+  CorrectionCells m_correction;
+  base::Vec3 m_notedMm;
+  base::Instant m_notedAt{};
   std::vector<opcua::Variable> m_display;    // what a display read asks for; the feed last
   std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
   std::vector<opcua::Variable> m_status;

@@ -284,9 +284,12 @@ class Job {
   Result<void> awaitStart() {
     const Instant until = m_link.now() + m_settings.startDeadline;
     const int expected = templates::layoutNumber(m_settings.parameters);
-    const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
-                                           opcua::rParameter(m_cells.layout),
-                                           {VariableKind::Alarm, 0}}};
+    std::vector<Variable> watched{{VariableKind::ChannelStatus, 0},
+                                  opcua::rParameter(m_cells.layout),
+                                  {VariableKind::Alarm, 0}};
+    if (m_cells.corrects()) {
+      watched.push_back(opcua::rParameter(m_cells.state));
+    }
     while (m_link.now() < until) {
       if (m_orders.stopRequested(m_link.now())) {
         return cancel();
@@ -307,6 +310,12 @@ class Job {
             StreamError::ControlAlarm,
             fmt::format("The control reports alarm {}. Clear it at the control.", alarm));
       }
+      // The layout cell was cleared: the number in it is of the program that was started now.
+      if (m_cells.corrects() && layout == expected) {
+        if (Result<void> fit = mayCorrect((*readings)[3].number); !fit) {
+          return fit;
+        }
+      }
       if ((*readings)[0].number != kReset && layout != 0) {
         if (layout != expected) {
           return base::fail(
@@ -323,6 +332,23 @@ class Job {
     return base::fail(
         StreamError::NotStarted,
         "Cycle start was not pressed in time. Start again when the machine is ready.");
+  }
+
+  /// @param state  what the program with correction says, right behind its start
+  static Result<void> mayCorrect(double state) {
+    if (state == static_cast<double>(templates::WindowState::OverlayLeft)) {
+      return base::fail(StreamError::OverlayLeft,
+                        "Something is laid over the axes already, so where they stand is not where "
+                        "the path would begin. Take it back at the control (reset it, wait, and "
+                        "see that $AA_OFF is 0), then start again.");
+    }
+    if (state == static_cast<double>(templates::WindowState::OverlayIntegrates)) {
+      return base::fail(StreamError::OverlayIntegrates,
+                        "The control adds up what is laid over its axes (MD36750 bit 0): a "
+                        "correction would drive them away. Set the bit to 0, or do without online "
+                        "correction.");
+    }
+    return {};
   }
 
   /// Stop before anything has moved.
@@ -344,7 +370,7 @@ class Job {
                       m_flight.toolDeg};
     const std::unique_ptr<Method> method = makeMethod(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
-                  {opcua::rParameter(m_cells.stop), isWindow() ? 2.0 : 1.0});
+                  {opcua::rParameter(m_cells.stop), isWindow() ? 2.0 : 1.0}, m_cells);
     ControlAxes shown;
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
       if (m_cells.rotaryAxes[axis]) {

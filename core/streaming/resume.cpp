@@ -78,6 +78,33 @@ Result<std::vector<double>> numbersOf(opcua::Link& link, std::span<const Variabl
   return numbers;
 }
 
+constexpr const char* kOverlayLeft =
+    "The correction of the run that was left still lies over the axes. Take it back at the control "
+    "(reset it, wait, and see that $AA_OFF is 0), then resume.";
+
+/// What the client of the run had asked for last. After a regular end nothing of it lies over the
+/// axes; after a reset that depends on the control (MD36750) and on the moment.
+struct LastCorrection {
+  Vec3 mm;
+  bool isKnown = true;  ///< false: a value that was not obeyed, so an earlier one may lie there
+};
+
+LastCorrection lastCorrection(const RunSettings& settings, const templates::CellMap& cells,
+                              std::span<const double> numbers) {
+  constexpr double kSameMm = 1e-9;
+  const double limitMm = templates::correctionSteps(settings.parameters) / 1000.0;
+  LastCorrection last;
+  std::size_t next = 0;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (cells.correction[axis] >= 0) {
+      const double valueMm = numbers[next++];
+      last.isKnown = last.isKnown && std::abs(valueMm) <= limitMm + kSameMm;
+      last.mm.set(axis, valueMm);
+    }
+  }
+  return last;
+}
+
 /// 0 for the axes that are not streamed.
 base::AxisPosition onlyRotary(base::AxisPosition place, const base::RotarySet& rotaryAxes) {
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
@@ -211,10 +238,16 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   if (Result<void> ended = endOurProgram(link, settings, cells, last); !ended) {
     return base::fail(ended.error());
   }
-  const std::array<Variable, 6> watched{
+  std::vector<Variable> watched{
       opcua::rParameter(cells.owner),    opcua::rParameter(cells.latched),
       opcua::rParameter(cells.executed), {VariableKind::ActualPosition, 0},
       {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2}};
+  const std::size_t corrections = watched.size();
+  for (const int cell : cells.correction) {
+    if (cell >= 0) {
+      watched.push_back(opcua::rParameter(cell));
+    }
+  }
   const auto numbers = numbersOf(link, watched, settings.requestDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
@@ -241,11 +274,23 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   const double latched = (*numbers)[1];
   const double executed = (*numbers)[2];
   const bool isOurs = (*numbers)[0] == static_cast<double>(last.runNumber);
+  const LastCorrection correction =
+      lastCorrection(settings, cells, std::span(*numbers).subspan(corrections));
+  base::AxisPosition uncorrected = tool;
+  uncorrected.mm = tool.mm - correction.mm;
+  // The tool is not there: why?
+  const auto beside = [&](const base::AxisPosition& expected) {
+    const bool isCorrected = correction.isKnown && correction.mm != Vec3{} &&
+                             distance(expected, uncorrected) <= kBesideMm;
+    return isCorrected ? base::fail(StreamError::OverlayLeft, kOverlayLeft)
+                       : base::fail(StreamError::CannotResume, kMoved);
+  };
   if (!isOurs && !last.granted) {
     // It never came to be obeyed: nothing has moved for it.
     if (last.firstPoint >= total ||
         (last.firstPoint > 0 && distance(placeBefore(last.firstPoint), tool) > kBesideMm)) {
-      return base::fail(StreamError::CannotResume, kMoved);
+      return last.firstPoint < total ? beside(placeBefore(last.firstPoint))
+                                     : base::fail(StreamError::CannotResume, kMoved);
     }
     return Resume{last.firstPoint, last.startMm, last.startDeg};
   }
@@ -279,6 +324,21 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     }
     const std::optional<std::size_t> ahead =
         path.size() >= 2 ? pointAhead(path, tool) : std::nullopt;
+    if (path.size() >= 2 && correction.mm != Vec3{}) {
+      // Whether the correction still lies over the axes is not known: both must say the same, or
+      // only where it does not may the path be.
+      const std::optional<std::size_t> corrected =
+          correction.isKnown ? pointAhead(path, uncorrected) : std::nullopt;
+      if (!ahead && corrected) {
+        return base::fail(StreamError::OverlayLeft, kOverlayLeft);
+      }
+      if (!correction.isKnown || (corrected && corrected != ahead)) {
+        return base::fail(StreamError::CannotResume,
+                          "A correction was laid over the axes when the run was broken off, and "
+                          "where the tool would stand without it is not known. Start from the "
+                          "beginning.");
+      }
+    }
     if (!ahead) {
       return base::fail(StreamError::CannotResume,
                         "The tool does not stand on the path of what was broken off, "
@@ -287,7 +347,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     next += *ahead - 1;
   } else if (distance(placeBefore(next), tool) > kBesideMm) {
     // Cells can be written by others; where the tool stands cannot.
-    return base::fail(StreamError::CannotResume, kMoved);
+    return beside(placeBefore(next));
   }
   if (next >= total) {
     return base::fail(StreamError::CannotResume, "Every point has been executed already.",

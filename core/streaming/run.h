@@ -43,15 +43,17 @@ enum class StreamError {
   ControlAlarm,              ///< the control ended the program with an alarm
   EndedEarly,                ///< the program on the control ended before all points were sent
   OtherClient,               ///< another client has the cells (method window)
-  Restarted,        ///< the program was started anew in the middle of a run (method window)
-  WindowDamaged,    ///< the control refused a window that did not fit its check number
-  ClientSilent,     ///< the control gave up waiting for the client (method window)
-  CannotResume,     ///< where the run was left cannot be told for certain
-  TransferRefused,  ///< no right to write part programs through the server
-  Cancelled,        ///< by whoever waits for it
-  NotCommissioned,  ///< method credit on a control that has not passed its test
-  AxesNotChosen,    ///< the program moves axes that are not among those to be streamed
-  AxisMissing,      ///< the control has no such axis
+  Restarted,          ///< the program was started anew in the middle of a run (method window)
+  WindowDamaged,      ///< the control refused a window that did not fit its check number
+  ClientSilent,       ///< the control gave up waiting for the client (method window)
+  CannotResume,       ///< where the run was left cannot be told for certain
+  TransferRefused,    ///< no right to write part programs through the server
+  Cancelled,          ///< by whoever waits for it
+  NotCommissioned,    ///< method credit on a control that has not passed its test
+  AxesNotChosen,      ///< the program moves axes that are not among those to be streamed
+  AxisMissing,        ///< the control has no such axis
+  OverlayLeft,        ///< something is laid over the axes from before (online correction)
+  OverlayIntegrates,  ///< the control adds up what is laid over its axes (online correction)
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -133,6 +135,14 @@ struct AccessStatistics {
   trace::DurationStatistics perRequest;
 };
 
+/// Online correction, X Y Z. Axes without one are 0.
+struct Correction {
+  base::Vec3 askedMm;      ///< what the run was ordered, within the limit
+  base::Vec3 confirmedMm;  ///< what the control has confirmed to have in its cells
+
+  friend bool operator==(const Correction&, const Correction&) = default;
+};
+
 /// A moment of the run, for the display.
 struct LiveUpdate {
   RunState state = RunState::Idle;
@@ -143,6 +153,7 @@ struct LiveUpdate {
   std::optional<base::Duration> margin;  ///< time until the next point is needed minus p99
   std::string waitingFor;                ///< English key of what the run waits for; may be empty
   std::optional<base::Duration> stopConfirmedAfter;
+  std::optional<Correction> correction;  ///< nothing: the program has none
 };
 
 enum class Outcome { Completed, Stopped, Failed };

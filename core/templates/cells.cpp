@@ -32,6 +32,7 @@ constexpr int kWindowHeader = 10;
 constexpr int kWindowOwn = 3;
 constexpr int kWindowsMax = 8;
 constexpr int kWindowsAheadMax = 8;
+constexpr double kStepsPerMm = 1000.0;
 /// Method file: some 40 kB a window.
 constexpr int kFilePointsMax = 1000;
 /// Far beyond every control; keeps the arithmetic of cells small.
@@ -71,6 +72,13 @@ CellMap cellsOf(const TemplateParameters& parameters) {
     if (parameters.method == base::MethodKind::File) {
       cells.inFiles = true;
       cells.asked = first + 9;
+    } else if (correctionSteps(parameters) > 0 && cells.pointsPerLoop > 0) {
+      int next = cells.slotCells(cells.slotCount() - 1).back() + 1;
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (parameters.axes[axis]) {
+          cells.correction[axis] = next++;
+        }
+      }
     }
     return cells;
   }
@@ -147,6 +155,9 @@ std::vector<int> CellMap::slotCells(int slot) const {
 
 int CellMap::last() const {
   int last = std::max({signal, run, stop, feed, layout, heartbeat, asked});
+  for (const int cell : correction) {
+    last = std::max(last, cell);
+  }
   if (slotCount() > 0) {
     for (const int cell : slotCells(slotCount() - 1)) {
       last = std::max(last, cell);
@@ -161,6 +172,38 @@ double checkFactor(int place) {
   const double turn = 0.618033988749895 * (place + 1);
   return 1.0 + std::floor((turn - std::floor(turn)) * 1e6) / 1e6;
 }
+
+int correctionSteps(const TemplateParameters& parameters) {
+  const double steps = std::clamp(parameters.correctionLimitMm, 0.0, kCorrectionLimitMmMax);
+  return static_cast<int>(std::lround(steps * kStepsPerMm));
+}
+
+namespace {
+
+base::Result<void> checkCorrection(const TemplateParameters& parameters) {
+  const double limitMm = parameters.correctionLimitMm;
+  if (limitMm == 0.0) {
+    return {};
+  }
+  if (!(limitMm > 0.0) || limitMm > kCorrectionLimitMmMax || correctionSteps(parameters) == 0) {
+    return base::fail(TemplateError::BadCorrection,
+                      fmt::format("A limit of {} mm for the online correction: choose 0.001 to {} "
+                                  "mm, or 0 for none.",
+                                  limitMm, kCorrectionLimitMmMax));
+  }
+  if (!base::hasWindows(parameters.method) || parameters.method == base::MethodKind::File) {
+    return base::fail(TemplateError::BadCorrection,
+                      fmt::format("Method {} has no online correction: choose method window.",
+                                  base::methodName(parameters.method)));
+  }
+  if (parameters.axes == std::array{false, false, false}) {
+    return base::fail(TemplateError::BadCorrection,
+                      "Only X, Y and Z can be corrected online, and none of them is chosen.");
+  }
+  return {};
+}
+
+}  // namespace
 
 base::Result<CellMap> planCells(const TemplateParameters& parameters) {
   if (chosenAxes(parameters) == 0) {
@@ -177,6 +220,9 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
         TemplateError::TooManyAxes,
         fmt::format("{} axes are chosen ({}): choose at most {}.", chosenAxes(parameters),
                     axisLetters(parameters), base::kStreamedAxesMax));
+  }
+  if (base::Result<void> correction = checkCorrection(parameters); !correction) {
+    return base::fail(correction.error());
   }
   const int min = pointsPerLoopMin(parameters.method);
   if (parameters.pointsPerLoop < min) {
@@ -246,7 +292,9 @@ int pointsPerLoopMax(const TemplateParameters& parameters) {
   one.pointsPerLoop = 1;
   const CellMap cells = cellsOf(one);
   if (base::hasWindows(parameters.method)) {
-    const int perWindow = (parameters.rParameterCount - cells.windowCount(0)) /
+    const auto corrections = static_cast<int>(std::count_if(
+        cells.correction.begin(), cells.correction.end(), [](int cell) { return cell >= 0; }));
+    const int perWindow = (parameters.rParameterCount - corrections - cells.windowCount(0)) /
                               std::clamp(parameters.windows, 1, kWindowsMax) -
                           kWindowOwn;
     // The last cells of the last slot may stay unused where the stride leaves room.
@@ -321,7 +369,8 @@ int layoutNumber(const TemplateParameters& parameters) {
   const std::uint64_t windows =
       static_cast<std::uint64_t>(std::clamp(parameters.windows, 1, kWindowsMax) - 1);
   const std::uint64_t variant = variantOf(parameters);
-  if (variant == 0) {
+  const auto correction = static_cast<std::uint64_t>(correctionSteps(parameters));
+  if (variant == 0 && correction == 0) {
     // Numbers of their own: apart from those of [P1]'s methods below N = 10416, and from each
     // other below N = 7812 with the cells where they are by default.
     constexpr std::uint64_t kWindowFirst = 500'000;
@@ -331,12 +380,14 @@ int layoutNumber(const TemplateParameters& parameters) {
            1;
   }
   // All others lie above, up to 2^24: a 32-bit real still holds them. Apart from each other below
-  // N = 1712 with the cells where they are by default.
+  // N = 1712 with the cells where they are by default. Limits of
+  // the correction are spread over all numbers: there are more programs than numbers then.
   constexpr std::uint64_t kFurtherPrime = 15'777'217;
   constexpr std::uint64_t kFurtherSpread = 9'750'853;
   constexpr std::uint64_t kFurtherShift = 4'288'771;
+  constexpr std::uint64_t kCorrectionSpread = 6'026'359;
   const std::uint64_t code = ((points * kVariants + variant) * kWindowsMax + windows) * 8 + axes +
-                             where % kFurtherPrime * kCellsSpread;
+                             where % kFurtherPrime * kCellsSpread + correction * kCorrectionSpread;
   return static_cast<int>(
       kPrime + 1 +
       (code % kFurtherPrime * kFurtherSpread + kFurtherVersion * kFurtherShift) % kFurtherPrime);

@@ -30,6 +30,7 @@ enum class TemplateError {
   RotaryNeedsWindow,  ///< rotary axes with a method of [P1], which moves X, Y and Z
   TooManyAxes,        ///< more than `base::kStreamedAxesMax`
   BadAxes,            ///< letters that are no axes
+  BadCorrection,      ///< limit of the online correction out of range, or no axis or method for it
 };
 
 [[nodiscard]] std::error_code make_error_code(TemplateError code);
@@ -49,6 +50,9 @@ enum class SignalStop {
   OncePerLoop,  ///< one STOPRE per loop: the pre-run overwrites the first signal; for study only
 };
 
+/// Largest limit of the online correction: beyond it is no correction but another path.
+inline constexpr double kCorrectionLimitMmMax = 1.0;
+
 struct TemplateParameters {
   base::MethodKind method = base::MethodKind::Window;
   int pointsPerLoop = 7;  ///< N; method window: points per window
@@ -59,6 +63,9 @@ struct TemplateParameters {
   /// included, 1 to 8. As many are still executed behind a stop.
   int windowsAhead = 3;
   bool slowDown = true;  ///< method credit: lower the feed while the last window there is, is run
+  /// Methods window and credit: what a client may lay over the path of each linear axis, at most,
+  /// in steps of 0.001 mm; 0: the program has no online correction.
+  double correctionLimitMm = 0.0;
   Layout layout = Layout::Paper;
   SignalStop signalStop = SignalStop::EachSignal;
   std::array<bool, base::kAxisCount> axes{true, true, true};
@@ -93,6 +100,8 @@ struct CellMap {
   int heartbeat = 0;     ///< client: changes while it lives
   int windows = 0;       ///< k; 0: another method
   int windowStride = 0;  ///< from a cell of a window to that of the next
+  /// Client: online correction of X, Y, Z, in mm; -1: none. Behind the last slot.
+  std::array<int, base::kAxisCount> correction{-1, -1, -1};
 
   /// Cells of one slot in the order X Y Z A B C, only the chosen axes.
   /// @param slot from 0; method window: window · N + place in the window
@@ -105,17 +114,21 @@ struct CellMap {
   [[nodiscard]] int windowCount(int window) const { return firstSlot - 3 + window * windowStride; }
   [[nodiscard]] int windowFeed(int window) const { return windowCount(window) + 1; }
   [[nodiscard]] int windowCheck(int window) const { return windowCount(window) + 2; }
+  /// True if the program obeys corrections.
+  [[nodiscard]] bool corrects() const { return correction != std::array{-1, -1, -1}; }
   /// Largest R number used.
   [[nodiscard]] int last() const;
 };
 
 /// What the program of methods window and credit says in its state cell.
 enum class WindowState {
-  Runs = 0,       ///< it waits or moves
-  Done = 1,       ///< ended behind the last window
-  Stopped = 2,    ///< ended because the client said so
-  Damaged = 3,    ///< ended: a window did not fit its check number; it was not executed
-  Abandoned = 4,  ///< ended: no window and no sign of life from the client for too long
+  Runs = 0,               ///< it waits or moves
+  Done = 1,               ///< ended behind the last window
+  Stopped = 2,            ///< ended because the client said so
+  Damaged = 3,            ///< ended: a window did not fit its check number; it was not executed
+  Abandoned = 4,          ///< ended: no window and no sign of life from the client for too long
+  OverlayLeft = 5,        ///< ended before it began: something was laid over the axes already
+  OverlayIntegrates = 6,  ///< ended before it began: the control adds up corrections (MD36750)
 };
 
 /// Factors of the check number of a window, so that no window passes for another: the program and
@@ -129,6 +142,9 @@ inline constexpr double kCheckFeed = 0.917;
 /// Method credit: path override, in percent, while nothing is left behind the window in motion.
 inline constexpr int kCreditSlowPercent = 40;
 
+/// Limit of the online correction in thousandths of a millimetre, as the program has it.
+[[nodiscard]] int correctionSteps(const TemplateParameters& parameters);
+
 /// Letters of the chosen axes, e.g. "XYZAC".
 [[nodiscard]] std::string axisLetters(const TemplateParameters& parameters);
 /// Chooses the axes by their letters, in any order. @return BadAxes for anything but X Y Z A B C,
@@ -137,14 +153,16 @@ inline constexpr int kCreditSlowPercent = 40;
                                             std::string_view letters);
 
 /// Where everything lies. @return DoesNotFit (the message names the MD28050 value that would
-/// do), TooFewPointsPerLoop, NoAxis, TooManyAxes, RotaryNeedsWindow
+/// do), TooFewPointsPerLoop, NoAxis, TooManyAxes, RotaryNeedsWindow, BadCorrection
 [[nodiscard]] base::Result<CellMap> planCells(const TemplateParameters& parameters);
 
 /// Largest N that fits. 0 if none does.
 [[nodiscard]] int pointsPerLoopMax(const TemplateParameters& parameters);
 
-/// Number the program writes into the layout cell: changes with method, N, layout, axes and the
-/// version of the generator, so that a client never drives another program.
+/// Number the program writes into the layout cell: changes with method, N, layout, axes, limit of
+/// the correction and the version of the generator, so that a client never drives another program.
+/// Programs with correction that differ in the limit alone have different numbers; those that
+/// differ in more share one only by chance, about 1 in 15 million.
 [[nodiscard]] int layoutNumber(const TemplateParameters& parameters);
 
 }  // namespace rivulet::templates

@@ -157,6 +157,27 @@ constexpr int kAskingPassesMax = 100'000;
 /// has a block executed that the control holds back until it knows the next one.
 constexpr int kDryPassesMax = 25;
 
+/// Numbers of the synchronized actions that lay the corrections over X, Y and Z.
+constexpr int kCorrectionAction = 11;
+
+/// "X" with its cell and its action, for each axis that is corrected.
+struct Corrected {
+  char letter;
+  int cell;
+  int action;
+};
+
+std::vector<Corrected> correctedAxes(const CellMap& cells) {
+  std::vector<Corrected> axes;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (cells.correction[axis] >= 0) {
+      axes.push_back({base::kAxisNames[axis], cells.correction[axis],
+                      kCorrectionAction + static_cast<int>(axis)});
+    }
+  }
+  return axes;
+}
+
 std::string windowSubprogram(int file) {
   return fmt::format("RIVULET_W{}", file + 1);
 }
@@ -172,6 +193,11 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
            cells.windows == 1 ? "" : "s", axes);
   if (base::any(cells.rotaryAxes)) {
     out.line("; Rotary axes in degrees; where only they turn, the feed is in deg/min.");
+  }
+  if (cells.corrects()) {
+    out.line("; Online correction: what the last cells say is laid over the axes, also while they");
+    out.line(
+        "; stand. Its motion comes on top of the feed. It is gone again when the program ends.");
   }
   if (cells.inFiles) {
     out.line(
@@ -197,8 +223,11 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
                          : "copied by this program: their cells may be written again");
   out.line("; R{}  windows executed to the end", cells.executed);
   out.line("; R{}  number of this program's layout, checked by the client", cells.layout);
-  out.line("; R{}  state: 0 runs, 1 done, 2 stopped, 3 window damaged, 4 client silent",
-           cells.state);
+  out.line("; R{}  state: 0 runs, 1 done, 2 stopped, 3 window damaged, 4 client silent{}",
+           cells.state, cells.corrects() ? "," : "");
+  if (cells.corrects()) {
+    out.line("; 5 not begun: overlay left from before, 6 not begun: overlay adds up");
+  }
   out.line("; R{}  number of the client's run, R{} number of the run this program obeys",
            cells.client, cells.owner);
   out.line("; R{}  heartbeat of the client", cells.heartbeat);
@@ -214,6 +243,10 @@ void writeWindowHeader(Listing& out, const TemplateParameters& parameters, const
       out.line("; {}  window {} point {}: {}", slot.cells, window + 1, place + 1, axes);
     }
   }
+  for (const Corrected& axis : correctedAxes(cells)) {
+    out.line("; R{}  online correction of {} in mm, by the client; obeyed up to {:.3f}", axis.cell,
+             axis.letter, correctionSteps(parameters) / 1000.0);
+  }
   out.line(";");
 }
 
@@ -227,6 +260,68 @@ void writeCopiedPoint(Listing& out, const CellMap& cells, int place, int axisCou
   out.line("G1 {}F=RIV_F", words);
 }
 
+/// Below this an overlay is gone, mm.
+constexpr double kOverlayGoneMm = 0.0005;
+/// Passes of 20 ms in which the overlay has to be gone at the end.
+constexpr int kOverlayPassesMax = 500;
+
+/// "ABS($AA_OFF_VAL[X])>0.0005" of all axes.
+std::string overlayThere(const CellMap& cells) {
+  std::string condition;
+  for (const Corrected& axis : correctedAxes(cells)) {
+    condition += fmt::format("{}(ABS($AA_OFF_VAL[{}])>{})", condition.empty() ? "" : " OR ",
+                             axis.letter, kOverlayGoneMm);
+  }
+  return condition;
+}
+
+/// Nothing may lie over the axes when the client asks where they stand, and a control that adds up
+/// what it is given would drive away.
+void writeOverlayCheck(Listing& out, const CellMap& cells) {
+  out.line("; Only where nothing is laid over the axes, and where it is no sum (MD36750).");
+  out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayLeft));
+  out.line("IF {} GOTOF RIV_UNFIT", overlayThere(cells));
+  out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayIntegrates));
+  std::string integrates;
+  for (const Corrected& axis : correctedAxes(cells)) {
+    integrates += fmt::format("{}(($MA_AA_OFF_MODE[{}] B_AND 1)>0)",
+                              integrates.empty() ? "" : " OR ", axis.letter);
+  }
+  out.line("IF {} GOTOF RIV_UNFIT", integrates);
+  out.line("RIV_IDLE=0");
+}
+
+/// A value beyond the limit is not obeyed: what was obeyed last stays. For what is no number no
+/// comparison holds.
+void writeCorrections(Listing& out, const TemplateParameters& parameters, const CellMap& cells) {
+  const double limitMm = correctionSteps(parameters) / 1000.0;
+  for (const Corrected& axis : correctedAxes(cells)) {
+    out.line("ID={} WHENEVER ($R{}>=-{:.3f}) AND ($R{}<={:.3f}) DO $AA_OFF[{}]=$R{}", axis.action,
+             axis.cell, limitMm, axis.cell, limitMm, axis.letter, axis.cell);
+  }
+}
+
+/// The same numbers again take the place of what obeyed the client. The axes have arrived where
+/// the path ends before the program ends.
+void writeOverlayBack(Listing& out, const TemplateParameters& parameters, const CellMap& cells) {
+  out.line("RIV_OFF:");
+  for (const Corrected& axis : correctedAxes(cells)) {
+    out.line("ID={} DO $AA_OFF[{}]=0", axis.action, axis.letter);
+  }
+  out.line("RIV_IDLE=0");
+  out.line("RIV_BACK:");
+  out.line("G4 F0.02");
+  out.line("RIV_IDLE=RIV_IDLE+1");
+  out.line("IF RIV_IDLE>{} GOTOF RIV_END", kOverlayPassesMax);
+  out.line("IF {} GOTOB RIV_BACK", overlayThere(cells));
+  out.line("G4 F0.2");
+  out.line("RIV_END:");
+  out.line("M30");
+  out.line("RIV_UNFIT:");
+  out.line("R{}=RIV_IDLE R{}={}", cells.state, cells.layout, layoutNumber(parameters));
+  out.line("M30");
+}
+
 /// Behind a stop everything copied has been executed; state and end say so.
 void writeEnd(Listing& out, const CellMap& cells, std::string_view label, WindowState state,
               bool stands) {
@@ -237,7 +332,7 @@ void writeEnd(Listing& out, const CellMap& cells, std::string_view label, Window
   } else {
     out.line("R{}={}", cells.state, static_cast<int>(state));
   }
-  out.line("M30");
+  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : "M30");
 }
 
 /// Method credit: waits for the next window while those before are under way. Nothing in here goes
@@ -341,9 +436,20 @@ std::string windowTemplate(const TemplateParameters& parameters, const CellMap& 
   out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE{}", isCredit ? ",RIV_TURN,RIV_DRY" : "");
   writeResets(out, cells);
   out.line("RIV_L=0 RIV_OWN=0 RIV_B={} RIV_IDLE=0", first);
+  std::string uncorrected;
+  for (const Corrected& axis : correctedAxes(cells)) {
+    uncorrected += fmt::format("{}R{}=0", uncorrected.empty() ? "" : " ", axis.cell);
+  }
+  if (!uncorrected.empty()) {
+    out.line("{}", uncorrected);
+  }
   out.line("G90 G94 G64");
   out.line("STOPRE");
   out.line("RIV_BEAT=R{}", cells.heartbeat);
+  if (cells.corrects()) {
+    writeOverlayCheck(out, cells);
+    writeCorrections(out, parameters, cells);
+  }
   if (isCredit && parameters.slowDown) {
     out.line("; Slower while nothing is left behind the window in motion.");
     out.line("ID=1 WHENEVER ($R{}-$R{})<2 DO $AC_OVR={}", cells.latched, cells.executed,
@@ -407,10 +513,13 @@ std::string windowTemplate(const TemplateParameters& parameters, const CellMap& 
   out.line("IF RIV_K>0 GOTOB {}", next);
   out.line("STOPRE");
   out.line("R{}=RIV_L R{}={}", cells.executed, cells.state, static_cast<int>(WindowState::Done));
-  out.line("M30");
+  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : "M30");
   writeEnd(out, cells, "RIV_STOPPED", WindowState::Stopped, !isCredit);
   writeEnd(out, cells, "RIV_DAMAGED", WindowState::Damaged, !isCredit);
   writeEnd(out, cells, "RIV_LOST", WindowState::Abandoned, true);
+  if (cells.corrects()) {
+    writeOverlayBack(out, parameters, cells);
+  }
   return out.take();
 }
 
@@ -493,6 +602,8 @@ std::string templateFileName(const TemplateParameters& parameters) {
     name += fmt::format("X{}", parameters.windows);
     name += parameters.baseCell != 0 ? fmt::format("B{}", parameters.baseCell) : "";
     name += parameters.slotStride != 0 ? fmt::format("S{}", parameters.slotStride) : "";
+    const int steps = correctionSteps(parameters);
+    name += steps > 0 ? fmt::format("K{}", steps) : "";
   }
   if (parameters.method == base::MethodKind::Credit) {
     name += fmt::format("A{}{}", parameters.windowsAhead, parameters.slowDown ? "" : "F");

@@ -440,6 +440,39 @@ class TestCli : public QObject {
     QCOMPARE(run(QStringList(point) << QStringLiteral("--calibration") << kScorpion).exit, 2);
   }
 
+  /// A live source is read while the run lasts; what it holds at the start counts at once.
+  void correctsFromALiveSource() {
+    const json made = run(words("template --correction-limit 0.05 --json")).parsed();
+    QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_7X2K50.MPF"));
+    QCOMPARE(made["cells"]["correction"].get<std::vector<int>>(), (std::vector<int>{58, 59, 60}));
+    const QString source =
+        file("live.txt", "X 0.01\nwhat\n{\"y\": -0.02, \"x\": 0.9}\nneither\nZ 0.");
+    const QString recording = m_folder.filePath(QStringLiteral("corrected.rivulet"));
+    QStringList arguments{QStringLiteral("stream"), kScorpion};
+    arguments << words("--feed 1000 --simulate --json --correction-limit 0.05 --correct") << source
+              << QStringLiteral("--record") << recording;
+    const Outcome outcome = run(arguments);
+    QVERIFY2(outcome.exit == 0, qPrintable(outcome.errors));
+    QVERIFY(outcome.parsed()["faultless"].get<bool>());
+    QCOMPARE(outcome.parsed()["settings"]["correction_limit_mm"].get<double>(), 0.05);
+    QCOMPARE(outcome.errors.count(QStringLiteral("is no correction")), 1);
+    QVERIFY(outcome.errors.contains(QStringLiteral("live.txt: line 2 is no correction")));
+    QFile written(recording);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QVERIFY(written.readAll().contains("online correction in mm: X 0.0500 Y -0.0200 Z 0.0000"));
+
+    QProcess process;  // standard input
+    arguments.replaceInStrings(source, QStringLiteral("-"));
+    process.start(QStringLiteral(RIVULET_CLI), arguments);
+    process.write("Z -0.03\n");
+    QVERIFY(process.waitForBytesWritten());
+    QVERIFY(process.waitForFinished(60000));  // it does not wait for the end of the input
+    QCOMPARE(process.exitCode(), 0);
+    QFile again(recording);
+    QVERIFY(again.open(QIODevice::ReadOnly));
+    QVERIFY(again.readAll().contains("online correction in mm: X 0.0000 Y 0.0000 Z -0.0300"));
+  }
+
   void badInput_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("exit");
@@ -474,6 +507,14 @@ class TestCli : public QObject {
         << stream(kScorpion) + words("--feed 500 --endpoint opc.tcp://127.0.0.1:1") << 3;
     QTest::newRow("no recording") << QStringList{QStringLiteral("analyse"), kScorpion} << 2;
     QTest::newRow("template does not fit") << words("template --method signal --points 60") << 2;
+    QTest::newRow("correction without a limit")
+        << stream(kScorpion) + point + words("--correct -") << 2;
+    QTest::newRow("limit of the correction too large")
+        << stream(kScorpion) + point + words("--correction-limit 1.5") << 2;
+    QTest::newRow("correction with another method")
+        << stream(kScorpion) + point + words("--method signal --correction-limit 0.1") << 2;
+    QTest::newRow("no source of corrections")
+        << stream(kScorpion) + point + words("--correction-limit 0.1 --correct /nowhere") << 2;
     QTest::newRow("recording not writable")
         << stream(kScorpion) + point + words("--record /nowhere/run.rivulet") << 2;
   }

@@ -127,6 +127,37 @@ class TestSyncAction : public QObject {
     QVERIFY(std::abs(machine.state().commandMm.y) < 1e-9);
   }
 
+  /// MD36750: bit 0 adds up what is written in each cycle, bit 1 keeps the overlay over a reset and
+  /// the end of a program.
+  void overlayModeOfTheControl() {
+    machine::MachineConfig adding = config();
+    adding.overlayMode = 1;
+    Machine sum(adding, 1);
+    start(sum, "ID=1 DO $AA_OFF[Y]=$R1\nR3=$MA_AA_OFF_MODE[Y]\nG4 F100\nM30\n");
+    sum.writeRParameter(1, 0.001);
+    sum.advance(sum.now() + 1s);
+    QVERIFY(sum.state().overlayMm.y > 0.2);
+    QCOMPARE(sum.ncRParameter(3), 1.0);
+    for (const int mode : {0, 2}) {
+      machine::MachineConfig control = config();
+      control.overlayMode = mode;
+      const double stays = mode == 2 ? 0.5 : 0.0;
+      for (const bool byReset : {true, false}) {
+        Machine machine(control, 1);
+        start(machine, "ID=1 DO $AA_OFF[Y]=0.5\nG1 X60 F6000\nR1=$AA_OFF_VAL[Y]\nM30\n");
+        machine.advance(machine.now() + 200ms);
+        QCOMPARE(machine.state().overlayMm.y, 0.5);
+        if (byReset) {
+          machine.reset();
+        }
+        finish(machine);
+        machine.advance(machine.now() + 1s);
+        QCOMPARE(machine.state().overlayMm.y, stays);
+        QCOMPARE(machine.ncRParameter(1), byReset ? 0.0 : 0.5);
+      }
+    }
+  }
+
   void actionsWithoutANumberHoldForOneBlock() {
     Machine machine(config(), 1);
     start(machine, "G60 F600\nG1 X1\nDO $R1=$R1+1\nX2\nG4 F1\nX3\nM30\n");

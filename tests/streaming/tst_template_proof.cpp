@@ -55,6 +55,7 @@ class TestTemplateProof : public QObject {
   void generatedTemplateHolds();
   void brokenProgramShows_data();
   void brokenProgramShows();
+  void brokenCorrectionShows();
   void programWithErrorsIsNotRun();
 };
 
@@ -81,6 +82,12 @@ void TestTemplateProof::generatedTemplateHolds_data() {
   large.windows = 8;
   large.rParameterCount = 1100;
   QTest::newRow("window, eight of 40 points") << large;
+  TemplateParameters corrected = parametersOf(MethodKind::Window, 7);
+  corrected.correctionLimitMm = 0.1;
+  QTest::newRow("window, corrected") << corrected;
+  corrected.method = MethodKind::Credit;
+  corrected.axes = {true, false, true};
+  QTest::newRow("credit, X and Z corrected") << corrected;
   TemplateParameters packed = parametersOf(MethodKind::Position, 1);
   packed.layout = templates::Layout::Contiguous;
   packed.axes = {false, true, false};
@@ -99,7 +106,8 @@ void TestTemplateProof::generatedTemplateHolds() {
     QVERIFY2(one.holds() != (isLate && parameters.pointsPerLoop > 1), listed(proof));
     QCOMPARE(one.isRequired, !isLate);
   }
-  QCOMPARE(proof.cases.size(), base::hasWindows(parameters.method) ? 6U : 3U);
+  const std::size_t corrections = parameters.correctionLimitMm > 0.0 ? 1 : 0;
+  QCOMPARE(proof.cases.size(), base::hasWindows(parameters.method) ? 6U + corrections : 3U);
 }
 
 void TestTemplateProof::brokenProgramShows_data() {
@@ -143,6 +151,19 @@ void TestTemplateProof::brokenProgramShows() {
   QVERIFY(found != proof.cases.end());
   QVERIFY2(!found->holds(), listed(proof));
   QVERIFY(!found->message.empty());
+}
+
+/// What the lint does not see: the overlay is not waited for, or stays.
+void TestTemplateProof::brokenCorrectionShows() {
+  TemplateParameters parameters = parametersOf(MethodKind::Window, 7);
+  parameters.correctionLimitMm = 1.0;
+  std::string text = *templates::generateTemplate(parameters);
+  const std::size_t at = text.find("ID=11 DO $AA_OFF[X]=0\n");
+  QVERIFY(at != std::string::npos);
+  text.erase(at, std::string("ID=11 DO $AA_OFF[X]=0\n").size());
+  const TemplateProof proof = prove(text, parameters);
+  QVERIFY2(templates::firstError(proof.findings) == nullptr, listed(proof));
+  QVERIFY2(!proof.holds(), listed(proof));
 }
 
 void TestTemplateProof::programWithErrorsIsNotRun() {

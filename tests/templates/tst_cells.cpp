@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QtTest>
+#include <cmath>
 #include <set>
 
 #include "templates/cells.h"
@@ -351,6 +352,85 @@ class TestCells : public QObject {
     QVERIFY(templates::layoutNumber(moved) != templates::layoutNumber(window()));
   }
 
+  void correctionHasCellsBehindTheSlots() {
+    TemplateParameters parameters = window();
+    const int last = templates::planCells(parameters)->last();
+    QVERIFY(!templates::planCells(parameters)->corrects());
+    parameters.correctionLimitMm = 0.05;
+    const auto cells = templates::planCells(parameters);
+    QVERIFY(cells && cells->corrects());
+    QCOMPARE(cells->correction, (std::array{last + 1, last + 2, last + 3}));
+    QCOMPARE(cells->last(), last + 3);
+    parameters.axes = {true, false, true};
+    const auto xz = templates::planCells(parameters);
+    QCOMPARE(xz->correction[1], -1);
+    QCOMPARE(xz->correction[2], xz->correction[0] + 1);
+    QCOMPARE(xz->last(), xz->correction[2]);
+    // The largest N leaves room for them, and no more.
+    for (const int stride : {0, 5}) {
+      for (int count = 30; count < 120; ++count) {
+        parameters.slotStride = stride;
+        parameters.rParameterCount = count;
+        parameters.pointsPerLoop = templates::pointsPerLoopMax(parameters);
+        QVERIFY(parameters.pointsPerLoop == 0 || templates::planCells(parameters));
+        ++parameters.pointsPerLoop;
+        QVERIFY(!templates::planCells(parameters));
+      }
+    }
+  }
+
+  void correctionIsRefused_data() {
+    QTest::addColumn<TemplateParameters>("parameters");
+    for (const double limitMm : {-0.1, 0.0001, 1.001, 1e300, std::nan("")}) {
+      TemplateParameters parameters = window();
+      parameters.correctionLimitMm = limitMm;
+      QTest::addRow("%g mm", limitMm) << parameters;
+    }
+    TemplateParameters other = signal();
+    other.correctionLimitMm = 0.1;
+    QTest::newRow("method signal") << other;
+    TemplateParameters rotary = window();
+    rotary.correctionLimitMm = 0.1;
+    rotary.axes = {false, false, false};
+    rotary.rotaryAxes = {true, false, false};
+    QTest::newRow("no linear axis") << rotary;
+  }
+  void correctionIsRefused() {
+    QFETCH(TemplateParameters, parameters);
+    const auto refused = templates::planCells(parameters);
+    QVERIFY(!refused && refused.error().code == TemplateError::BadCorrection);
+  }
+
+  /// Every limit has its number, apart from every other limit of the same program; programs as
+  /// they are in use do not share one either.
+  void layoutNumbersTellLimitsApart() {
+    for (TemplateParameters parameters : {window(), credit()}) {
+      std::set<int> seen{templates::layoutNumber(parameters)};
+      for (int steps = 1; steps <= 1000; ++steps) {
+        parameters.correctionLimitMm = steps / 1000.0;
+        const int number = templates::layoutNumber(parameters);
+        QVERIFY(number > 0 && number < (1 << 24));
+        QVERIFY(seen.insert(number).second);
+      }
+    }
+    std::set<int> seen;
+    std::size_t count = 0;
+    for (TemplateParameters parameters : {window(), credit()}) {
+      for (const double limitMm : {0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
+        for (const int windows : {1, 2, 3, 8}) {
+          for (int n = 1; n <= 60; ++n) {
+            parameters.correctionLimitMm = limitMm;
+            parameters.windows = windows;
+            parameters.pointsPerLoop = n;
+            seen.insert(templates::layoutNumber(parameters));
+            ++count;
+          }
+        }
+      }
+    }
+    QCOMPARE(seen.size(), count);
+  }
+
   void layoutNumberIsStable() {
     // A number may change only together with the version of the generator: programs with it are
     // stored on machines.
@@ -363,6 +443,9 @@ class TestCells : public QObject {
     other.signalStop = SignalStop::OncePerLoop;  // without meaning for method position
     QCOMPARE(templates::layoutNumber(other), position);
     QCOMPARE(templates::layoutNumber({}), kWindowLayoutNumber);
+    TemplateParameters corrected;
+    corrected.correctionLimitMm = 0.1;
+    QCOMPARE(templates::layoutNumber(corrected), kCorrectedLayoutNumber);
   }
 
   void layoutNames() {
@@ -374,6 +457,7 @@ class TestCells : public QObject {
 
  private:
   static constexpr int kWindowLayoutNumber = 179345;
+  static constexpr int kCorrectedLayoutNumber = 2125029;
   static constexpr int kDefaultLayoutNumber = 149451;
 };
 

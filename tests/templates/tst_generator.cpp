@@ -68,6 +68,13 @@ class TestGenerator : public QObject {
     parameters.rParameterCount = 200;
     QTest::newRow("window_3_xz_base_40") << parameters;
     QTest::newRow("credit_7") << make(MethodKind::Credit, 7);
+    TemplateParameters corrected = make(MethodKind::Window, 2);
+    corrected.correctionLimitMm = 0.1;
+    QTest::newRow("window_2_corrected") << corrected;
+    corrected.method = MethodKind::Credit;
+    corrected.axes = {true, false, true};
+    corrected.correctionLimitMm = 0.025;
+    QTest::newRow("credit_2_xz_corrected") << corrected;
   }
   void goldenWindow() { golden(); }
 

@@ -69,6 +69,8 @@ class TestLint : public QObject {
   void generatedTemplatesAreClean();
   void brokenTemplateIsCaught_data();
   void brokenTemplateIsCaught();
+  void brokenCorrectionIsCaught_data();
+  void brokenCorrectionIsCaught();
   void studyTemplateIsWarnedOf();
   void handWrittenLoopsAreFollowed();
   void boundsOfCellsAreFollowed();
@@ -85,7 +87,7 @@ void TestLint::generatedTemplatesAreClean() {
     }
     ++looked;
     const auto findings = lint(*text, parameters);
-    QVERIFY2(findings.empty(), (*text + "\n").c_str() + listed(findings));
+    QVERIFY2(findings.empty(), listed(findings) + (*text + "\n").c_str());
   };
   using Axes = std::array<bool, base::kAxisCount>;
   for (const Axes axes :
@@ -112,6 +114,8 @@ void TestLint::generatedTemplatesAreClean() {
         parameters.baseCell = windows == 3 ? 40 : 0;
         parameters.slotStride = windows == 2 ? 5 : 0;
         parameters.rParameterCount = 400;
+        isClean(parameters);
+        parameters.correctionLimitMm = 0.01 * windows;
         isClean(parameters);
       }
     }
@@ -261,6 +265,67 @@ void TestLint::brokenTemplateIsCaught() {
   const bool isWarning = rule == LintRule::RapidMotion || rule == LintRule::FeedNotFromClient ||
                          rule == LintRule::NoEnd;
   QCOMPARE(templates::firstError(findings) == nullptr, isWarning);
+}
+
+void TestLint::brokenCorrectionIsCaught_data() {
+  QTest::addColumn<std::string>("find");
+  QTest::addColumn<std::string>("replace");
+  QTest::addColumn<LintRule>("rule");
+  QTest::addColumn<std::string>("where");
+  const auto row = [](const char* name, const char* find, const char* replace, LintRule rule,
+                      const char* where) {
+    QTest::newRow(name) << std::string(find) << std::string(replace) << rule << std::string(where);
+  };
+  const LintRule unbounded = LintRule::CorrectionUnbounded;
+  row("no limit", "ID=12 WHENEVER ($R59>=-0.100) AND ($R59<=0.100) DO", "ID=12 DO", unbounded,
+      "ID=12 DO $AA_OFF[Y]=$R59\nID=13");
+  row("no lower limit", "($R58>=-0.100) AND ", "", unbounded, "ID=11");
+  row("limit too high", "($R58<=0.100)", "($R58<=0.101)", unbounded, "ID=11");
+  row("either limit", "($R58>=-0.100) AND", "($R58>=-0.100) OR", unbounded, "ID=11");
+  row("limit of another cell", "($R58<=0.100)", "($R59<=0.100)", unbounded, "ID=11");
+  row("cell of another axis", "$AA_OFF[X]=$R58", "$AA_OFF[X]=$R59", unbounded, "ID=11");
+  row("doubled", "$AA_OFF[X]=$R58", "$AA_OFF[X]=2*$R58", unbounded, "ID=11");
+  row("halved", "$AA_OFF[X]=$R58", "$AA_OFF[X]=0.5*$R58", unbounded, "ID=11");
+  row("the other way", "$AA_OFF[X]=$R58", "$AA_OFF[X]=-$R58", unbounded, "ID=11");
+  row("beside the limit", "$AA_OFF[X]=$R58", "$AA_OFF[X]=$R58+1", unbounded, "ID=11");
+  row("a fixed overlay", "ID=11 DO $AA_OFF[X]=0\n", "ID=11 DO $AA_OFF[X]=0.01\n", unbounded,
+      "ID=11 DO $AA_OFF[X]=0.01");
+  row("no action", "ID=13 WHENEVER ($R60>=-0.100) AND ($R60<=0.100) DO $AA_OFF[Z]=$R60\n", "",
+      LintRule::CorrectionIgnored, "M30");
+  row("once only", "ID=13 WHENEVER", "ID=13 WHEN", unbounded, "ID=13 WHEN");
+  row("the end waits for ever", "IF RIV_IDLE>500 GOTOF RIV_END\n", "", LintRule::StopCheckMissing,
+      "IF (ABS($AA_OFF_VAL[X])>0.0005) OR (ABS($AA_OFF_VAL[Y])>0.0005) OR "
+      "(ABS($AA_OFF_VAL[Z])>0.0005) GOTOB");
+  row("cells cleared too late", "RIV_NEXT:\n", "R58=0\nRIV_NEXT:\n",
+      LintRule::ClientCellOverwritten, "R58=0\nRIV_NEXT");
+  row("layout number without correction", "R4=", "R4=1", LintRule::WrongLayoutNumber, "");
+}
+
+/// The correction of method window is exactly what the client writes, within the limit.
+void TestLint::brokenCorrectionIsCaught() {
+  QFETCH(std::string, find);
+  QFETCH(std::string, replace);
+  QFETCH(LintRule, rule);
+  QFETCH(std::string, where);
+  TemplateParameters parameters = parametersOf(MethodKind::Window);
+  parameters.correctionLimitMm = 0.1;
+  std::string text = generated(parameters);
+  const std::size_t at = text.find(find);
+  QVERIFY(at != std::string::npos);
+  text.replace(at, find.size(), replace);
+  const std::vector<LintFinding> findings = lint(text, parameters);
+  const auto found = std::find_if(findings.begin(), findings.end(), [rule](const LintFinding& one) {
+    return one.rule == rule && one.severity == LintSeverity::Error;
+  });
+  QVERIFY2(found != findings.end(), text.c_str() + listed(findings));
+  if (!where.empty()) {
+    unsigned line = lineOf(text, where);
+    line += where.front() == '\n' ? 1 : 0;
+    if (rule == LintRule::CorrectionIgnored) {
+      line = found->line.value;  // what is missing is told at the end
+    }
+    QCOMPARE(found->line.value, line);
+  }
 }
 
 void TestLint::studyTemplateIsWarnedOf() {

@@ -77,6 +77,9 @@ struct ErrorTexts {
         return tr("The cells of method window are out of range. See base, stride and windows.");
       case TemplateError::FileNotWritable:
         return tr("The file cannot be written. Choose another folder.");
+      case TemplateError::BadCorrection:
+        return tr(
+            "The online correction is possible with method window, for X, Y and Z, up to 1 mm.");
       case TemplateError::RotaryNeedsWindow:
         return tr("Only method window streams rotary axes. Choose it.");
       case TemplateError::TooManyAxes:
@@ -198,6 +201,14 @@ struct ErrorTexts {
         return tr(
             "The control does not let Rivulet write and read part programs. Grant the OPC UA user "
             "these rights, or bring the template there by hand.");
+      case StreamError::OverlayLeft:
+        return tr(
+            "Something is laid over the axes already. Take it back at the control: reset it, wait, "
+            "and see that $AA_OFF is 0.");
+      case StreamError::OverlayIntegrates:
+        return tr(
+            "The control adds up what is laid over its axes (MD36750 bit 0). Set the bit to 0, or "
+            "do without online correction.");
       case StreamError::Cancelled:
         return tr("The test was broken off. Reset the control if its program still runs.");
       case StreamError::NotCommissioned:

@@ -59,6 +59,8 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_feed(new QDoubleSpinBox(this)),
       m_layoutLabel(new QLabel(this)),
       m_layout(new QComboBox(this)),
+      m_correctionLabel(new QLabel(this)),
+      m_correction(new QDoubleSpinBox(this)),
       m_accessLabel(new QLabel(this)),
       m_access(new QComboBox(this)),
       m_pausesGroup(new QGroupBox(this)),
@@ -100,6 +102,10 @@ MethodPanel::MethodPanel(QWidget* parent)
   m_feed->setSingleStep(50.0);
   m_feed->setSuffix(QStringLiteral("\u00A0mm/min"));
   m_feed->setGroupSeparatorShown(true);
+  m_correction->setDecimals(3);
+  m_correction->setRange(0.0, templates::kCorrectionLimitMmMax);
+  m_correction->setSingleStep(0.01);
+  m_correction->setSuffix(QStringLiteral("\u00A0mm"));
   auto* form = new QFormLayout(m_settingsGroup);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setHorizontalSpacing(16);
@@ -115,6 +121,7 @@ MethodPanel::MethodPanel(QWidget* parent)
   addRow(m_deltaLabel, m_delta);
   addRow(m_feedLabel, m_feed);
   addRow(m_layoutLabel, m_layout);
+  addRow(m_correctionLabel, m_correction);
   addRow(m_accessLabel, m_access);
 
   m_planned->setWordWrap(true);
@@ -153,6 +160,7 @@ MethodPanel::MethodPanel(QWidget* parent)
   connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_points, &QSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_delta, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
+  connect(m_correction, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_feed, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_useFeed, &QPushButton::clicked, this, [this] {
     if (const auto offer = m_verdict ? offeredFeedMmPerS(m_verdict->feedMmPerSMax) : std::nullopt) {
@@ -213,6 +221,12 @@ void MethodPanel::retranslate() {
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
+  m_correctionLabel->setText(tr("Correction up to"));
+  m_correction->setSpecialValueText(tr("none"));
+  m_correction->setToolTip(
+      tr("What may be laid over each axis while the run lasts. The control must not add it up "
+         "(MD36750 bit 0), and its own limit (SD43350) should be no larger."));
+  m_correctionLabel->setToolTip(m_correction->toolTip());
   m_layout->setItemText(0, tr("Paper (R11, R21 …)"));
   m_layout->setItemText(1, tr("Contiguous (R10 …)"));
   m_accessLabel->setText(tr("Access"));
@@ -276,6 +290,8 @@ void MethodPanel::showSettings() {
                   "control and used. The report names it.")
              : tr("Automatic: lists, as this method was published. Arrays need the contiguous "
                   "layout."));
+  m_correction->setValue(m_settings.parameters.correctionLimitMm);
+  m_correction->setEnabled(m_editable && window);
   m_delta->setEnabled(m_editable && usesDelta());
   m_delta->setToolTip(usesDelta()
                           ? tr("Distance from the tool at which a point counts as reached")
@@ -292,6 +308,7 @@ void MethodPanel::takeSettings() {
   m_settings.parameters.layout = static_cast<templates::Layout>(m_layout->currentData().toInt());
   m_settings.access = static_cast<AccessOrder>(m_access->currentData().toInt());
   m_settings.parameters.pointsPerLoop = m_points->value();
+  m_settings.parameters.correctionLimitMm = isWindow() ? m_correction->value() : 0.0;
   // The fields round; a value the operator did not touch keeps its digits.
   if (std::abs(m_delta->value() - m_settings.deltaMm) > 5e-4) {
     m_settings.deltaMm = m_delta->value();

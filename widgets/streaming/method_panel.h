@@ -87,6 +87,8 @@ class MethodPanel final : public Page {
   QDoubleSpinBox* m_feed;
   QLabel* m_layoutLabel;
   QComboBox* m_layout;
+  QLabel* m_correctionLabel;
+  QDoubleSpinBox* m_correction;
   QLabel* m_accessLabel;
   QComboBox* m_access;
 

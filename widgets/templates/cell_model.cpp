@@ -53,7 +53,8 @@ int CellModel::rowCount(const QModelIndex& parent) const {
     return 0;
   }
   return m_cells->windows > 0
-             ? WindowRowCount + m_cells->windows * (OwnRowCount + m_cells->pointsPerLoop)
+             ? WindowRowCount + m_cells->windows * (OwnRowCount + m_cells->pointsPerLoop) +
+                   (m_cells->corrects() ? 1 : 0)
              : FixedRowCount + m_cells->pointsPerLoop;
 }
 
@@ -113,6 +114,21 @@ QString CellModel::pointText(int slot, const QString& role, int column) const {
   return tr("Client");
 }
 
+QString CellModel::correctionText(int column) const {
+  QStringList axes;
+  QStringList numbers;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (m_cells->correction[axis] >= 0) {
+      axes.append(QString(QLatin1Char(base::kAxisNames[axis])));
+      numbers.append(cellName(m_cells->correction[axis]));
+    }
+  }
+  const QLatin1Char blank(' ');
+  return column == Role         ? tr("Online correction: %1").arg(axes.join(blank))
+         : column == Parameters ? numbers.join(blank)
+                                : tr("Client");
+}
+
 QString CellModel::windowText(int row, int column) const {
   const templates::CellMap& cells = *m_cells;
   const auto pick = [column](const QString& role, int number, const QString& writer) {
@@ -124,6 +140,9 @@ QString CellModel::windowText(int row, int column) const {
     const int perWindow = OwnRowCount + cells.pointsPerLoop;
     const int window = (row - WindowRowCount) / perWindow;
     const int own = (row - WindowRowCount) % perWindow;
+    if (window >= cells.windows) {
+      return correctionText(column);
+    }
     const QString number = QString::number(window + 1);
     switch (own) {
       case Count:

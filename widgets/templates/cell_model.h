@@ -33,6 +33,7 @@ class CellModel final : public QAbstractTableModel {
  private:
   [[nodiscard]] QString text(int row, int column) const;
   [[nodiscard]] QString windowText(int row, int column) const;
+  [[nodiscard]] QString correctionText(int column) const;
   /// @param role  with one place left for the names of the axes
   [[nodiscard]] QString pointText(int slot, const QString& role, int column) const;
 

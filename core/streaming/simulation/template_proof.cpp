@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 #include "streaming/job.h"
@@ -42,6 +44,15 @@ class Orders final : public RunSink, public RunOrders {
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
   bool stopRequested(Instant now) override { return stopAt && now >= *stopAt; }
+  /// From one end of the range to the other, each axis in its own time, and beyond.
+  base::Vec3 correctionMm(Instant now) override {
+    const double s = base::toSeconds(now.time_since_epoch());
+    const auto swing = [this, s](double perS) {
+      return 1.5 * correctionLimitMm * std::sin(perS * s);
+    };
+    return {swing(0.7), swing(0.9), swing(1.1)};
+  }
+  double correctionLimitMm = 0.0;
 };
 
 /// To and fro within the axes' limits; on each way between the points of the ways before.
@@ -102,6 +113,7 @@ class Trial {
 
   const RunReport& run(std::optional<Duration> stopAfter = {}) {
     Orders orders;
+    orders.correctionLimitMm = m_settings.parameters.correctionLimitMm;
     orders.stopAt = m_machine.now() + stopAfter.value_or(kLimit);
     m_report = runJob(m_link, m_link, *m_program, m_settings, orders, orders);
     return m_report;
@@ -124,12 +136,37 @@ class Trial {
     const trace::Integrity seen = trace::judgeIntegrity(points(), m_machine.trace().blocks, kSameMm,
                                                         m_settings.parameters.rotaryAxes);
     if (seen.isFaultless()) {
-      return {};
+      return wrongOverlay();
     }
     return fmt::format(
         "{} points repeated, {} skipped, {} out of order, {} moves to where no "
         "point is",
         seen.repeated, seen.skipped, seen.outOfOrder, seen.foreign);
+  }
+
+  /// Watches what lies over the path; to be called while the machine runs.
+  void watchOverlay() {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const double overlayMm = std::abs(m_machine.state().overlayMm[axis]);
+      m_overlayMmMax.set(axis, std::max(m_overlayMmMax[axis], overlayMm));
+    }
+  }
+  [[nodiscard]] base::Vec3 overlayMmMax() const { return m_overlayMmMax; }
+
+  /// What was laid over the path and should not have been; empty: nothing.
+  [[nodiscard]] std::string wrongOverlay() const {
+    const double limitMm = m_settings.parameters.correctionLimitMm;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const double allowedMm = m_settings.parameters.axes[axis] ? limitMm : 0.0;
+      if (m_overlayMmMax[axis] > allowedMm + kSameMm) {
+        return fmt::format("{} was corrected by {} mm, and {} is the limit", base::kAxisNames[axis],
+                           m_overlayMmMax[axis], allowedMm);
+      }
+    }
+    if (hasEnded() && base::norm(m_machine.state().overlayMm) > kStillMm) {
+      return "the program ended with a correction over the axes";
+    }
+    return {};
   }
 
   [[nodiscard]] std::string notCompleted() const {
@@ -172,6 +209,7 @@ class Trial {
   FaultyLink m_link;
   RunSettings m_settings;
   base::AxisPosition m_start;
+  base::Vec3 m_overlayMmMax;
   RunReport m_report;
 };
 
@@ -225,7 +263,39 @@ class Prover {
   }
 
  private:
+  /// A foreign hand on the cells as well: what is beyond the limit.
+  void addCorrectionCase() {
+    const templates::CellMap cells = *templates::planCells(m_parameters);
+    add("correction", true, 3, {}, [&](Trial& trial) {
+      std::size_t written = 0;
+      trial.link().onTime = [&] {
+        trial.watchOverlay();
+        constexpr std::array<double, 4> kWrong{2.0, -3.0, 1e9, -1e300};
+        if (m_turn > 0 && ++written % 40 == 0) {
+          const double wrong = kWrong[written / 40 % kWrong.size()];
+          for (const int cell : cells.correction) {
+            if (cell >= 0) {
+              trial.machine().writeRParameter(cell, m_parameters.correctionLimitMm * wrong);
+            }
+          }
+        }
+      };
+      trial.run();
+      std::string missing;
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (cells.correction[axis] >= 0 &&
+            trial.overlayMmMax()[axis] < 0.5 * m_parameters.correctionLimitMm) {
+          missing = "a correction was asked for, and the axes did not follow it";
+        }
+      }
+      return firstOf(firstOf(trial.wrongMotion(), trial.notCompleted()), missing);
+    });
+  }
+
   void addWindowCases() {
+    if (m_parameters.correctionLimitMm > 0.0) {
+      addCorrectionCase();
+    }
     LinkFaults bad;
     bad.delayProbability = 0.05;
     bad.delayMax = std::chrono::seconds{5};

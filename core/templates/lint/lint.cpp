@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -24,6 +26,25 @@ using machine::NcProgram;
 using machine::Statement;
 
 constexpr int kUnknownNameAlarm = 12550;
+
+/// Asks a synchronized action with one cell at a value, everything else being `others`.
+class CorrectionProbe final : public machine::ValueSource {
+ public:
+  CorrectionProbe(int cell, double value, double others)
+      : m_cell(cell), m_value(value), m_others(others) {}
+  [[nodiscard]] std::optional<double> value(int index) const override {
+    return index == m_cell ? m_value : m_others;
+  }
+  [[nodiscard]] std::optional<double> local(int, int) const override { return m_others; }
+  [[nodiscard]] std::optional<double> system(machine::SystemVariable, int) const override {
+    return m_others;
+  }
+
+ private:
+  int m_cell;
+  double m_value;
+  double m_others;
+};
 
 /// What is known when control arrives at a statement. "Must" facts hold on every path to it, "may"
 /// facts on one at least.
@@ -169,6 +190,10 @@ class Linter {
   /// Method credit has synchronized actions: one tells how far the axes are, one lowers the feed.
   void lookAtSync(base::LineNumber line, const machine::SyncAction& action) {
     for (const machine::SyncAssignment& assignment : action.assignments) {
+      if (assignment.variable == machine::SystemVariable::AaOff && m_cells.corrects()) {
+        lookAtCorrection(line, action, assignment);
+        continue;
+      }
       const ValueSet value = evaluate(assignment.value, {}).result;
       const ValueSet index = evaluate(assignment.index, {}).result;
       const bool isCertain = !index.isUnknown && index.values.size() == 1;
@@ -188,6 +213,62 @@ class Linter {
         warn(LintRule::NotChecked, line,
              "What a synchronized action writes is not followed. Leave it out.");
       }
+    }
+  }
+
+  /// What an action lays over an axis: nothing, or what the client asks within the limit.
+  void lookAtCorrection(base::LineNumber line, const machine::SyncAction& action,
+                        const machine::SyncAssignment& assignment) {
+    const ValueSet index = evaluate(assignment.index, {}).result;
+    const bool isCertain = !index.isUnknown && index.values.size() == 1;
+    const auto axis = isCertain ? static_cast<std::size_t>(index.values.front()) : base::kAxisCount;
+    const int cell = axis < base::kAxisCount ? m_cells.correction[axis] : -1;
+    const double limitMm = correctionSteps(m_parameters) / 1000.0;
+    constexpr double kSameMm = 1e-9;
+    constexpr int kSteps = 1000;
+    // Far beyond the limit, at it, and all between; then what is no number.
+    std::vector<double> values{1e9,
+                               -1e9,
+                               limitMm + 1e-4,
+                               -limitMm - 1e-4,
+                               limitMm,
+                               -limitMm,
+                               std::numeric_limits<double>::quiet_NaN()};
+    for (int step = -kSteps; step <= kSteps; ++step) {
+      values.push_back(2.0 * limitMm * step / kSteps);
+    }
+    bool isBounded = cell >= 0;
+    bool follows = cell >= 0;
+    bool isZero = true;
+    for (const double others : {0.0, 0.37, 1e6}) {
+      for (const double value : values) {
+        const CorrectionProbe probe(cell, value, others);
+        machine::Alarm alarm;
+        const auto holds = action.condition ? action.condition->evaluate(probe, alarm) : 1.0;
+        const auto laid = assignment.value.evaluate(probe, alarm);
+        const bool isDue = holds && *holds != 0.0;
+        // Where a condition cannot be answered, the control gives an alarm and lays nothing.
+        isBounded = isBounded && (!isDue || (laid && std::abs(*laid) <= limitMm + kSameMm));
+        isZero = isZero && (!isDue || (laid && *laid == 0.0));
+        if (std::abs(value) <= limitMm) {
+          follows = follows && isDue && laid && std::abs(*laid - value) <= kSameMm;
+        }
+      }
+    }
+    if (!isBounded) {
+      error(LintRule::CorrectionUnbounded, line,
+            fmt::format("The action may lay more over an axis than {:.3f} mm, or what is no "
+                        "number, or over an axis that has no correction. Let it act only "
+                        "while the cell of the axis lies within the limit.",
+                        limitMm));
+    } else if (follows && action.trigger != machine::SyncTrigger::When &&
+               action.trigger != machine::SyncTrigger::Every) {
+      m_corrected.insert(cell);
+    } else if (!isZero) {
+      error(LintRule::CorrectionUnbounded, line,
+            fmt::format("The action lays something else over the axis than R{} says. Write "
+                        "$R{} there, in each cycle in which it lies within the limit.",
+                        cell, cell));
     }
   }
 
@@ -545,7 +626,7 @@ class Linter {
                      });
     }
     findCycles(asksStop, [this](const std::vector<std::size_t>& cycle) {
-      if (!lasts(cycle)) {
+      if (!lasts(cycle) || waitsForOverlay(cycle)) {
         return;
       }
       error(LintRule::StopCheckMissing, m_statements[cycle.back()].line,
@@ -612,6 +693,26 @@ class Linter {
     });
   }
 
+  /// At the end of a program with correction: the axes go back to the path. It asks the main run,
+  /// moves nothing and counts its passes.
+  [[nodiscard]] bool waitsForOverlay(const std::vector<std::size_t>& cycle) const {
+    bool asksMainRun = false;
+    bool counts = false;
+    for (const std::size_t at : cycle) {
+      if (std::holds_alternative<machine::MotionStatement>(m_statements[at].what)) {
+        return false;
+      }
+      const std::vector<std::size_t> next = nextOf(at);
+      const bool asks = next.size() > 1 && conditionReads(at).empty();
+      asksMainRun = asksMainRun || (asks && m_statements[at].readsMainRun);
+      counts = counts || (asks && !m_statements[at].readsMainRun &&
+                          std::any_of(next.begin(), next.end(), [&](std::size_t to) {
+                            return std::find(cycle.begin(), cycle.end(), to) == cycle.end();
+                          }));
+    }
+    return m_cells.corrects() && asksMainRun && counts;
+  }
+
   /// A loop that does not wait and ends by what it computes needs no question for a stop.
   [[nodiscard]] bool lasts(const std::vector<std::size_t>& cycle) const {
     bool leaves = false;
@@ -651,6 +752,15 @@ class Linter {
         return;
       }
     }
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const int cell = m_cells.correction[axis];
+      if (cell >= 0 && !m_corrected.contains(cell)) {
+        error(LintRule::CorrectionIgnored, last,
+              fmt::format("Nothing lays R{} over {}: the client would take for corrected what is "
+                          "not. Write a synchronized action that does, within the limit.",
+                          cell, base::kAxisNames[axis]));
+      }
+    }
     if (!m_isWindow && !m_usesClientFeed) {
       warn(LintRule::FeedNotFromClient, last,
            fmt::format("R{}, the feed of the client, is never used: the verdict on feasibility "
@@ -669,6 +779,7 @@ class Linter {
   int m_stopCell = 0;
   std::set<int> m_slotCells;
   std::set<int> m_slotsRead;
+  std::set<int> m_corrected;  ///< cells an action lays over their axis
   bool m_usesClientFeed = false;
   bool m_reports = false;
   std::vector<State> m_before;
@@ -686,7 +797,7 @@ std::error_code make_error_code(LintError code) {
 }
 
 std::string_view lintRuleName(LintRule rule) {
-  static constexpr std::array<std::string_view, 21> kNames{
+  static constexpr std::array<std::string_view, 23> kNames{
       "syntax",
       "unknown-name",
       "missing-label",
@@ -708,6 +819,8 @@ std::string_view lintRuleName(LintRule rule) {
       "not-checked",
       "no-end",
       "feed-raised",
+      "correction-unbounded",
+      "correction-ignored",
   };
   return kNames[static_cast<std::size_t>(rule) - 1];
 }

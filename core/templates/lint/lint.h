@@ -35,13 +35,16 @@ enum class LintRule {
   FeedNotFromClient,      ///< the feed the client writes is never used
   SlotNotRead,            ///< a coordinate of the client that no block moves to
   ClientCellOverwritten,  ///< a cell of the client written once the client may use it
-  MotionFromCells,  ///< methods window and credit: motion from the cells instead of the checked
-                    ///< copy
-  RelativeMotion,   ///< coordinates taken as increments
-  RapidMotion,      ///< G0: the feed has no effect
-  NotChecked,       ///< what lies in another program is not seen from here
-  NoEnd,            ///< the program runs off its last line
-  FeedRaised,       ///< method credit: an override above 100 %
+  MotionFromCells,      ///< methods window and credit: motion from the cells instead of the checked
+                        ///< copy
+  RelativeMotion,       ///< coordinates taken as increments
+  RapidMotion,          ///< G0: the feed has no effect
+  NotChecked,           ///< what lies in another program is not seen from here
+  NoEnd,                ///< the program runs off its last line
+  FeedRaised,           ///< method credit: an override above 100 %
+  CorrectionUnbounded,  ///< online correction: laid over an axis beyond the limit, or the wrong
+                        ///< cell
+  CorrectionIgnored,    ///< online correction: nothing lays a cell of the client over its axis
 };
 
 /// "stopre-missing", ...

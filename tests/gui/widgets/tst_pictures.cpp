@@ -4,6 +4,8 @@
 // One picture of every page, in both themes and both languages, in the folder `pictures` of the
 // build: to be looked at, and checked here for what a program can check.
 
+#include <QComboBox>
+#include <QSlider>
 #include <QTest>
 #include <functional>
 #include <memory>
@@ -22,6 +24,7 @@
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/report_panel.h"
 #include "widgets/streaming/run_panel.h"
@@ -66,6 +69,24 @@ std::unique_ptr<QWidget> runPanel(streaming::RunState state) {
     update.stopConfirmedAfter = std::chrono::milliseconds{830};
   }
   panel->setUpdate(update);
+  return panel;
+}
+
+/// @param live  nothing: by hand
+std::unique_ptr<QWidget> correctionPanel(const std::optional<LiveSourceView>& live) {
+  auto panel = std::make_unique<CorrectionPanel>();
+  panel->setLimit(0.1, {true, true, true});
+  panel->setRunning(true);
+  panel->setCorrection(streaming::Correction{{0.012, -0.1, 0.03}, {0.012, -0.085, 0.03}});
+  if (live) {
+    panel->findChild<QComboBox*>()->setCurrentIndex(1);
+    panel->setLiveSource(*live);
+  } else {
+    const auto sliders = panel->findChildren<QSlider*>();
+    sliders.at(0)->setValue(12);
+    sliders.at(1)->setValue(-100);
+    sliders.at(2)->setValue(30);
+  }
   return panel;
 }
 
@@ -284,6 +305,17 @@ std::vector<Sample> samples() {
       {"path_isometric", {640, 520}, [] { return pathView(true); }},
       {"method_feasible", {380, 560}, [] { return methodPanel(MethodKind::Position, 60.0); }},
       {"method_infeasible", {380, 560}, [] { return methodPanel(MethodKind::Signal, 4000.0); }},
+      {"correction_hand", {360, 420}, [] { return correctionPanel(std::nullopt); }},
+      {"correction_live",
+       {360, 520},
+       [] {
+         return correctionPanel(LiveSourceView{true, true, false, 0});
+       }},
+      {"correction_silent",
+       {360, 520},
+       [] {
+         return correctionPanel(LiveSourceView{true, true, true, 0});
+       }},
       {"run_idle", {380, 380}, [] { return runPanel(RunState::Idle); }},
       {"run_running", {380, 380}, [] { return runPanel(RunState::Running); }},
       {"run_aborted", {380, 380}, [] { return runPanel(RunState::Aborted); }},

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Online correction of a run: what is laid over the path of each axis, by hand or from a live
+/// source, and what the control has confirmed of it. A source that falls silent changes nothing:
+/// the last value is held, and the panel says so.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "base/axes.h"
+#include "streaming/run.h"
+#include "widgets/common/page.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QSpinBox;
+
+namespace rivulet::widgets {
+
+class StatusLabel;
+
+/// Where corrections come from.
+struct CorrectionInput {
+  bool isLive = false;    ///< false: by hand
+  int port = 47550;       ///< UDP port of this computer alone
+  double silenceS = 2.0;  ///< without a datagram for this long: silent
+
+  friend bool operator==(const CorrectionInput&, const CorrectionInput&) = default;
+};
+
+/// What a live source is doing.
+struct LiveSourceView {
+  bool isOpen = false;      ///< the port could be opened
+  bool hasValue = false;    ///< a correction has come since the run began
+  bool isSilent = false;    ///< nothing for longer than `CorrectionInput::silenceS`
+  std::size_t unknown = 0;  ///< lines that were no correction
+};
+
+class CorrectionPanel final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit CorrectionPanel(QWidget* parent = nullptr);
+
+  /// Shown only where there is a limit. @param limitMm  0: the program has no correction
+  void setLimit(double limitMm, const std::array<bool, base::kAxisCount>& axes);
+  /// A run has begun (everything begins at zero) or ended.
+  void setRunning(bool running);
+  /// What the stream reports.
+  void setCorrection(const std::optional<streaming::Correction>& correction);
+  void setLiveSource(const LiveSourceView& view);
+  [[nodiscard]] const CorrectionInput& input() const { return m_input; }
+
+ Q_SIGNALS:
+  /// By hand, in mm.
+  void correctionRequested(const rivulet::base::Vec3& valueMm);
+  void inputChanged(const rivulet::widgets::CorrectionInput& input);
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+  /// A wheel that scrolls the column must not move the machine.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Axis {
+    QLabel* name;
+    QSlider* slider;
+    QDoubleSpinBox* field;
+    QLabel* confirmed;
+  };
+
+  void takeValue(std::size_t axis, double valueMm);
+  void takeInput();
+  void setZero();
+  void showValues();
+  void showStatus();
+
+  double m_limitMm = 0.0;
+  bool m_isRunning = false;
+  bool m_isShowing = false;  ///< fields are being filled, not edited
+  base::Vec3 m_valueMm;      ///< by hand
+  CorrectionInput m_input;
+  LiveSourceView m_live;
+  std::optional<streaming::Correction> m_correction;
+
+  QGroupBox* m_group;
+  QLabel* m_confirmedName;
+  std::array<Axis, base::kAxisCount> m_axes{};
+  QPushButton* m_zero;
+  QLabel* m_sourceName;
+  QComboBox* m_source;
+  QLabel* m_portName;
+  QSpinBox* m_port;
+  QLabel* m_silenceName;
+  QDoubleSpinBox* m_silence;
+  StatusLabel* m_status;
+};
+
+}  // namespace rivulet::widgets
