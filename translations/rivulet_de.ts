@@ -1783,7 +1783,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished">keine</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>What may be laid over each axis while the run lasts. The control must not add it up (MD36750 bit 0), and its own limit (SD43350) should be no larger.</source>
