@@ -2410,6 +2410,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>%1 (proved)</source>
         <translation>%1 (erprobt)</translation>
     </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ResumeBar</name>

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "report/machine_profile.h"

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
-
 #include "opcua/error.h"
 #include "report/report_json.h"
 
@@ -15,15 +13,6 @@ namespace rivulet::cli {
 void printJson(const nlohmann::ordered_json& json) {
   // A file name may hold bytes that are no UTF-8: they are replaced, the rest stays readable.
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
-std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
 }
 
 Exit exitFor(const base::Error& error) {

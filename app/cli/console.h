@@ -25,9 +25,6 @@ void printJson(const nlohmann::ordered_json& json);
 /// @return the exit code that belongs to the error
 Exit reportError(const base::Error& error, bool asJson);
 
-/// The present time, "2026-05-04T09:30:00Z".
-[[nodiscard]] std::string utcNow();
-
 /// The exit code for a failure: connection trouble is 3, everything else that was given 2.
 [[nodiscard]] Exit exitFor(const base::Error& error);
 

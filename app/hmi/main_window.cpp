@@ -1180,7 +1180,12 @@ feasibility::AccessModel MainWindow::accessModel() {
   if (!m_access.isUsed()) {
     return {};
   }
-  if (window) {
+  // As the run will: see `runSettings`.
+  const widgets::AccessOrder ordered = m_settings.stream.access;
+  if (ordered == widgets::AccessOrder::Single) {
+    m_access.form = opcua::Grouping::Single;
+  } else if (ordered == widgets::AccessOrder::Array ||
+             (window && ordered == widgets::AccessOrder::Automatic)) {
     m_access.form = m_access.record->calibration.best();
   }
   return report::accessModel(m_access.record->calibration, m_access.form);

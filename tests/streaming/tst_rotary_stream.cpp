@@ -301,6 +301,7 @@ class TestRotaryStream : public QObject {
   /// Stopped or reset anywhere, the run goes on with the point that is due, by the angles too.
   void goesOnWhereItWasLeft() {
     const gcode::Program program = programFrom(kFiveAxisText);
+    std::size_t resumed = 0;
     for (const bool isReset : {false, true}) {
       for (double afterS = 1.0; afterS < 12.0; afterS += 1.0) {
         World world;
@@ -321,9 +322,13 @@ class TestRotaryStream : public QObject {
         QVERIFY(first.checkpoint.has_value());
         const auto resume =
             streaming::resumeFrom(world.link, program, first.settings, *first.checkpoint);
-        if (!resume && isReset) {
-          continue;  // the tool stands where the path passes twice, or beside it
+        const auto points =
+            gcode::streamPoints(program.trajectory, world.machine.config().start().mm).points;
+        const base::RotarySet axes = world.settings.parameters.rotaryAxes;
+        if (!resume && (isReset || examine(world.machine.trace(), points, axes).isEmpty())) {
+          continue;  // the path passes there twice, or the stop came behind the last point
         }
+        ++resumed;
         QVERIFY2(
             resume.has_value(),
             qPrintable(QString::fromStdString(resume ? std::string() : resume.error().text())));
@@ -336,14 +341,44 @@ class TestRotaryStream : public QObject {
         for (const trace::ExecutedBlock& block : second.controlTrace->blocks) {
           blocks.push_back(block);
         }
-        const auto points =
-            gcode::streamPoints(program.trajectory, world.machine.config().start().mm).points;
         const trace::Integrity whole =
             trace::judgeIntegrity(points, blocks, 1e-6, world.settings.parameters.rotaryAxes);
         QCOMPARE(whole.skipped + whole.outOfOrder + whole.foreign, std::size_t{0});
         QCOMPARE(world.machine.state().commandDeg[2], points.back().rotaryDeg[2]);
       }
     }
+    QVERIFY(resumed > 8);
+  }
+
+  /// A program of a CAM system for a machine with A and C.
+  void programOfTheCorpus() {
+    const QString path =
+        QStringLiteral(RIVULET_SOURCE_DIR "/../shared/corpus/linuxcnc/boat-xyzac.ngc");
+    if (!QFile::exists(path)) {
+      QSKIP("the corpus is not here");
+    }
+    gcode::LoadOptions options;
+    options.accepted = {"G54"};
+    const auto program = gcode::loadProgram(path.toStdString(), options);
+    QVERIFY(program.has_value());
+    QVERIFY(program->isStreamable());
+    World world;
+    world.settings.feedMmPerS = 50.0;
+    world.settings.monitor = false;
+    world.settings.parameters =
+        streaming::withTurnedAxes(world.settings.parameters, program->trajectory);
+    QCOMPARE(templates::axisLetters(world.settings.parameters), std::string("XYZAC"));
+    world.settings.parameters.pointsPerLoop = 14;
+    const RunReport report = world.run(*program);
+    QVERIFY2(report.outcome == Outcome::Completed,
+             qPrintable(QString::fromStdString(report.error.text())));
+    QVERIFY(report.isFaultless());
+    const QString wrong =
+        examine(*report.controlTrace,
+                gcode::streamPoints(program->trajectory, world.machine.config().start().mm).points,
+                world.settings.parameters.rotaryAxes);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+    qInfo("%zu points in %.0f s", report.integrity.executed, base::toSeconds(report.duration));
   }
 
   void pointAheadKnowsAngles() {

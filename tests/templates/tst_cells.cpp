@@ -6,6 +6,7 @@
 #include <set>
 
 #include "templates/cells.h"
+#include "templates/generator.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -78,6 +79,64 @@ class TestCells : public QObject {
     const auto cells = templates::planCells(parameters);
     QVERIFY(cells.has_value());
     QCOMPARE(cells->slotCells(1), (std::vector<int>{21, 23}));
+  }
+
+  /// Five cells per point, in the order X Y Z A B C; the check number has a factor for each.
+  void rotaryAxesFollowTheOthers() {
+    TemplateParameters parameters = window();
+    QVERIFY(templates::chooseAxes(parameters, "CAXYZ"));
+    QCOMPARE(templates::axisLetters(parameters), std::string("XYZAC"));
+    parameters.pointsPerLoop = 3;
+    const auto cells = templates::planCells(parameters);
+    QVERIFY(cells.has_value());
+    QCOMPARE(cells->slotCells(0), (std::vector<int>{13, 14, 15, 16, 17}));
+    QCOMPARE(cells->slotCells(1), (std::vector<int>{18, 19, 20, 21, 22}));
+    QCOMPARE(cells->windowStride, 3 + 5 * 3);
+    const auto text = templates::generateTemplate(parameters);
+    QVERIFY(text.has_value());
+    QVERIFY(text->find("G1 X=RIV_C[0] Y=RIV_C[1] Z=RIV_C[2] A=RIV_C[3] C=RIV_C[4] F=RIV_F") !=
+            std::string::npos);
+    for (int number = 0; number < 15; ++number) {
+      QVERIFY(text->find("*RIV_C[" + std::to_string(number) + "]") != std::string::npos);
+    }
+    QVERIFY(templates::chooseAxes(parameters, "A"));
+    QCOMPARE(templates::planCells(parameters)->slotCells(1), std::vector<int>{14});
+  }
+
+  void rotaryAxesAreRefusedWhereTheyCannotBe() {
+    TemplateParameters parameters = window();
+    for (const char* letters : {"XQ", "xyz", "XX", "AA", "X Y"}) {
+      const auto chosen = templates::chooseAxes(parameters, letters);
+      QVERIFY(!chosen && chosen.error().code == TemplateError::BadAxes);
+      QCOMPARE(templates::axisLetters(parameters), std::string("XYZ"));
+    }
+    QVERIFY(templates::chooseAxes(parameters, "XYZABC"));
+    QVERIFY(templates::planCells(parameters).error().code == TemplateError::TooManyAxes);
+    QVERIFY(templates::chooseAxes(parameters, "XYZB"));
+    for (const MethodKind method : base::kPaperMethods) {
+      parameters.method = method;
+      QVERIFY(templates::planCells(parameters).error().code == TemplateError::RotaryNeedsWindow);
+    }
+  }
+
+  /// A client for other axes never drives the program, and programs without rotary axes keep the
+  /// numbers they had.
+  void layoutNumbersTellRotaryAxesApart() {
+    std::set<int> numbers;
+    std::size_t count = 0;
+    for (unsigned axes = 1; axes < 64; ++axes) {
+      TemplateParameters parameters = window();
+      parameters.axes = {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0};
+      parameters.rotaryAxes = {(axes & 8) != 0, (axes & 16) != 0, (axes & 32) != 0};
+      for (parameters.windows = 1; parameters.windows <= 8; ++parameters.windows) {
+        for (parameters.pointsPerLoop = 1; parameters.pointsPerLoop < 60;
+             ++parameters.pointsPerLoop) {
+          numbers.insert(templates::layoutNumber(parameters));
+          ++count;
+        }
+      }
+    }
+    QCOMPARE(numbers.size(), count);
   }
 
   void contiguousLayoutHasNoGaps() {

@@ -247,7 +247,7 @@ class TestRecording : public QObject {
     const auto newer = parseRecording("rivulet-recording 3\nanything\n");
     QVERIFY(!newer);
     QVERIFY(newer.error().code == TraceError::NewerVersion);
-    QVERIFY(newer.error().message.find("format 2") != std::string::npos);
+    QVERIFY(newer.error().message.find("format 3") != std::string::npos);
     for (const char* text : {"G1 X0\n", "rivulet-control-trace 1 cycle_ns=4\n", "\n",
                              "rivulet-recording\n", "rivulet-recording x\n", "riv-x"}) {
       const auto other = parseRecording(text);

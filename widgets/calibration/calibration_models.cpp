@@ -17,7 +17,9 @@ QVariant alignment(bool isText) {
 }
 
 QString timeText(base::Duration duration) {
-  return numberText(base::toMilliseconds(duration), 2);
+  constexpr double kLongMs = 100.0;  // a second decimal would only take room
+  const double ms = base::toMilliseconds(duration);
+  return numberText(ms, ms >= kLongMs ? 1 : 2);
 }
 
 int perMilleOf(int column) {

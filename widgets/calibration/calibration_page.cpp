@@ -14,6 +14,7 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "feasibility/access_model.h"
@@ -35,13 +36,12 @@ constexpr int kShotsMax = 100'000;
 constexpr int kMinutesMax = 600;
 constexpr int kMinutes = 10;
 
-/// Rows of a calibration are many: those in sight are enough to size the columns by.
-QTableView* makeTable(QAbstractItemModel* model, QWidget* parent) {
+QTableView* makeTable(QAbstractItemModel* model, QHeaderView::ResizeMode columns, QWidget* parent) {
   auto* table = new QTableView(parent);
   styleTable(table);
   table->setModel(model);
-  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table->horizontalHeader()->setStretchLastSection(true);
+  table->horizontalHeader()->setSectionResizeMode(columns);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   return table;
 }
 
@@ -111,12 +111,12 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   lines->setContentsMargins(0, 6, 0, 0);
   lines->addWidget(m_lines, 3);
   lines->addWidget(m_linesLegend);
-  m_fitTable = makeTable(m_fits, this);
+  m_fitTable = makeTable(m_fits, QHeaderView::Stretch, this);
   lines->addWidget(m_fitTable, 2);
   auto* spreadPage = new QWidget(this);
   auto* spread = new QVBoxLayout(spreadPage);
   spread->setContentsMargins(0, 6, 0, 0);
-  m_seriesTable = makeTable(m_series, this);
+  m_seriesTable = makeTable(m_series, QHeaderView::ResizeToContents, this);
   spread->addWidget(m_seriesTable, 3);
   spread->addWidget(m_histogram, 3);
   spread->addWidget(m_histogramLegend);
@@ -170,6 +170,12 @@ void CalibrationPage::setRecord(std::shared_ptr<const streaming::CalibrationReco
   m_series->setSeries(
       calibration != nullptr ? calibration->series : std::vector<streaming::AccessSeries>{},
       calibration != nullptr ? calibration->plan.shots : 0);
+  // The usual number of shots carries no 99.9 %: the room is for the others.
+  const bool rare =
+      calibration != nullptr &&
+      std::any_of(calibration->series.begin(), calibration->series.end(),
+                  [](const auto& series) { return series.percentile(999).has_value(); });
+  m_seriesTable->setColumnHidden(SeriesModel::P999, !rare);
   if (m_series->rowCount() > 0) {
     m_seriesTable->selectRow(0);
   }

@@ -174,6 +174,8 @@ void ReportPanel::showReport() {
         return tr("Signal");
       case base::MethodKind::Credit:
         return tr("Credit (experimental)");
+      case base::MethodKind::File:
+        return tr("File");
       case base::MethodKind::Window:
         break;
     }
