@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -54,6 +53,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     axis = {new QLabel(QString(QLatin1Char(base::kAxisNames[i])), this),
             new QSlider(Qt::Horizontal, this), new QDoubleSpinBox(this), makeValueLabel(this)};
     axis.slider->setMinimumHeight(kTouchHeightPx);
+    axis.slider->setTickPosition(QSlider::TicksBelow);  // the ends and zero
     axis.field->setMinimumHeight(kFieldHeightPx);
     axis.field->setDecimals(3);
     axis.field->setSingleStep(0.001);
@@ -111,6 +111,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
   rows->addWidget(m_status);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_group);
+  layout->addStretch();
 
   connect(m_zero, &QPushButton::clicked, this, &CorrectionPanel::setZero);
   connect(m_source, &QComboBox::currentIndexChanged, this, &CorrectionPanel::takeInput);
@@ -127,6 +128,7 @@ void CorrectionPanel::setLimit(double limitMm, const std::array<bool, base::kAxi
   for (std::size_t i = 0; i < m_axes.size(); ++i) {
     const Axis& axis = m_axes[i];
     axis.slider->setRange(-stepsOf(limitMm), stepsOf(limitMm));
+    axis.slider->setTickInterval(std::max(stepsOf(limitMm), 1));
     axis.field->setRange(-limitMm, limitMm);
     for (QWidget* widget :
          {static_cast<QWidget*>(axis.name), static_cast<QWidget*>(axis.slider),
@@ -263,7 +265,6 @@ void CorrectionPanel::retranslate() {
 }
 
 void CorrectionPanel::restyle() {
-  m_zero->setIcon(themedIcon(QStringLiteral("clear"), themeColors(palette()).text));
   setMuted(m_confirmedName, palette());
 }
 
