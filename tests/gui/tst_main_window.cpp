@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,9 +14,11 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QStandardPaths>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QUdpSocket>
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -33,6 +36,7 @@
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
+#include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/resume_bar.h"
 #include "widgets/streaming/run_panel.h"
 #include "widgets/trace/trace_page.h"
@@ -328,6 +332,50 @@ class TestMainWindow : public QObject {
     QVERIFY(recording->complete);
     QCOMPARE(recording->end->outcome, std::string("stopped"));
     // The next start finds the machine ready again.
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+
+  /// By the slider, then by a datagram: the control confirms it, the axes are displaced by it, and
+  /// at the end it is gone.
+  void correctsWhileItRuns() {
+    widgets::StreamSettings stream = streamSettings(base::MethodKind::Window, 7, 0.3, 1500.0);
+    stream.parameters.correctionLimitMm = 0.1;
+    open(stream);
+    auto* panel = m_window->findChild<widgets::CorrectionPanel*>();
+    QVERIFY(panel->isVisible());
+    const auto sliders = panel->findChildren<QSlider*>();
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
+    sliders.at(2)->setValue(80);
+    const auto confirmed = [this] {
+      const auto& correction = m_window->lastUpdate().correction;
+      return correction ? correction->confirmedMm : base::Vec3{};
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(confirmed(), (base::Vec3{0.0, 0.0, 0.08}), kSoonMs);
+    const auto source = panel->findChild<QComboBox*>();
+    source->setCurrentIndex(1);
+    QCOMPARE(confirmed().z, 0.08);  // held until the source says something
+    QUdpSocket socket;
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (socket.writeDatagram("Y -0.05 Z 0.02", QHostAddress(QHostAddress::LocalHost),
+                              static_cast<quint16>(panel->input().port)),
+         confirmed() == base::Vec3{0.0, -0.05, 0.02}),
+        kSoonMs);
+    QVERIFY(finished.wait(kRunMs));
+    const auto report = m_window->lastReport();
+    QVERIFY2(report->outcome == Outcome::Completed, report->error.text().c_str());
+    QVERIFY(report->integrity.isFaultless());
+    QCOMPARE(report->integrity.executed, kScorpionPoints);
+    const trace::ControlTrace& seen = *report->controlTrace;
+    const auto isBelow = [&seen](double mm) {
+      return std::any_of(seen.samples.begin(), seen.samples.end(),
+                         [mm](const trace::ControlSample& sample) {
+                           return std::abs(std::remainder(sample.commandMm.z, 1.0) - mm) < 1e-9;
+                         });
+    };
+    QVERIFY(isBelow(0.08) && isBelow(0.02));
+    QVERIFY(!sliders.at(2)->isEnabled());
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
   }
 

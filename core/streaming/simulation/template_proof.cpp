@@ -225,6 +225,9 @@ class Prover {
       : m_text(text), m_parameters(parameters), m_config(std::move(config)) {
     m_config = withRotaryAxes(std::move(m_config), parameters.rotaryAxes);
     m_config.rParameterCount = parameters.rParameterCount;
+    // The program itself has to take corrections back: this control keeps what lies over its axes.
+    constexpr int kKeepsOverlay = 2;
+    m_config.overlayMode = kKeepsOverlay;
   }
 
   std::vector<ProofCase> run() {
