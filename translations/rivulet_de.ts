@@ -837,6 +837,10 @@ GPL-3.0-or-later</translation>
         <source>Access: %1.</source>
         <translation>Zugriff: %1.</translation>
     </message>
+    <message>
+        <source>Save the template on its page as %1, copy it to the part programs of the control, select it in channel 1 and press cycle start. The axes move only once it has shown its layout number %2.</source>
+        <translation>Speichern Sie das Programm auf seiner Seite als %1, kopieren Sie es zu den Teileprogrammen der Steuerung, wählen Sie es im Kanal 1 an und drücken Sie NC-Start. Die Achsen fahren erst, wenn es seine Layoutnummer %2 gezeigt hat.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::CalibrationPage</name>
@@ -1788,6 +1792,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>What may be laid over each axis while the run lasts. The control must not add it up (MD36750 bit 0), and its own limit (SD43350) should be no larger.</source>
         <translation>Was jeder Achse während des Laufs überlagert werden darf. Die Steuerung darf es nicht aufsummieren (MD36750 Bit 0), und ihre eigene Grenze (SD43350) soll nicht größer sein.</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation type="unfinished">Vorlage</translation>
+    </message>
+    <message>
+        <source>brought by hand</source>
+        <translation>von Hand gebracht</translation>
+    </message>
+    <message>
+        <source>For a control that gives no right to its part programs: you store the template there, select it and press cycle start. The run waits for that.</source>
+        <translation>Für eine Steuerung, die kein Recht an ihren Teileprogrammen gibt: Sie legen das Programm dort ab, wählen es an und drücken NC-Start. Der Lauf wartet darauf.</translation>
     </message>
 </context>
 <context>

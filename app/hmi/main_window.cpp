@@ -870,6 +870,8 @@ streaming::RunSettings MainWindow::runSettings() const {
   settings.parameters = parameters();
   settings.deltaMm = stream.deltaMm;
   settings.feedMmPerS = stream.feedMmPerS;
+  settings.transfer =
+      stream.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
   switch (stream.access) {
     case widgets::AccessOrder::Automatic:
       // The methods of the paper are kept as they were published.
@@ -978,6 +980,15 @@ bool MainWindow::startRun(std::optional<streaming::Resume> resume) {
     log(Severity::Note, tr("Start. The tool first moves %1 in a straight line to the first point.")
                             .arg(widgets::lengthText(base::distance(*m_machine.positionMm,
                                                                     points().front().positionMm))));
+  }
+  if (settings.transfer == streaming::TransferWay::ByHand) {
+    m_messages->showMessage(
+        Severity::Note,
+        tr("Save the template on its page as %1, copy it to the part programs of the control, "
+           "select it in channel 1 and press cycle start. The axes move only once it has shown its "
+           "layout number %2.")
+            .arg(QString::fromStdString(templates::templateFileName(settings.parameters)))
+            .arg(templates::layoutNumber(settings.parameters)));
   }
   // The processors belong to the stream.
   m_region.cancel();

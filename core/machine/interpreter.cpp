@@ -278,21 +278,26 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
   }
   Alarm alarm;
   const double unit = m_inches ? kMmPerInch : 1.0;
+  // Where a word leads, from where its axis stands. Nothing: `alarm` says why.
+  const auto resolve = [&](const Coordinate& word, double from, double scale) {
+    const std::optional<double> value = word.value.evaluate(View(*this), alarm);
+    const bool absolute = word.reference == Coordinate::Reference::Modal
+                              ? m_absolute
+                              : word.reference == Coordinate::Reference::Absolute;
+    return value ? std::optional(absolute ? scale * *value : from + scale * *value) : std::nullopt;
+  };
   const base::Vec3 programmedFrom = m_programmedMm;
   base::Vec3 target = m_endMm;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (!statement.axes[axis]) {
       continue;
     }
-    const Coordinate& word = *statement.axes[axis];
-    const std::optional<double> value = word.value.evaluate(View(*this), alarm);
-    if (!value) {
+    const std::optional<double> programmed =
+        resolve(*statement.axes[axis], m_programmedMm[axis], unit);
+    if (!programmed) {
       return alarm;
     }
-    const bool absolute = word.reference == Coordinate::Reference::Modal
-                              ? m_absolute
-                              : word.reference == Coordinate::Reference::Absolute;
-    m_programmedMm.set(axis, absolute ? unit * *value : m_programmedMm[axis] + unit * *value);
+    m_programmedMm.set(axis, *programmed);
     target.set(axis, m_programmedMm[axis] + m_translationMm[axis]);
   }
   if (m_isRotated) {
@@ -303,15 +308,11 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
     if (!statement.rotary[axis] || !m_rotaryAxes[axis]) {
       continue;
     }
-    const Coordinate& word = *statement.rotary[axis];
-    const std::optional<double> value = word.value.evaluate(View(*this), alarm);
-    if (!value) {
+    const std::optional<double> degrees = resolve(*statement.rotary[axis], m_endDeg[axis], 1.0);
+    if (!degrees) {
       return alarm;
     }
-    const bool absolute = word.reference == Coordinate::Reference::Modal
-                              ? m_absolute
-                              : word.reference == Coordinate::Reference::Absolute;
-    targetDeg[axis] = absolute ? *value : m_endDeg[axis] + *value;
+    targetDeg[axis] = *degrees;
   }
   const base::Vec3 from = m_endMm;
   PreparedMotion motion;

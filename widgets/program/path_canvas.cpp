@@ -210,11 +210,7 @@ std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
   double nearestEnd = 0.0;
   std::optional<std::size_t> found;
   for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) {
-    const PlaneBox& box = boxes[chunk];
-    const QPointF upperLeft = onScreen({box.left, box.high});
-    const QPointF lowerRight = onScreen({box.right, box.low});
-    if (place.x() < upperLeft.x() - kNearPx || place.x() > lowerRight.x() + kNearPx ||
-        place.y() < upperLeft.y() - kNearPx || place.y() > lowerRight.y() + kNearPx) {
+    if (!isNear(boxes[chunk], place)) {
       continue;
     }
     const std::size_t first = chunk * kChunkMoves;
@@ -241,6 +237,13 @@ std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
   return found;
 }
 
+bool PathCanvas::isNear(const PlaneBox& box, QPointF place) const {
+  const QPointF upperLeft = onScreen({box.left, box.high});
+  const QPointF lowerRight = onScreen({box.right, box.low});
+  return place.x() >= upperLeft.x() - kNearPx && place.x() <= lowerRight.x() + kNearPx &&
+         place.y() >= upperLeft.y() - kNearPx && place.y() <= lowerRight.y() + kNearPx;
+}
+
 std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
   if (!hasPath() || !m_pauses) {
     return std::nullopt;
@@ -249,11 +252,7 @@ std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
   double nearest = kNearPx;
   std::optional<Pause> found;
   for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) {
-    const PlaneBox& box = boxes[chunk];
-    const QPointF upperLeft = onScreen({box.left, box.high});
-    const QPointF lowerRight = onScreen({box.right, box.low});
-    if (place.x() < upperLeft.x() - kNearPx || place.x() > lowerRight.x() + kNearPx ||
-        place.y() < upperLeft.y() - kNearPx || place.y() > lowerRight.y() + kNearPx) {
+    if (!isNear(boxes[chunk], place)) {
       continue;
     }
     // Of two in one place the one in the cut is told: it is the one that is drawn.

@@ -151,6 +151,8 @@ class PathCanvas final : public QWidget {
   void drawChosen(QPainter& painter) const;
   void drawTool(QPainter& painter) const;
   [[nodiscard]] QPointF onScreen(PlanePoint place) const;
+  /// Whether something in the box may be as near as a finger is.
+  [[nodiscard]] bool isNear(const PlaneBox& box, QPointF place) const;
   [[nodiscard]] double gridStepMm() const;
 
   Texts m_texts;

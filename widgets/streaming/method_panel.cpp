@@ -3,6 +3,7 @@
 
 #include "widgets/streaming/method_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -63,6 +64,8 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_correction(new QDoubleSpinBox(this)),
       m_accessLabel(new QLabel(this)),
       m_access(new QComboBox(this)),
+      m_transferLabel(new QLabel(this)),
+      m_byHand(new QCheckBox(this)),
       m_pausesGroup(new QGroupBox(this)),
       m_plannedLabel(new QLabel(this)),
       m_planned(makeValueLabel(this)),
@@ -123,6 +126,7 @@ MethodPanel::MethodPanel(QWidget* parent)
   addRow(m_layoutLabel, m_layout);
   addRow(m_correctionLabel, m_correction);
   addRow(m_accessLabel, m_access);
+  addRow(m_transferLabel, m_byHand);
 
   m_planned->setWordWrap(true);
   m_cost->setWordWrap(true);
@@ -158,6 +162,7 @@ MethodPanel::MethodPanel(QWidget* parent)
   connect(m_method, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_layout, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
+  connect(m_byHand, &QCheckBox::toggled, this, &MethodPanel::takeSettings);
   connect(m_points, &QSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_delta, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_correction, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
@@ -234,6 +239,11 @@ void MethodPanel::retranslate() {
   m_access->setItemText(1, tr("Arrays, or no start"));
   m_access->setItemText(2, tr("Lists"));
   m_access->setItemText(3, tr("One by one"));
+  m_transferLabel->setText(tr("Template"));
+  m_byHand->setText(tr("brought by hand"));
+  m_byHand->setToolTip(
+      tr("For a control that gives no right to its part programs: you store the template there, "
+         "select it and press cycle start. The run waits for that."));
   m_isShowing = wasShowing;
   m_pausesGroup->setTitle(tr("Pauses"));
   m_plannedLabel->setText(tr("Planned"));
@@ -274,11 +284,13 @@ void MethodPanel::showSettings() {
   m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_settings.parameters.method)));
   m_layout->setCurrentIndex(m_layout->findData(static_cast<int>(m_settings.parameters.layout)));
   m_access->setCurrentIndex(m_access->findData(static_cast<int>(m_settings.access)));
+  m_byHand->setChecked(m_settings.transferByHand);
   m_points->setValue(m_settings.parameters.pointsPerLoop);
   m_delta->setValue(m_settings.deltaMm);
   m_feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
   for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_points),
-                         static_cast<QWidget*>(m_feed), static_cast<QWidget*>(m_access)}) {
+                         static_cast<QWidget*>(m_feed), static_cast<QWidget*>(m_access),
+                         static_cast<QWidget*>(m_byHand)}) {
     field->setEnabled(m_editable);
   }
   const bool window = isWindow();
@@ -307,6 +319,7 @@ void MethodPanel::takeSettings() {
   m_settings.parameters.method = static_cast<base::MethodKind>(m_method->currentData().toInt());
   m_settings.parameters.layout = static_cast<templates::Layout>(m_layout->currentData().toInt());
   m_settings.access = static_cast<AccessOrder>(m_access->currentData().toInt());
+  m_settings.transferByHand = m_byHand->isChecked();
   m_settings.parameters.pointsPerLoop = m_points->value();
   m_settings.parameters.correctionLimitMm = isWindow() ? m_correction->value() : 0.0;
   // The fields round; a value the operator did not touch keeps its digits.

@@ -13,6 +13,7 @@
 #include "widgets/common/page.h"
 #include "widgets/streaming/stream_settings.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGroupBox;
@@ -91,6 +92,8 @@ class MethodPanel final : public Page {
   QDoubleSpinBox* m_correction;
   QLabel* m_accessLabel;
   QComboBox* m_access;
+  QLabel* m_transferLabel;
+  QCheckBox* m_byHand;
 
   QGroupBox* m_pausesGroup;
   QLabel* m_plannedLabel;

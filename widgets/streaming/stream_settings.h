@@ -22,6 +22,7 @@ struct StreamSettings {
   double deltaMm = 0.3;                      ///< δ, > 0; used by method position
   double feedMmPerS = 500.0 / 60.0;          ///< > 0
   AccessOrder access = AccessOrder::Automatic;
+  bool transferByHand = false;  ///< a person brings the template to the control; not remembered
 };
 
 }  // namespace rivulet::widgets

@@ -134,6 +134,27 @@ template <class T>
   return reading;
 }
 
+/// A request to call one method; borrows all it is made of, and points into itself.
+struct MethodCall {
+  MethodCall(UA_NodeId object, UA_NodeId method, std::span<UA_Variant> inputs,
+             UA_UInt32 timeoutHint) {
+    UA_CallMethodRequest_init(&item);
+    item.objectId = object;
+    item.methodId = method;
+    item.inputArguments = inputs.data();
+    item.inputArgumentsSize = inputs.size();
+    UA_CallRequest_init(&request);
+    request.requestHeader.timeoutHint = timeoutHint;
+    request.methodsToCall = &item;
+    request.methodsToCallSize = 1;
+  }
+  MethodCall(const MethodCall&) = delete;
+  MethodCall& operator=(const MethodCall&) = delete;
+
+  UA_CallMethodRequest item;
+  UA_CallRequest request;
+};
+
 /// What a request addresses as one: a variable, or R-parameters that follow one another.
 struct Node {
   Variable first;
@@ -678,19 +699,10 @@ UA_StatusCode UaLink::Impl::sendCall(Pending& pending, UA_UInt32 timeoutHint, vo
   std::array inputs{borrowScalar(target, UA_TYPES_STRING), borrowScalar(data, UA_TYPES_BYTESTRING),
                     borrowScalar(mayOverwrite, UA_TYPES_BOOLEAN)};
   const std::string methodIdentifier = memberIdentifier(m_fileMethods, kCopyToServer);
-  UA_CallMethodRequest item;
-  UA_CallMethodRequest_init(&item);
-  item.objectId = borrowNodeId(m_namespace, m_fileMethods);
-  item.methodId = borrowNodeId(m_namespace, methodIdentifier);
-  item.inputArguments = inputs.data();
-  item.inputArgumentsSize = inputs.size();
-  UA_CallRequest request;
-  UA_CallRequest_init(&request);
-  request.requestHeader.timeoutHint = timeoutHint;
-  request.methodsToCall = &item;
-  request.methodsToCallSize = 1;
+  MethodCall method(borrowNodeId(m_namespace, m_fileMethods),
+                    borrowNodeId(m_namespace, methodIdentifier), inputs, timeoutHint);
   pending.isCalled = true;
-  return __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_CALLREQUEST],
+  return __UA_Client_AsyncService(m_client, &method.request, &UA_TYPES[UA_TYPES_CALLREQUEST],
                                   &Impl::onAnswer, &UA_TYPES[UA_TYPES_CALLRESPONSE], serial,
                                   nullptr);
 }
@@ -915,21 +927,12 @@ base::Result<CallResponse> UaLink::Impl::call(UA_UInt16 namespaceIndex, std::str
                                               std::string_view method,
                                               std::span<UA_Variant> inputs) {
   const std::string methodIdentifier = memberIdentifier(object, method);
-  UA_CallMethodRequest item;
-  UA_CallMethodRequest_init(&item);
-  item.objectId = borrowNodeId(namespaceIndex, object);
-  item.methodId = borrowNodeId(namespaceIndex, methodIdentifier);
-  item.inputArguments = inputs.data();
-  item.inputArgumentsSize = inputs.size();
-  UA_CallRequest request;
-  UA_CallRequest_init(&request);
-  request.requestHeader.timeoutHint = timeoutHintMs(m_options.commandDeadline);
-  request.methodsToCall = &item;
-  request.methodsToCallSize = 1;
-
+  MethodCall call(borrowNodeId(namespaceIndex, object),
+                  borrowNodeId(namespaceIndex, methodIdentifier), inputs,
+                  timeoutHintMs(m_options.commandDeadline));
   CallResponse response;
   UA_StatusCode status =
-      exchange(&request, &UA_TYPES[UA_TYPES_CALLREQUEST], response.get(), CallResponse::type(),
+      exchange(&call.request, &UA_TYPES[UA_TYPES_CALLREQUEST], response.get(), CallResponse::type(),
                addSaturating(now(), m_options.commandDeadline));
   if (!isBad(status)) {
     status = response->resultsSize == 1 ? response->results[0].statusCode

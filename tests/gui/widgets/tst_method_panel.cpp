@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -98,6 +99,18 @@ class TestMethodPanel : public QObject {
     for (const QComboBox* box : panel.findChildren<QComboBox*>()) {
       QCOMPARE(box->isEnabled(), box->count() > 2);  // the layout is that of the method
     }
+  }
+
+  void theTemplateMayComeByHand() {
+    widgets::MethodPanel panel;
+    auto* const byHand = panel.findChild<QCheckBox*>();
+    QVERIFY(byHand != nullptr && !byHand->isChecked());
+    QSignalSpy changed(&panel, &widgets::MethodPanel::settingsChanged);
+    byHand->click();
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(panel.settings().transferByHand);
+    panel.setEditable(false);
+    QVERIFY(!byHand->isEnabled());
   }
 
   void deltaBelongsToMethodPosition() {
