@@ -79,6 +79,7 @@ void TestMethodComparison::creditHasNoPausesOnTime() {
     QCOMPARE(std::stod(row("credit", feed)[4]), 0.0);
     QVERIFY(std::stod(row("window", feed)[3]) >= 19.0);
     QVERIFY(std::stod(row("credit", feed)[5]) < std::stod(row("window", feed)[5]));
+    QCOMPARE(std::stod(row("credit", feed)[9]), 0.0);
   }
 }
 

@@ -126,7 +126,8 @@ MethodPanel::MethodPanel(QWidget* parent)
   addRow(m_layoutLabel, m_layout);
   addRow(m_correctionLabel, m_correction);
   addRow(m_accessLabel, m_access);
-  addRow(m_transferLabel, m_byHand);
+  m_transferLabel->setBuddy(m_byHand);
+  form->addRow(m_transferLabel, m_byHand);  // rarely touched: no row as high as a finger
 
   m_planned->setWordWrap(true);
   m_cost->setWordWrap(true);

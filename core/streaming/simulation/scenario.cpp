@@ -43,11 +43,15 @@ class TimeLimit final : public RunSink, public RunOrders {
 
 }  // namespace
 
-RunReport simulate(const Scenario& scenario) {
+RunReport simulate(const Scenario& scenario, ServiceLoad* load) {
   machine::Machine machine(scenario.machine, scenario.seed);
   SimulatedLink link(machine);
   TimeLimit watcher(scenario.limit);
-  return runJob(link, link, *scenario.program, scenario.settings, watcher, watcher);
+  RunReport report = runJob(link, link, *scenario.program, scenario.settings, watcher, watcher);
+  if (load != nullptr) {
+    *load = link.served();
+  }
+  return report;
 }
 
 std::shared_ptr<const gcode::Program> programOf(const std::vector<base::Vec3>& pointsMm) {

@@ -15,6 +15,7 @@
 #include "gcode/program.h"
 #include "machine/config.h"
 #include "streaming/run.h"
+#include "streaming/simulation/simulated_link.h"
 
 namespace rivulet::streaming {
 
@@ -29,7 +30,8 @@ struct Scenario {
 };
 
 /// Runs it from preflight to the oracle's judgement.
-[[nodiscard]] RunReport simulate(const Scenario& scenario);
+/// @param load  where the machine's account of the accesses goes; may be null
+[[nodiscard]] RunReport simulate(const Scenario& scenario, ServiceLoad* load = nullptr);
 
 /// Program whose points are streamed as they are.
 [[nodiscard]] std::shared_ptr<const gcode::Program> programOf(

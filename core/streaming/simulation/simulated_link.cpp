@@ -71,20 +71,26 @@ void SimulatedLink::beginNode(Request& request) {
   // A list is one request; single accesses are one request each, sent when the last is answered.
   if (!request.begun || request.grouping == opcua::Grouping::Single) {
     m_machine.beginRequest(request.kind, request.begun ? now() : request.sent);
+    ++m_served.requests;
   }
   request.begun = true;
   if (!request.program.empty()) {
     request.nextDoneAt = m_machine.serveProgram(request.text.size());
     return;
   }
-  request.nextDoneAt = m_machine.serveNode();
+  request.nextDoneAt = serveNode();
   const std::size_t length = nodeLength(request);
   const machine::ArrayAccess& arrays = m_machine.config().access.arrays;
   if (length > 1 && offers(request.grouping) && arrays.charge == machine::ArrayCharge::Element) {
     for (std::size_t element = 1; element < length; ++element) {
-      request.nextDoneAt = m_machine.serveNode();
+      request.nextDoneAt = serveNode();
     }
   }
+}
+
+base::Instant SimulatedLink::serveNode() {
+  ++m_served.nodes;
+  return m_machine.serveNode();
 }
 
 bool SimulatedLink::isServed(const Request& request) {
@@ -288,6 +294,7 @@ base::Result<void> SimulatedLink::selectProgram(const std::string& name) {
 }
 
 base::Result<void> SimulatedLink::cycleStart() {
+  m_served = {};
   return m_machine.cycleStart();
 }
 

@@ -17,6 +17,12 @@
 
 namespace rivulet::streaming {
 
+/// What the variable service of the machine has done.
+struct ServiceLoad {
+  std::size_t requests = 0;
+  std::size_t nodes = 0;  ///< elements of an array that is charged by the element count each
+};
+
 class SimulatedLink final : public opcua::Link, public opcua::Control {
  public:
   /// @param machine  must outlive the link
@@ -24,6 +30,9 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
 
   /// Looks on: called in front of each R-parameter that is written, at the machine's time.
   std::function<void(base::RequestId request, int cell, double value)> onWrite;
+
+  /// Since the program was started last; storing a program is a request without nodes.
+  [[nodiscard]] const ServiceLoad& served() const { return m_served; }
 
   [[nodiscard]] base::Instant now() const override { return m_machine.now(); }
   base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
@@ -64,6 +73,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
 
   base::RequestId submit(Request request, base::Duration deadline);
   void beginNode(Request& request);
+  [[nodiscard]] base::Instant serveNode();
   /// True once nothing is left to be served.
   [[nodiscard]] static bool isServed(const Request& request);
   /// Variables of the node to be served.
@@ -75,6 +85,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   [[nodiscard]] opcua::Reading readVariable(const opcua::Variable& variable) const;
 
   machine::Machine& m_machine;
+  ServiceLoad m_served;
   base::RequestId m_lastId;
   std::deque<Request> m_requests;
 };
