@@ -1795,7 +1795,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Template</source>
-        <translation type="unfinished">Vorlage</translation>
+        <translation>Vorlage</translation>
     </message>
     <message>
         <source>brought by hand</source>

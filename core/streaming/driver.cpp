@@ -517,9 +517,11 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
   const Progress& progress = m_method.progress();
   const std::optional<Duration> slow = slowAccess();
   if (slow && progress.lastProgress != Instant{} && !progress.allSent) {
-    const Duration margin = progress.nextEarliest - update.at - *slow;
+    const bool hasWindows = progress.neededAt != Instant{};
+    const Duration margin =
+        (hasWindows ? progress.neededAt : progress.nextEarliest) - update.at - *slow;
     // Windows that are all there wait for a machine slower than planned: that is not too late.
-    if (margin >= Duration{0} || !base::hasWindows(m_settings.parameters.method)) {
+    if (margin >= Duration{0} || !progress.hasNothingToBring) {
       update.margin = margin;
     }
   }

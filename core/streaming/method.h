@@ -47,9 +47,13 @@ struct Progress {
   base::Instant lastProgress{};   ///< when `executed` grew last
   base::Instant nextEarliest{};   ///< the next access is not needed before
   base::Instant nextLatest{};     ///< progress after this means something is slower than planned
-  bool allSent = false;           ///< every point is on the control
-  bool granted = false;           ///< method window: the control obeys this run
-  bool stopWritten = false;       ///< the program on the control has been told to end
+  /// Methods with windows: when the axes will have come through all that has been delivered;
+  /// zero: not known.
+  base::Instant neededAt{};
+  bool hasNothingToBring = false;  ///< methods with windows: all the control takes is there
+  bool allSent = false;            ///< every point is on the control
+  bool granted = false;            ///< method window: the control obeys this run
+  bool stopWritten = false;        ///< the program on the control has been told to end
 };
 
 class Method {

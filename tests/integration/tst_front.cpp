@@ -115,7 +115,7 @@ class TestFront : public QObject {
     QCOMPARE(client.children(node("/Channel")).size(), std::size_t{6});
     QVERIFY((client.children(node("/Channel/Parameter")) ==
              std::vector<std::string>{"/Channel/Parameter/R"}));
-    QCOMPARE(client.children(node("/Channel/GeometricAxis")).size(), std::size_t{5});
+    QCOMPARE(client.children(node("/Channel/GeometricAxis")).size(), std::size_t{6});
     QCOMPARE(client.children(node("/Channel/MachineAxis")).size(), std::size_t{3});
     QCOMPARE(client.children(node("/Channel/State")).size(), std::size_t{5});
     QCOMPARE(client.children(node("/Channel/ProgramInfo")).size(), std::size_t{4});

@@ -73,6 +73,20 @@ Duration WindowMethod::takenTime() const {
   return sum;
 }
 
+void WindowMethod::reckonNeed() {
+  const std::size_t freed = m_plan.cells().inFiles ? m_executed : m_latched;
+  m_progress.hasNothingToBring =
+      m_delivered == m_filled && (m_filled == m_windowCount || m_filled >= freed + m_slots);
+  if (m_latched == 0) {
+    return;  // nothing moves yet
+  }
+  Duration enough{};
+  for (std::size_t window = m_executed; window < m_delivered; ++window) {
+    enough += windowTime(window);
+  }
+  m_progress.neededAt = m_takenAt + enough;
+}
+
 Duration WindowMethod::takenTimeMax() const {
   const bool slows = m_isCredit && m_plan.settings().parameters.slowDown;
   return slows ? takenTime() * 100 / templates::kCreditSlowPercent : takenTime();
@@ -266,6 +280,7 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       break;
   }
   m_progress.allSent = m_delivered == m_windowCount;
+  reckonNeed();
 }
 
 void WindowMethod::observe(double latched, double executed, const Answer& answer, Instant now) {
@@ -290,6 +305,7 @@ void WindowMethod::observe(double latched, double executed, const Answer& answer
   }
   m_latched = windows;
   m_executed = passed;
+  m_takenAt = answer.sent;
   m_progress.lastProgress = now;
   m_progress.executed = windowBegin(m_executed);
   m_progress.stopsPassed = m_isCredit ? 0 : m_executed;

@@ -56,6 +56,8 @@ class WindowMethod final : public Method {
   [[nodiscard]] base::Duration takenTime() const;
   /// The same, as long as it may well last.
   [[nodiscard]] base::Duration takenTimeMax() const;
+  /// Until when the axes have enough, and whether the client has something to bring.
+  void reckonNeed();
   /// The value the run cell should have now.
   [[nodiscard]] double runWanted() const;
 
@@ -85,6 +87,7 @@ class WindowMethod final : public Method {
   std::size_t m_delivered = 0;  ///< windows whose number is confirmed
   std::size_t m_latched = 0;    ///< windows the control has copied
   std::size_t m_executed = 0;   ///< windows the axes have passed, as far as known
+  base::Instant m_takenAt{};    ///< when the control was seen to come further
   base::Instant m_nextBeat{};
   base::Instant m_nextLook{};
   double m_beat = 0.0;
