@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-#include <cstdint>
 #include <cstdlib>
 #include <system_error>
 
+#include "report/machine_file.h"
 #include "report/report_json.h"
 #include "trace/control_trace.h"
 #include "trace/file.h"
@@ -153,15 +152,6 @@ streaming::AccessForms formsOf(Reader& reader, const json& list) {
   return forms;
 }
 
-/// Of the bytes of a text, FNV-1a.
-std::uint64_t hashOf(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char byte : text) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-  }
-  return hash;
-}
-
 }  // namespace
 
 ordered_json calibrationJson(const streaming::CalibrationRecord& record) {
@@ -281,18 +271,7 @@ std::filesystem::path calibrationFolder() {
 std::filesystem::path calibrationPath(const std::filesystem::path& folder,
                                       const std::string& endpoint,
                                       const opcua::ServerIdentity& server) {
-  // Readable, and yet never the same for two machines.
-  std::string name;
-  for (const char letter : endpoint) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '.';
-    if (plain || (!name.empty() && name.back() != '-')) {
-      name += plain ? letter : '-';
-    }
-  }
-  constexpr std::size_t kNameMax = 100;
-  name.resize(std::min(name.size(), kNameMax));
-  return folder /
-         fmt::format("{}-{:016x}.json", name, hashOf(endpoint + '\n' + server.applicationUri));
+  return folder / machineFileName(endpoint, server);
 }
 
 base::Result<void> saveCalibration(const std::filesystem::path& path,

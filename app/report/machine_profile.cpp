@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-#include <cstdint>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "report/machine_file.h"
 #include "streaming/run.h"
 #include "trace/control_trace.h"
 #include "trace/file.h"
@@ -85,21 +84,6 @@ std::string versionText(const opcua::ServerIdentity& server) {
   return last == std::string::npos ? "a server without a name" : text.substr(0, last + 1);
 }
 
-/// Many characters of an endpoint cannot stand in a file name.
-std::string fileNameOf(const std::string& endpoint, const std::string& applicationUri) {
-  std::string name;
-  for (const char c : endpoint) {
-    const bool fits = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
-    name += fits ? c : '_';
-  }
-  constexpr std::size_t kLongest = 80;
-  std::uint64_t hash = 14'695'981'039'346'656'037ULL;  // FNV-1a
-  for (const char c : endpoint + '\n' + applicationUri) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 1'099'511'628'211ULL;
-  }
-  return fmt::format("{}-{:08x}.json", name.substr(0, kLongest), hash & 0xFFFFFFFFU);
-}
-
 }  // namespace
 
 base::Result<std::string> withCreditTest(std::string_view text, const CreditTest& test,
@@ -156,7 +140,7 @@ std::filesystem::path profileFolder() {
 
 std::filesystem::path profilePath(const std::filesystem::path& folder, const std::string& endpoint,
                                   const opcua::ServerIdentity& server) {
-  return folder / fileNameOf(endpoint, server.applicationUri);
+  return folder / machineFileName(endpoint, server);
 }
 
 base::Result<void> saveCreditTest(const std::filesystem::path& folder, const CreditTest& test) {
