@@ -96,19 +96,7 @@ class Test {
   }
 
   Result<std::vector<double>> numbers(std::span<const Variable> variables) {
-    const auto readings = readNow(m_link, variables, m_plan.requestDeadline);
-    if (!readings) {
-      return base::fail(readings.error());
-    }
-    std::vector<double> values;
-    for (const opcua::Reading& reading : *readings) {
-      if (reading.status) {
-        return base::fail(reading.status,
-                          "A variable of the control cannot be read. Check the access rights.");
-      }
-      values.push_back(reading.number);
-    }
-    return values;
+    return readNumbers(m_link, variables, m_plan.requestDeadline);
   }
 
   void pause() {

@@ -92,16 +92,12 @@ Result<base::RotaryDeg> readAngles(opcua::Link& link, const ControlAxes& axes,
       order.push_back(axis);
     }
   }
-  const auto readings = readNow(link, positions, deadline);
-  if (!readings) {
-    return base::fail(readings.error());
+  const auto numbers = readNumbers(link, positions, deadline);
+  if (!numbers) {
+    return base::fail(numbers.error());
   }
-  for (std::size_t i = 0; i < readings->size(); ++i) {
-    if ((*readings)[i].status) {
-      return base::fail((*readings)[i].status,
-                        "A variable of the control cannot be read. Check the access rights.");
-    }
-    angles[order[i]] = (*readings)[i].number;
+  for (std::size_t i = 0; i < numbers->size(); ++i) {
+    angles[order[i]] = (*numbers)[i];
   }
   return angles;
 }

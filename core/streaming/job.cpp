@@ -294,29 +294,23 @@ class Job {
       if (m_orders.stopRequested(m_link.now())) {
         return cancel();
       }
-      const auto readings = readNow(m_link, watched, m_settings.requestDeadline);
-      if (!readings) {
-        return base::fail(readings.error());
+      const auto numbers = readNumbers(m_link, watched, m_settings.requestDeadline);
+      if (!numbers) {
+        return base::fail(numbers.error());
       }
-      for (const opcua::Reading& reading : *readings) {
-        if (reading.status) {
-          return base::fail(reading.status,
-                            "A variable of the control cannot be read. Check the access rights.");
-        }
-      }
-      const int layout = static_cast<int>((*readings)[1].number);
-      if (const int alarm = static_cast<int>((*readings)[2].number); alarm != 0) {
+      const int layout = static_cast<int>((*numbers)[1]);
+      if (const int alarm = static_cast<int>((*numbers)[2]); alarm != 0) {
         return base::fail(
             StreamError::ControlAlarm,
             fmt::format("The control reports alarm {}. Clear it at the control.", alarm));
       }
       // The layout cell was cleared: the number in it is of the program that was started now.
       if (m_cells.corrects() && layout == expected) {
-        if (Result<void> fit = mayCorrect((*readings)[3].number); !fit) {
+        if (Result<void> fit = mayCorrect((*numbers)[3]); !fit) {
           return fit;
         }
       }
-      if ((*readings)[0].number != kReset && layout != 0) {
+      if ((*numbers)[0] != kReset && layout != 0) {
         if (layout != expected) {
           return base::fail(
               StreamError::WrongProgram,
@@ -580,6 +574,23 @@ Result<std::vector<opcua::Reading>> readNow(opcua::Link& link, std::span<const V
   return std::move(event->readings);
 }
 
+Result<std::vector<double>> readNumbers(opcua::Link& link, std::span<const Variable> variables,
+                                        Duration deadline) {
+  const auto readings = readNow(link, variables, deadline);
+  if (!readings) {
+    return base::fail(readings.error());
+  }
+  std::vector<double> numbers;
+  for (const opcua::Reading& reading : *readings) {
+    if (reading.status) {
+      return base::fail(reading.status,
+                        "A variable of the control cannot be read. Check the access rights.");
+    }
+    numbers.push_back(reading.number);
+  }
+  return numbers;
+}
+
 Result<void> writeNow(opcua::Link& link, std::span<const opcua::Assignment> assignments,
                       Duration deadline) {
   const Result<opcua::Event> event =
@@ -614,27 +625,21 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                          {VariableKind::ActualPosition, 1},
                                          {VariableKind::ActualPosition, 2},
                                          {VariableKind::Alarm, 0}}};
-  const auto readings = readNow(link, watched, settings.requestDeadline);
-  if (!readings) {
-    return base::fail(readings.error());
+  const auto numbers = readNumbers(link, watched, settings.requestDeadline);
+  if (!numbers) {
+    return base::fail(numbers.error());
   }
-  for (const opcua::Reading& reading : *readings) {
-    if (reading.status) {
-      return base::fail(reading.status,
-                        "A variable of the control cannot be read. Check the access rights.");
-    }
-  }
-  if ((*readings)[0].number != kReset) {
+  if ((*numbers)[0] != kReset) {
     return base::fail(StreamError::ChannelBusy,
                       "A program runs on the control. Let it end or reset the control, then start "
                       "again.");
   }
-  if (const int alarm = static_cast<int>((*readings)[4].number); alarm != 0) {
+  if (const int alarm = static_cast<int>((*numbers)[4]); alarm != 0) {
     return base::fail(StreamError::ControlAlarm,
                       fmt::format("The control reports alarm {}. Clear it at the control.", alarm));
   }
   Preflight flight;
-  flight.toolMm = {(*readings)[1].number, (*readings)[2].number, (*readings)[3].number};
+  flight.toolMm = {(*numbers)[1], (*numbers)[2], (*numbers)[3]};
   const bool asksForRotary =
       base::any(settings.parameters.rotaryAxes) || !program.trajectory.rotary.empty();
   if (asksForRotary) {

@@ -30,8 +30,7 @@ struct Preflight {
 
 /// Looks at the control without changing anything.
 /// @return VariableMissing, ChannelBusy, ProgramNotStreamable, AxesNotChosen, AxisMissing, or a
-/// link
-///         error
+/// link error
 [[nodiscard]] base::Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                                 const RunSettings& settings);
 
@@ -42,6 +41,10 @@ struct Preflight {
 
 /// Reads some variables and waits for the answer. For use outside a stream.
 [[nodiscard]] base::Result<std::vector<opcua::Reading>> readNow(
+    opcua::Link& link, std::span<const opcua::Variable> variables, base::Duration deadline);
+
+/// The same for variables that are numbers; any that cannot be read is an error.
+[[nodiscard]] base::Result<std::vector<double>> readNumbers(
     opcua::Link& link, std::span<const opcua::Variable> variables, base::Duration deadline);
 
 /// Writes some cells and waits for the answer; any item that fails is an error.

@@ -61,23 +61,6 @@ constexpr const char* kMoved =
     "The tool does not stand where the run was left. Bring it back to the last point that was "
     "executed, or start from the beginning.";
 
-Result<std::vector<double>> numbersOf(opcua::Link& link, std::span<const Variable> variables,
-                                      Duration deadline) {
-  const auto readings = readNow(link, variables, deadline);
-  if (!readings) {
-    return base::fail(readings.error());
-  }
-  std::vector<double> numbers;
-  for (const opcua::Reading& reading : *readings) {
-    if (reading.status) {
-      return base::fail(reading.status,
-                        "A variable of the control cannot be read. Check the access rights.");
-    }
-    numbers.push_back(reading.number);
-  }
-  return numbers;
-}
-
 constexpr const char* kOverlayLeft =
     "The correction of the run that was left still lies over the axes. Take it back at the control "
     "(reset it, wait, and see that $AA_OFF is 0), then resume.";
@@ -135,7 +118,7 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
   const Instant until = link.now() + settings.stopDeadline;
   const int layout = templates::layoutNumber(settings.parameters);
   for (bool told = false;; told = true) {
-    const auto numbers = numbersOf(link, watched, settings.requestDeadline);
+    const auto numbers = readNumbers(link, watched, settings.requestDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
     }
@@ -248,7 +231,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
       watched.push_back(opcua::rParameter(cell));
     }
   }
-  const auto numbers = numbersOf(link, watched, settings.requestDeadline);
+  const auto numbers = readNumbers(link, watched, settings.requestDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
   }

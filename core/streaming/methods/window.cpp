@@ -95,13 +95,13 @@ Duration WindowMethod::takenTimeMax() const {
 Action WindowMethod::write(Step step, std::size_t points) {
   m_step = step;
   m_waiting = true;
-  return {Action::Kind::Write, {}, m_plan.writes(), points, {}, {}};
+  return {Action::Kind::Write, {}, m_plan.writes(), points};
 }
 
 Action WindowMethod::read(Step step, std::span<const opcua::Variable> variables) {
   m_step = step;
   m_waiting = true;
-  return {Action::Kind::Read, variables, {}, 0, {}, {}};
+  return {Action::Kind::Read, variables, {}, 0};
 }
 
 /// Coordinates, number of points, feed, check: what the control adds up is added up here, term by
