@@ -9,6 +9,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "support/machine_process.h"
+
+using namespace rivulet;
+
 using nlohmann::json;
 
 namespace {
@@ -37,30 +41,6 @@ Outcome run(const QStringList& arguments) {
 QStringList words(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
-
-/// `rivulet-machine` while the object lives.
-class ServedMachine {
- public:
-  explicit ServedMachine(const QString& preset) {
-#ifdef RIVULET_MACHINE
-    m_process.start(QStringLiteral(RIVULET_MACHINE), {QStringLiteral("--port"), QStringLiteral("0"),
-                                                      QStringLiteral("--preset"), preset});
-    while (!m_process.canReadLine() && m_process.waitForReadyRead(60000)) {
-    }
-    endpoint = QString::fromUtf8(m_process.readLine()).trimmed();
-#else
-    Q_UNUSED(preset);
-#endif
-  }
-  ~ServedMachine() {
-    m_process.kill();
-    m_process.waitForFinished(60000);
-  }
-  QString endpoint;  ///< empty: built without OPC UA
-
- private:
-  QProcess m_process;
-};
 
 bool writeText(const QString& path, const QString& text) {
   QFile file(path);
@@ -352,10 +332,9 @@ class TestCli : public QObject {
 
   /// The same over OPC UA, as an operator starts it.
   void rotaryAxesOverOpcUa() {
-    const ServedMachine five(QStringLiteral("dmu75-5axis"));
-    if (five.endpoint.isEmpty()) {
-      QSKIP("built without OPC UA");
-    }
+#ifdef RIVULET_MACHINE
+    const QString machine = QStringLiteral(RIVULET_MACHINE);
+    const tests::MachineProcess five(machine, words("--preset dmu75-5axis"));
     const QString program = file("five-ua.mpf",
                                  "G90 G94\nG1 X2 Z52 A2 C5 F3000\nX4 A3.5 C12\nA5\nX6 Y1 C20.25\n"
                                  "X8 Y2 A4 C28\nC-3\nX9 Y2 A0 C0\nM30\n");
@@ -364,17 +343,20 @@ class TestCli : public QObject {
                   QStringLiteral("3000"), QStringLiteral("--points"), QStringLiteral("3"),
                   QStringLiteral("--json"), QStringLiteral("--endpoint"), endpoint});
     };
-    const Outcome outcome = stream(five.endpoint);
+    const Outcome outcome = stream(five.endpoint());
     QVERIFY2(outcome.exit == 0, qPrintable(outcome.output + outcome.errors));
     const json result = outcome.parsed();
     QCOMPARE(result["outcome"].get<std::string>(), std::string("completed"));
     QCOMPARE(result["settings"]["axes"].get<std::string>(), std::string("XYZAC"));
     QCOMPARE(result["executed"].get<int>(), 7);
     QCOMPARE(result["judged"].get<bool>(), true);
-    const ServedMachine three(QStringLiteral("dmu75"));
-    const Outcome refused = stream(three.endpoint);
+    const tests::MachineProcess three(machine);
+    const Outcome refused = stream(three.endpoint());
     QVERIFY(refused.exit != 0);
     QVERIFY(refused.output.contains(QStringLiteral("has no axis A and C")));
+#else
+    QSKIP("built without OPC UA");
+#endif
   }
 
   void resumesOnlyFromAReport() {

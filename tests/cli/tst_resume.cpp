@@ -10,9 +10,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <csignal>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "gcode/program.h"
+#include "support/machine_process.h"
 #include "trace/analysis/integrity.h"
 #include "trace/file.h"
 #include "trace/recording.h"
@@ -47,7 +49,7 @@ class TestResume : public QObject {
   Q_OBJECT
 
   QTemporaryDir m_folder;
-  QProcess m_machine;
+  std::unique_ptr<tests::MachineProcess> m_machine;
   QString m_endpoint;
   QString m_program;
 
@@ -74,19 +76,13 @@ class TestResume : public QObject {
     QVERIFY(program.open(QIODevice::WriteOnly));
     QVERIFY(program.write(rows()) > 0);
     program.close();
-    m_machine.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    m_machine.start(QStringLiteral(RIVULET_MACHINE), words("--port 0 --seed 1"));
-    while (m_machine.state() != QProcess::NotRunning && !m_machine.canReadLine()) {
-      m_machine.waitForReadyRead(kSoonMs);
-    }
-    m_endpoint = QString::fromUtf8(m_machine.readLine()).section(QLatin1Char(' '), 0, 0).trimmed();
+    m_machine =
+        std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE), words("--seed 1"));
+    m_endpoint = m_machine->endpoint();
     QVERIFY(m_endpoint.startsWith(QStringLiteral("opc.tcp://")));
   }
 
-  void cleanupTestCase() {
-    m_machine.terminate();
-    QVERIFY(m_machine.waitForFinished(kSoonMs));
-  }
+  void cleanupTestCase() { m_machine.reset(); }
 
   void everyPointOnceOverThreeRuns() {
     // Once at a time ordered beforehand, once by a signal to the program in the middle.

@@ -27,6 +27,7 @@
 #include "hmi/main_window.h"
 #include "opcua/error.h"
 #include "streaming/pause_placement.h"
+#include "support/machine_process.h"
 #include "trace/analysis/integrity.h"
 #include "trace/file.h"
 #include "trace/recording.h"
@@ -56,38 +57,13 @@ constexpr int kCalibrationPage = 4;
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
-/// rivulet-machine on a free port, ended with the object.
-class MachineProcess {
- public:
-  explicit MachineProcess(const char* preset = "dmu75", const QString& port = QStringLiteral("0")) {
-    m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    m_process.start(QStringLiteral(RIVULET_MACHINE),
-                    {QStringLiteral("--port"), port, QStringLiteral("--seed"), QStringLiteral("1"),
-                     QStringLiteral("--preset"), QString::fromLatin1(preset)});
-    while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
-      m_process.waitForReadyRead(kSoonMs);
-    }
-    const QString line = QString::fromUtf8(m_process.readLine());
-    const qsizetype at = line.indexOf(QStringLiteral("opc.tcp://"));
-    m_endpoint = at < 0 ? QString() : line.mid(at).section(QLatin1Char(' '), 0, 0).trimmed();
-  }
-  ~MachineProcess() {
-    m_process.terminate();
-    if (!m_process.waitForFinished(kSoonMs)) {
-      m_process.kill();
-      m_process.waitForFinished(kSoonMs);
-    }
-  }
-  [[nodiscard]] QString endpoint() const { return m_endpoint; }
-  void kill() {
-    m_process.kill();
-    m_process.waitForFinished(kSoonMs);
-  }
-
- private:
-  QProcess m_process;
-  QString m_endpoint;
-};
+std::unique_ptr<tests::MachineProcess> startMachine(const char* preset = "dmu75",
+                                                    const QString& port = QStringLiteral("0")) {
+  return std::make_unique<tests::MachineProcess>(
+      QStringLiteral(RIVULET_MACHINE),
+      QStringList{QStringLiteral("--port"), port, QStringLiteral("--seed"), QStringLiteral("1"),
+                  QStringLiteral("--preset"), QString::fromLatin1(preset)});
+}
 
 hmi::Settings settings() {
   hmi::Settings settings;
@@ -145,7 +121,7 @@ class TestMainWindow : public QObject {
   Q_OBJECT
 
  private:
-  std::unique_ptr<MachineProcess> m_machine;
+  std::unique_ptr<tests::MachineProcess> m_machine;
   std::unique_ptr<MainWindow> m_window;
   QTemporaryDir m_folder;
 
@@ -193,7 +169,7 @@ class TestMainWindow : public QObject {
   }
 
   void init() {
-    m_machine = std::make_unique<MachineProcess>();
+    m_machine = startMachine();
     QVERIFY(m_machine->endpoint().startsWith(QStringLiteral("opc.tcp://127.0.0.1:")));
     m_window = std::make_unique<MainWindow>(settings(), false);
     m_window->resize(1440, 900);
@@ -525,7 +501,7 @@ class TestMainWindow : public QObject {
     QVERIFY(m_window->lastReport()->outcome == Outcome::Failed);
     QVERIFY(!m_window->resumeBlockedReason().isEmpty());  // no connection
     // A machine that has never run it cannot say where it was left, and says so.
-    m_machine = std::make_unique<MachineProcess>();
+    m_machine = startMachine();
     m_window->connectTo(m_machine->endpoint());
     QTRY_COMPARE_WITH_TIMEOUT(m_window->resumeBlockedReason(), QString(), kSoonMs);
     m_window->askResume();
@@ -544,7 +520,7 @@ class TestMainWindow : public QObject {
     QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
          QStringLiteral("/rivulet/calibrations"))
         .removeRecursively();
-    m_machine = std::make_unique<MachineProcess>("dmu75-arrays");
+    m_machine = startMachine("dmu75-arrays");
     auto* page = m_window->calibrationPage();
     m_window->pages()->setCurrentIndex(kCalibrationPage);
     streaming::CalibrationPlan plan;
@@ -619,7 +595,7 @@ class TestMainWindow : public QObject {
 
     // Another version at the same address: shown, not used.
     m_machine.reset();
-    m_machine = std::make_unique<MachineProcess>("dmu75", endpoint.section(QLatin1Char(':'), -1));
+    m_machine = startMachine("dmu75", endpoint.section(QLatin1Char(':'), -1));
     QCOMPARE(m_machine->endpoint(), endpoint);
     m_window = std::make_unique<MainWindow>(settings(), false);
     m_window->show();

@@ -8,15 +8,13 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
+#include "support/machine_process.h"
+
+using namespace rivulet;
+
 namespace {
 
 constexpr int kPatienceMs = 60'000;
-
-QString endpointOf(QProcess& process) {
-  while (!process.canReadLine() && process.waitForReadyRead(kPatienceMs)) {
-  }
-  return QString::fromUtf8(process.readLine()).trimmed();
-}
 
 struct Outcome {
   int exit = -1;
@@ -75,11 +73,9 @@ class TestCommission : public QObject {
     }
     const QString path = write("line.nc", program + "M30\n");
 
-    QProcess machine;
-    machine.start(
-        QStringLiteral(RIVULET_MACHINE_PROGRAM),
-        {QStringLiteral("--port"), QStringLiteral("0"), QStringLiteral("--preset"), config});
-    const QString endpoint = endpointOf(machine);
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE_PROGRAM),
+                                        {QStringLiteral("--preset"), config});
+    const QString& endpoint = machine.endpoint();
     QVERIFY2(endpoint.startsWith(QLatin1String("opc.tcp://")), qPrintable(endpoint));
     const QStringList stream{QStringLiteral("stream"),     path,
                              QStringLiteral("--method"),   QStringLiteral("credit"),
@@ -107,8 +103,6 @@ class TestCommission : public QObject {
       QVERIFY(then.json["error"]["message"].get<std::string>().find("failed it") !=
               std::string::npos);
     }
-    machine.terminate();
-    QVERIFY(machine.waitForFinished(kPatienceMs));
   }
 };
 

@@ -8,11 +8,15 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
+#include "support/machine_process.h"
+
 using nlohmann::json;
+using rivulet::tests::MachineProcess;
 
 namespace {
 
 constexpr int kPatienceMs = 120'000;
+const QString kMachine = QStringLiteral(RIVULET_MACHINE_PROGRAM);
 
 struct Outcome {
   int exit = -1;
@@ -34,26 +38,12 @@ Outcome runCli(const QStringList& arguments, const QString& folder) {
   return outcome;
 }
 
-/// Ended with the object.
-class MachineProgram {
- public:
-  explicit MachineProgram(const QStringList& arguments) {
-    m_process.start(QStringLiteral(RIVULET_MACHINE_PROGRAM),
-                    QStringList{QStringLiteral("--port"), QStringLiteral("0")} + arguments);
-    while (!m_process.canReadLine() && m_process.waitForReadyRead(kPatienceMs)) {
-    }
-    m_endpoint = QString::fromUtf8(m_process.readLine()).trimmed();
-  }
-  ~MachineProgram() {
-    m_process.terminate();
-    m_process.waitForFinished(kPatienceMs);
-  }
-  [[nodiscard]] QString endpoint() const { return m_endpoint; }
-
- private:
-  QProcess m_process;
-  QString m_endpoint;
-};
+/// With no right to its part programs.
+QStringList withoutRights(const QString& program = {}) {
+  const QStringList arguments{QStringLiteral("--no-file-rights")};
+  return program.isEmpty() ? arguments
+                           : arguments + QStringList{QStringLiteral("--program"), program};
+}
 
 }  // namespace
 
@@ -67,7 +57,7 @@ class TestTransferByHand : public QObject {
     QVERIFY(cam.open(QIODevice::WriteOnly));
     cam.write("G0 X0 Y0 Z50\nG1 X10 F3000\nY10\nX0\nY0\nM30\n");
     cam.close();
-    const auto stream = [&](const MachineProgram& machine, const QStringList& more) {
+    const auto stream = [&](const MachineProcess& machine, const QStringList& more) {
       return runCli(QStringList{QStringLiteral("stream"), cam.fileName(), QStringLiteral("--json"),
                                 QStringLiteral("--feed"), QStringLiteral("3000"),
                                 QStringLiteral("--endpoint"), machine.endpoint()} +
@@ -78,7 +68,7 @@ class TestTransferByHand : public QObject {
                              QStringLiteral("--program-file"),
                              QStringLiteral("RIVULET_WINDOW_7X2.MPF")};
     {
-      const MachineProgram machine({QStringLiteral("--no-file-rights")});
+      const MachineProcess machine(kMachine, withoutRights());
       const Outcome refused = stream(machine, {});
       QCOMPARE(refused.exit, 1);
       const std::string message = refused.result["error"]["message"].get<std::string>();
@@ -90,8 +80,7 @@ class TestTransferByHand : public QObject {
     }
     const QString program = folder.filePath(QStringLiteral("RIVULET_WINDOW_7X2.MPF"));
     QVERIFY(QFile::exists(program));
-    const MachineProgram machine(
-        {QStringLiteral("--no-file-rights"), QStringLiteral("--program"), program});
+    const MachineProcess machine(kMachine, withoutRights(program));
     const Outcome done = stream(machine, byHand);
     QVERIFY2(done.exit == 0, qPrintable(done.errors));
     QCOMPARE(done.result["outcome"].get<std::string>(), std::string("completed"));
@@ -112,8 +101,8 @@ class TestTransferByHand : public QObject {
                     folder.path())
                  .exit,
              0);
-    const MachineProgram machine({QStringLiteral("--no-file-rights"), QStringLiteral("--program"),
-                                  folder.filePath(QStringLiteral("OTHER.MPF"))});
+    const MachineProcess machine(kMachine,
+                                 withoutRights(folder.filePath(QStringLiteral("OTHER.MPF"))));
     const Outcome wrong =
         runCli({QStringLiteral("stream"), cam.fileName(), QStringLiteral("--json"),
                 QStringLiteral("--feed"), QStringLiteral("3000"), QStringLiteral("--endpoint"),
