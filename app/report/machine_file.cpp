@@ -7,23 +7,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
-#include <string_view>
+
+#include "base/hash.h"
 
 namespace rivulet::report {
-
-namespace {
-
-/// Of the bytes of a text, FNV-1a.
-std::uint64_t hashOf(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char byte : text) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-  }
-  return hash;
-}
-
-}  // namespace
 
 std::string machineFileName(const std::string& endpoint, const opcua::ServerIdentity& server) {
   // Many characters of an endpoint cannot stand in a file name.
@@ -36,7 +23,8 @@ std::string machineFileName(const std::string& endpoint, const opcua::ServerIden
   }
   constexpr std::size_t kNameMax = 100;
   name.resize(std::min(name.size(), kNameMax));
-  return fmt::format("{}-{:016x}.json", name, hashOf(endpoint + '\n' + server.applicationUri));
+  return fmt::format("{}-{:016x}.json", name,
+                     base::hashOf(endpoint + '\n' + server.applicationUri));
 }
 
 }  // namespace rivulet::report

@@ -8,38 +8,19 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/text.h"
 #include "gcode/interpreter.h"
 
 namespace rivulet::gcode {
 
 namespace {
-
-/// FNV-1a over words of eight bytes, folded after each: byte by byte it took an eighth of the time
-/// a program takes to load. Tells versions apart; it is no protection against intent.
-std::string hashOf(std::string_view text) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  const auto mix = [&hash](std::uint64_t word) {
-    hash = (hash ^ word) * 0x100000001B3ULL;
-    hash ^= hash >> 32U;
-  };
-  mix(text.size());
-  while (!text.empty()) {
-    std::uint64_t word = 0;
-    const std::size_t bytes = std::min(text.size(), sizeof word);
-    std::memcpy(&word, text.data(), bytes);
-    mix(word);
-    text.remove_prefix(bytes);
-  }
-  return fmt::format("{:016x}", hash);
-}
 
 /// Subprograms are small; a file beyond this is none.
 constexpr std::uintmax_t kSubprogramBytesMax = std::uintmax_t{16} * 1024 * 1024;
@@ -108,7 +89,7 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
     return base::fail(GcodeError::EmptyProgram,
                       "The program has no block: choose a file with NC text.", std::move(name));
   }
-  std::string hash = hashOf(text);
+  std::string hash = fmt::format("{:016x}", base::hashOfFile(text));
   return Program{std::move(name),
                  std::move(text),
                  std::move(hash),
