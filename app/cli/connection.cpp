@@ -40,12 +40,7 @@ base::Result<Connection> connectTo([[maybe_unused]] const std::string& endpoint)
   opcua::ConnectOptions connect;
   connect.endpoint = endpoint;
   connect.name = "rivulet-cli";
-  auto opened = opcua::UaLink::connect(connect);
-  if (!opened) {
-    return base::fail(opened.error());
-  }
-  const std::shared_ptr<opcua::UaLink> link = std::move(*opened);
-  return Connection{link, link.get(), link.get(), endpoint};
+  return opcua::openConnection(connect);
 #else
   return base::fail(opcua::LinkError::NotReachable,
                     "This build has no OPC UA. Use --simulate, or build with open62541.");

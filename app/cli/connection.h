@@ -7,21 +7,14 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
 #include "base/result.h"
-#include "opcua/link.h"
+#include "opcua/connection.h"
 
 namespace rivulet::cli {
 
-/// A link, and what it hangs on.
-struct Connection {
-  std::shared_ptr<void> owner;
-  opcua::Link* link = nullptr;
-  opcua::Control* control = nullptr;
-  std::string name;
-};
+using opcua::Connection;
 
 /// @param endpoint  "opc.tcp://host:port"
 [[nodiscard]] base::Result<Connection> connectTo(const std::string& endpoint);

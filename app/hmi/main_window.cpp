@@ -119,8 +119,12 @@ class Column final : public QScrollArea {
 
 }  // namespace
 
-MainWindow::MainWindow(Settings settings, bool persistent, QWidget* parent)
-    : QMainWindow(parent), m_settings(std::move(settings)), m_persistent(persistent) {
+MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector connector,
+                       QWidget* parent)
+    : QMainWindow(parent),
+      m_settings(std::move(settings)),
+      m_persistent(persistent),
+      m_session(std::move(connector)) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);

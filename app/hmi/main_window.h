@@ -59,7 +59,10 @@ class MainWindow final : public QMainWindow {
  public:
   /// @param settings  where the window begins; written back to the store when it closes if
   ///                  `persistent`
-  explicit MainWindow(Settings settings, bool persistent, QWidget* parent = nullptr);
+  /// @param connector  opens the connections, on the streaming thread
+  explicit MainWindow(Settings settings, bool persistent,
+                      opcua::Connector connector = session::connectByOpcUa,
+                      QWidget* parent = nullptr);
   ~MainWindow() override;
 
   /// Reads a program in the background; what is loaded stays until it is there.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/units.h"
-#include "opcua/open62541/ua_link.h"
 #include "report/machine_profile.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -65,7 +64,8 @@ class SessionWorker::Orders final : public streaming::RunOrders {
   SessionWorker& m_worker;
 };
 
-SessionWorker::SessionWorker() : m_thread([this] { work(); }) {
+SessionWorker::SessionWorker(opcua::Connector connector)
+    : m_connector(std::move(connector)), m_thread([this] { work(); }) {
 }
 
 SessionWorker::~SessionWorker() {
@@ -141,35 +141,34 @@ void SessionWorker::work() {
     }
     watch();
   }
-  m_link.reset();
+  m_connection = {};
 }
 
 void SessionWorker::connect(const ConnectOrder& order) {
-  m_link.reset();
+  m_connection = {};
   tell(LinkChanged{LinkState::Connecting, {}, false, {}});
-  opcua::ConnectOptions options;
-  options.endpoint = order.endpoint;
-  auto link = opcua::UaLink::connect(options);
-  if (!link) {
-    tell(LinkChanged{LinkState::Disconnected, link.error(), false, {}});
+  auto connection = m_connector(order.endpoint);
+  if (!connection) {
+    tell(LinkChanged{LinkState::Disconnected, connection.error(), false, {}});
     return;
   }
-  m_link = std::move(*link);
+  m_connection = std::move(*connection);
   // A control that does not say has none; one that is gone again is noticed by the next look.
-  m_axes = streaming::readControlAxes(*m_link, kWatchDeadline).value_or(streaming::ControlAxes{});
+  m_axes = streaming::readControlAxes(*m_connection.link, kWatchDeadline)
+               .value_or(streaming::ControlAxes{});
   m_endpoint = order.endpoint;
   // A server that does not say who it is can be worked with all the same.
-  m_server = m_link->identity().value_or(opcua::ServerIdentity{});
-  tell(LinkChanged{LinkState::Connected, {}, m_link->isVirtualMachine(), m_server});
+  m_server = m_connection.control->identity().value_or(opcua::ServerIdentity{});
+  tell(LinkChanged{LinkState::Connected, {}, m_connection.control->isVirtualMachine(), m_server});
 }
 
 void SessionWorker::disconnect() {
-  m_link.reset();
+  m_connection = {};
   tell(LinkChanged{LinkState::Disconnected, {}, false, {}});
 }
 
 void SessionWorker::watch() {
-  if (!m_link) {
+  if (!m_connection) {
     return;
   }
   using opcua::VariableKind;
@@ -186,10 +185,10 @@ void SessionWorker::watch() {
       watched.push_back({VariableKind::ActualPosition, axis});
     }
   }
-  const auto readings = streaming::readNow(*m_link, watched, kWatchDeadline);
+  const auto readings = streaming::readNow(*m_connection.link, watched, kWatchDeadline);
   if (!readings) {
     if (readings.error().code == opcua::LinkError::ConnectionLost) {
-      m_link.reset();
+      m_connection = {};
       tell(LinkChanged{LinkState::Lost, readings.error(), false, {}});
     }
     return;
@@ -214,20 +213,20 @@ bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) 
   if (settings.parameters.method != base::MethodKind::Credit) {
     return false;
   }
-  const auto identity = m_link->identity();
+  const auto identity = m_connection.control->identity();
   return identity &&
          report::requireCreditTest(report::profileFolder(), m_endpoint, *identity).has_value();
 }
 
 void SessionWorker::answer(const ResumeQuestion& question) {
-  if (!m_link) {
+  if (!m_connection) {
     tell(ResumeFound{std::nullopt,
                      base::makeError(opcua::LinkError::NotReachable,
                                      "There is no connection to a control. Connect first.")});
     return;
   }
-  const auto resume =
-      streaming::resumeFrom(*m_link, *question.program, question.settings, question.checkpoint);
+  const auto resume = streaming::resumeFrom(*m_connection.link, *question.program,
+                                            question.settings, question.checkpoint);
   tell(resume ? ResumeFound{*resume, {}} : ResumeFound{std::nullopt, resume.error()});
 }
 
@@ -247,7 +246,7 @@ base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming
     m_proven = *text;
   }
   if (order.resumes) {
-    const auto resume = streaming::resumeFrom(*m_link, *order.resumes->program,
+    const auto resume = streaming::resumeFrom(*m_connection.link, *order.resumes->program,
                                               order.resumes->settings, order.resumes->checkpoint);
     if (!resume) {
       return base::fail(resume.error());
@@ -261,7 +260,7 @@ base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming
 }
 
 void SessionWorker::start(const StartOrder& order) {
-  if (!m_link) {
+  if (!m_connection) {
     auto report = std::make_shared<streaming::RunReport>();
     report->error = base::makeError(opcua::LinkError::NotReachable,
                                     "There is no connection to a control. Connect first.");
@@ -294,46 +293,44 @@ void SessionWorker::start(const StartOrder& order) {
   recorder.start.startedAtUtc = order.startedAtUtc;
   streaming::RunSettings settings = order.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
-  auto report = std::make_shared<streaming::RunReport>(streaming::runJob(
-      *m_link, *m_link, *order.program, settings, orders, sink, std::move(recorder)));
+  auto report = std::make_shared<streaming::RunReport>(
+      streaming::runJob(*m_connection.link, *m_connection.control, *order.program, settings, orders,
+                        sink, std::move(recorder)));
   const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;
   tell(RunFinished{std::move(report), recorded ? order.recordingPath : std::string()});
   if (lost) {
-    m_link.reset();
+    m_connection = {};
     tell(LinkChanged{LinkState::Lost, error, false, {}});
   }
 }
 
 void SessionWorker::calibrate(const CalibrateOrder& order) {
-  if (!m_link) {
+  if (!m_connection) {
     tell(CalibrationFinished{
         nullptr, base::makeError(opcua::LinkError::NotReachable,
                                  "There is no connection to a control. Connect first.")});
     return;
   }
-  std::unique_ptr<opcua::UaLink> again;
+  opcua::Connection again;
   base::Instant nextTold{};
   streaming::CalibrationHooks hooks;
   hooks.progress = [&](const streaming::CalibrationProgress& progress) {
     // More than a display shows would only fill the ring.
-    if (m_link->now() >= nextTold) {
-      nextTold = m_link->now() + kProgressInterval;
+    if (m_connection.link->now() >= nextTold) {
+      nextTold = m_connection.link->now() + kProgressInterval;
       tellIfRoom(progress);
     }
     return !m_stopRun.load() && !m_quit.load();
   };
   hooks.reconnect = [&]() -> opcua::Link* {
-    opcua::ConnectOptions options;
-    options.endpoint = m_endpoint;
-    auto link = opcua::UaLink::connect(options);
-    if (link) {
-      again = std::move(*link);
+    if (auto connection = m_connector(m_endpoint)) {
+      again = std::move(*connection);
     }
-    return again.get();
+    return again.link;
   };
-  auto calibration = streaming::calibrate(*m_link, order.plan, hooks);
+  auto calibration = streaming::calibrate(*m_connection.link, order.plan, hooks);
   if (calibration) {
     auto record = std::make_shared<streaming::CalibrationRecord>();
     record->endpoint = m_endpoint;
@@ -348,7 +345,7 @@ void SessionWorker::calibrate(const CalibrateOrder& order) {
   tell(CalibrationFinished{nullptr, error});
   if (error.code == opcua::LinkError::ConnectionLost) {
     // The new connection was for the cells only: the operator decides whether to go on.
-    m_link.reset();
+    m_connection = {};
     tell(LinkChanged{LinkState::Lost, error, false, {}});
   }
 }

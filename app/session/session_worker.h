@@ -16,20 +16,17 @@
 #include <thread>
 
 #include "base/spsc_ring.h"
-#include "opcua/link.h"
+#include "opcua/connection.h"
 #include "session/session_event.h"
 #include "streaming/control_axes.h"
 #include "streaming/job.h"
-
-namespace rivulet::opcua {
-class UaLink;
-}
 
 namespace rivulet::session {
 
 class SessionWorker {
  public:
-  SessionWorker();
+  /// @param connector  called on the streaming thread
+  explicit SessionWorker(opcua::Connector connector);
   /// Orders a stop if a run lasts, waits for it, closes the connection, ends the thread.
   ~SessionWorker();
   SessionWorker(const SessionWorker&) = delete;
@@ -78,10 +75,11 @@ class SessionWorker {
   std::atomic<std::size_t> m_lost{0};
   std::mutex m_correctionMutex;  // held for a copy
   base::Vec3 m_correctionMm;
-  std::unique_ptr<opcua::UaLink> m_link;  // streaming thread only
-  streaming::ControlAxes m_axes;          // of the control at the other end
-  std::string m_proven;                   // text of the template proved last; streaming thread only
-  std::string m_endpoint;                 // of `m_link`
+  opcua::Connector m_connector;
+  opcua::Connection m_connection;  // streaming thread only
+  streaming::ControlAxes m_axes;   // of the control at the other end
+  std::string m_proven;            // text of the template proved last; streaming thread only
+  std::string m_endpoint;          // of `m_connection`
   opcua::ServerIdentity m_server;
   std::thread m_thread;
 };

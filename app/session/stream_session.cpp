@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 
+#include "opcua/open62541/ua_link.h"
 #include "session/session_worker.h"
 
 namespace rivulet::session {
@@ -15,8 +16,14 @@ constexpr int kDrainIntervalMs = 33;
 
 }  // namespace
 
-StreamSession::StreamSession(QObject* parent)
-    : QObject(parent), m_worker(std::make_unique<SessionWorker>()) {
+base::Result<opcua::Connection> connectByOpcUa(const std::string& endpoint) {
+  opcua::ConnectOptions options;
+  options.endpoint = endpoint;
+  return opcua::openConnection(options);
+}
+
+StreamSession::StreamSession(opcua::Connector connector, QObject* parent)
+    : QObject(parent), m_worker(std::make_unique<SessionWorker>(std::move(connector))) {
   m_timer.setInterval(kDrainIntervalMs);
   connect(&m_timer, &QTimer::timeout, this, &StreamSession::drain);
   m_timer.start();

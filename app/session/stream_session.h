@@ -11,17 +11,22 @@
 #include <QTimer>
 #include <memory>
 
+#include "opcua/connection.h"
 #include "session/session_event.h"
 
 namespace rivulet::session {
 
 class SessionWorker;
 
+/// The connection of the shipped program.
+[[nodiscard]] base::Result<opcua::Connection> connectByOpcUa(const std::string& endpoint);
+
 class StreamSession final : public QObject {
   Q_OBJECT
 
  public:
-  explicit StreamSession(QObject* parent = nullptr);
+  /// @param connector  called on the streaming thread; by default OPC UA
+  explicit StreamSession(opcua::Connector connector = connectByOpcUa, QObject* parent = nullptr);
   /// Ends a run that lasts (with a stop, waiting for its confirmation) and the connection.
   ~StreamSession() override;
 

@@ -1014,6 +1014,15 @@ base::Result<std::unique_ptr<UaLink>> UaLink::connect(const ConnectOptions& opti
   return std::unique_ptr<UaLink>(new UaLink(std::move(impl)));
 }
 
+base::Result<Connection> openConnection(const ConnectOptions& options) {
+  auto opened = UaLink::connect(options);
+  if (!opened) {
+    return base::fail(opened.error());
+  }
+  const std::shared_ptr<UaLink> link = std::move(*opened);
+  return Connection{link, link.get(), link.get(), options.endpoint};
+}
+
 base::Instant UaLink::now() const {
   return m_impl->now();
 }

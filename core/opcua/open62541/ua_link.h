@@ -9,7 +9,7 @@
 
 #include <memory>
 
-#include "opcua/link.h"
+#include "opcua/connection.h"
 
 namespace rivulet::opcua {
 
@@ -61,5 +61,8 @@ class UaLink final : public Link, public Control {
   explicit UaLink(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> m_impl;
 };
+
+/// `UaLink::connect`, as a connection that does not show what is at its end.
+[[nodiscard]] base::Result<Connection> openConnection(const ConnectOptions& options);
 
 }  // namespace rivulet::opcua
