@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -19,46 +20,67 @@ enum class MethodKind {
   File,      ///< as Window, but each window is a subprogram that is transferred; for comparison
 };
 
+/// What the other folders have to know of a method: one row each.
+struct MethodTraits {
+  MethodKind kind;
+  std::string_view name;  ///< in files, on the command line and in templates
+  bool isPublished;       ///< of [P1]: kept as published
+  /// The control takes numbered windows, and only those that have been delivered. Where the client
+  /// is late, the machine waits; a run that was left can be resumed.
+  bool hasWindows;
+  bool streamsRotary;       ///< rotary axes beside X, Y and Z
+  bool needsCommissioning;  ///< starts only on a control that has passed its test
+};
+
 /// In the order they are offered.
-inline constexpr std::array<MethodKind, 5> kMethodKinds{MethodKind::Window, MethodKind::Position,
-                                                        MethodKind::Signal, MethodKind::Credit,
-                                                        MethodKind::File};
-/// Those of [P1], kept as published.
+inline constexpr std::array<MethodTraits, 5> kMethods{{
+    {MethodKind::Window, "window", false, true, true, false},
+    {MethodKind::Position, "position", true, false, false, false},
+    {MethodKind::Signal, "signal", true, false, false, false},
+    {MethodKind::Credit, "credit", false, true, false, true},
+    {MethodKind::File, "file", false, true, true, false},
+}};
+/// The same, without what is known of them.
+inline constexpr std::array<MethodKind, kMethods.size()> kMethodKinds = [] {
+  std::array<MethodKind, kMethods.size()> kinds{};
+  for (std::size_t i = 0; i < kMethods.size(); ++i) {
+    kinds[i] = kMethods[i].kind;
+  }
+  return kinds;
+}();
+/// Those of [P1].
 inline constexpr std::array<MethodKind, 2> kPaperMethods{MethodKind::Position, MethodKind::Signal};
 
-/// The control takes numbered windows, and only those that have been delivered: the cells, the
-/// client and the way back are the same.
-[[nodiscard]] constexpr bool hasWindows(MethodKind method) {
-  return method == MethodKind::Window || method == MethodKind::Credit || method == MethodKind::File;
-}
-
-/// It can stream rotary axes beside X, Y and Z.
-[[nodiscard]] constexpr bool streamsRotary(MethodKind method) {
-  return method == MethodKind::Window || method == MethodKind::File;
-}
-
-/// The name used in files, on the command line and in templates.
-[[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
-  switch (method) {
-    case MethodKind::Position:
-      return "position";
-    case MethodKind::Signal:
-      return "signal";
-    case MethodKind::Credit:
-      return "credit";
-    case MethodKind::File:
-      return "file";
-    case MethodKind::Window:
-      break;
+[[nodiscard]] constexpr const MethodTraits& methodTraits(MethodKind method) {
+  for (const MethodTraits& traits : kMethods) {
+    if (traits.kind == method) {
+      return traits;
+    }
   }
-  return "window";
+  return kMethods.front();
+}
+
+[[nodiscard]] constexpr bool isPublished(MethodKind method) {
+  return methodTraits(method).isPublished;
+}
+[[nodiscard]] constexpr bool hasWindows(MethodKind method) {
+  return methodTraits(method).hasWindows;
+}
+[[nodiscard]] constexpr bool streamsRotary(MethodKind method) {
+  return methodTraits(method).streamsRotary;
+}
+[[nodiscard]] constexpr bool needsCommissioning(MethodKind method) {
+  return methodTraits(method).needsCommissioning;
+}
+[[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
+  return methodTraits(method).name;
 }
 
 /// Inverse of `methodName`; nothing for an unknown name.
 [[nodiscard]] constexpr std::optional<MethodKind> methodFromName(std::string_view name) {
-  for (const MethodKind method : kMethodKinds) {
-    if (methodName(method) == name) {
-      return method;
+  for (const MethodTraits& traits : kMethods) {
+    if (traits.name == name) {
+      return traits.kind;
     }
   }
   return std::nullopt;

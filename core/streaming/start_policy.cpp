@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/start_policy.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "opcua/error.h"
+#include "streaming/run.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using Reason = std::optional<Blocked>;
+
+Blocked because(BlockReason reason, std::vector<std::string> arguments = {}) {
+  return {reason, std::move(arguments), std::nullopt};
+}
+
+/// What a client that is busy or alone cannot do, whatever it is.
+Reason linkBlocked(const StartFacts& facts) {
+  switch (facts.activity) {
+    case Activity::Streaming:
+      return because(BlockReason::RunInProgress);
+    case Activity::CheckingResume:
+      return because(BlockReason::ResumeCheckInProgress);
+    case Activity::Calibrating:
+      return because(BlockReason::CalibrationInProgress);
+    case Activity::Idle:
+      break;
+  }
+  return facts.isConnected ? std::nullopt : Reason(because(BlockReason::NotConnected));
+}
+
+Reason channelBlocked(const StartFacts& facts) {
+  return facts.channelStatus.value_or(0) == 0 ? std::nullopt
+                                              : Reason(because(BlockReason::ChannelBusy));
+}
+
+Reason axesBlocked(const StartFacts& facts) {
+  if (!base::any(facts.turnedAxes)) {
+    return std::nullopt;
+  }
+  const std::string axes = base::rotaryNames(facts.turnedAxes);
+  if (!base::streamsRotary(facts.method)) {
+    return because(BlockReason::RotaryNotStreamed, {axes});
+  }
+  if (facts.controlAxes && !base::contains(*facts.controlAxes, facts.turnedAxes)) {
+    return because(BlockReason::AxesMissing, {axes});
+  }
+  return std::nullopt;
+}
+
+Reason settingsBlocked(const StartFacts& facts) {
+  if (facts.settingsError) {
+    return Blocked{BlockReason::SettingsInvalid, {}, facts.settingsError};
+  }
+  if (facts.verdict && !facts.verdict->feasible && !facts.acceptsInfeasible) {
+    const double feedMax = base::mmPerMinFromMmPerS(facts.verdict->feedMmPerSMax);
+    return because(BlockReason::Infeasible,
+                   {std::string(feasibility::equationLabel(facts.verdict->limiting.equation)),
+                    fmt::format("{:.0f}", feedMax)});
+  }
+  if (base::needsCommissioning(facts.method) && facts.isCommissioned == false) {
+    return because(BlockReason::NotCommissioned);
+  }
+  return std::nullopt;
+}
+
+/// All but the state of the channel.
+Reason runBlocked(const StartFacts& facts) {
+  if (Reason reason = linkBlocked(facts)) {
+    return reason;
+  }
+  if (facts.program == nullptr) {
+    return because(BlockReason::NoProgram);
+  }
+  if (Reason reason = programBlocked(*facts.program)) {
+    return reason;
+  }
+  if (Reason reason = axesBlocked(facts)) {
+    return reason;
+  }
+  if (Reason reason = settingsBlocked(facts)) {
+    return reason;
+  }
+  if (const int alarm = facts.alarm.value_or(0); alarm != 0) {
+    return because(BlockReason::AlarmActive, {std::to_string(alarm)});
+  }
+  return std::nullopt;
+}
+
+StreamError codeOf(BlockReason reason) {
+  switch (reason) {
+    case BlockReason::RunInProgress:
+    case BlockReason::ResumeCheckInProgress:
+    case BlockReason::CalibrationInProgress:
+    case BlockReason::ChannelBusy:
+      return StreamError::ChannelBusy;
+    case BlockReason::RotaryNotStreamed:
+      return StreamError::AxesNotChosen;
+    case BlockReason::AxesMissing:
+      return StreamError::AxisMissing;
+    case BlockReason::NotCommissioned:
+      return StreamError::NotCommissioned;
+    case BlockReason::AlarmActive:
+      return StreamError::ControlAlarm;
+    case BlockReason::NothingToResume:
+    case BlockReason::MethodCannotResume:
+      return StreamError::CannotResume;
+    case BlockReason::NotConnected:
+    case BlockReason::NoProgram:
+    case BlockReason::NoMotion:
+    case BlockReason::NeedsTransformation:
+    case BlockReason::PathUnknown:
+    case BlockReason::SettingsInvalid:
+    case BlockReason::Infeasible:
+      break;
+  }
+  return StreamError::ProgramNotStreamable;
+}
+
+std::string sentence(const Blocked& blocked) {
+  const auto argument = [&blocked](std::size_t i) {
+    return i < blocked.arguments.size() ? blocked.arguments[i] : std::string();
+  };
+  switch (blocked.reason) {
+    case BlockReason::RunInProgress:
+      return "A run is in progress. Wait for its end.";
+    case BlockReason::ResumeCheckInProgress:
+      return "The control is being asked where the run was left. Wait for the answer.";
+    case BlockReason::CalibrationInProgress:
+      return "A calibration is in progress. Wait for its end.";
+    case BlockReason::NotConnected:
+      return "There is no connection to a control. Connect first.";
+    case BlockReason::NoProgram:
+      return "No program is loaded. Open one first.";
+    case BlockReason::NoMotion:
+      return "The program moves no axis: choose one with G0, G1, G2 or G3 and X, Y or Z.";
+    case BlockReason::NeedsTransformation:
+      return "The program needs a transformation of the control. No method streams it.";
+    case BlockReason::PathUnknown:
+      return "The program has findings that leave its path unknown. Correct them first.";
+    case BlockReason::RotaryNotStreamed:
+      return fmt::format(
+          "The program turns {}, and the method moves X, Y and Z only. Choose method window.",
+          argument(0));
+    case BlockReason::AxesMissing:
+      return fmt::format("The program turns {}, and the control does not have all of these axes.",
+                         argument(0));
+    case BlockReason::Infeasible:
+      return fmt::format(
+          "Not feasible: equation {} does not hold, the control would repeat "
+          "points. Reduce the feed to {} mm/min.",
+          argument(0), argument(1));
+    case BlockReason::NotCommissioned:
+      return "Method credit is experimental and starts only on a control that has passed its "
+             "test. Run rivulet-cli commission, or choose method window.";
+    case BlockReason::AlarmActive:
+      return fmt::format("The control reports alarm {}. Clear it at the control.", argument(0));
+    case BlockReason::ChannelBusy:
+      return "A program runs on the control. Let it end or reset the control, then start again.";
+    case BlockReason::NothingToResume:
+      return "There is no interrupted run to resume.";
+    case BlockReason::MethodCannotResume:
+      return "Only methods with numbered windows resume a run. Choose method window.";
+    case BlockReason::SettingsInvalid:
+      break;
+  }
+  return "The settings make no program. Correct them first.";
+}
+
+}  // namespace
+
+Reason programBlocked(const gcode::Program& program) {
+  if (program.isStreamable()) {
+    return std::nullopt;
+  }
+  if (!program.isUnderstood()) {
+    return because(BlockReason::PathUnknown);
+  }
+  return because(program.trajectory.points.empty() ? BlockReason::NoMotion
+                                                   : BlockReason::NeedsTransformation);
+}
+
+Reason startBlocked(const StartFacts& facts) {
+  if (Reason reason = runBlocked(facts)) {
+    return reason;
+  }
+  return channelBlocked(facts);
+}
+
+Reason resumeBlocked(const StartFacts& facts) {
+  if (!facts.hasRunToResume) {
+    return because(BlockReason::NothingToResume);
+  }
+  if (!base::hasWindows(facts.method)) {
+    return because(BlockReason::MethodCannotResume);
+  }
+  return runBlocked(facts);
+}
+
+Reason calibrationBlocked(const StartFacts& facts) {
+  if (Reason reason = linkBlocked(facts)) {
+    return reason;
+  }
+  return channelBlocked(facts);
+}
+
+base::Error blockedError(const Blocked& blocked) {
+  return blocked.cause ? *blocked.cause
+                       : base::makeError(codeOf(blocked.reason), sentence(blocked));
+}
+
+}  // namespace rivulet::streaming

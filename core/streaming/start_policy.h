@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What may be started now, and why not: the rules for command line and HMI. The rules see facts
+/// only; nothing here asks the control. A run looks at the control again before anything moves
+/// (`preflight`). @threadsafety pure.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/axes.h"
+#include "base/error.h"
+#include "base/method_kind.h"
+#include "feasibility/verdict.h"
+#include "gcode/program.h"
+
+namespace rivulet::streaming {
+
+/// What this client is doing with the control.
+enum class Activity {
+  Idle,
+  Streaming,
+  CheckingResume,  ///< the control is asked where a run was left
+  Calibrating,
+};
+
+/// Why something may not be started. The arguments are those of `Blocked::arguments`.
+enum class BlockReason {
+  RunInProgress,
+  ResumeCheckInProgress,
+  CalibrationInProgress,
+  NotConnected,
+  NoProgram,
+  NoMotion,             ///< the program moves no axis
+  NeedsTransformation,  ///< the path is known, but only with a transformation of the control
+  PathUnknown,          ///< the program has findings of severity error
+  RotaryNotStreamed,    ///< the program turns rotary axes, the method moves X, Y, Z; axes
+  AxesMissing,          ///< the program turns axes the control lacks; axes
+  SettingsInvalid,      ///< see `Blocked::cause`
+  Infeasible,           ///< the control would repeat points; equation, largest feed in mm/min
+  NotCommissioned,      ///< the method needs a test that this control has not passed
+  AlarmActive,          ///< number of the alarm
+  ChannelBusy,          ///< a program runs on the control
+  NothingToResume,      ///< no run was left
+  MethodCannotResume,   ///< only methods with numbered windows go on where a run was left
+};
+
+struct Blocked {
+  BlockReason reason = BlockReason::NotConnected;
+  std::vector<std::string> arguments;
+  std::optional<base::Error> cause;  ///< SettingsInvalid only
+};
+
+/// What is known when somebody wants to start something. What is not known blocks nothing: the run
+/// finds out.
+struct StartFacts {
+  Activity activity = Activity::Idle;
+  bool isConnected = false;
+  const gcode::Program* program = nullptr;  ///< null: none is loaded
+  base::RotarySet turnedAxes{};             ///< rotary axes the program turns
+  base::MethodKind method = base::MethodKind::Window;
+  std::optional<base::Error> settingsError;     ///< no program can be made of the settings
+  std::optional<feasibility::Verdict> verdict;  ///< nothing: there is none to be had
+  bool acceptsInfeasible = false;      ///< wrong motion does no harm, or the user answers for it
+  std::optional<bool> isCommissioned;  ///< the control has passed the test of the method
+  std::optional<int> channelStatus;    ///< 0: reset
+  std::optional<int> alarm;            ///< 0: none
+  std::optional<base::RotarySet> controlAxes;  ///< rotary axes the control has
+  bool hasRunToResume = false;                 ///< a run was left that can be resumed
+};
+
+/// The first reason in the order in which an operator would remove them; nothing: it may start.
+[[nodiscard]] std::optional<Blocked> startBlocked(const StartFacts& facts);
+/// The same for a run that was left. A program that still waits on the control does not block: it
+/// is ended first.
+[[nodiscard]] std::optional<Blocked> resumeBlocked(const StartFacts& facts);
+/// The same for a calibration, which needs no program.
+[[nodiscard]] std::optional<Blocked> calibrationBlocked(const StartFacts& facts);
+
+/// Why no method streams this program; nothing if one does.
+[[nodiscard]] std::optional<Blocked> programBlocked(const gcode::Program& program);
+
+/// The reason as an error in English, for command line and log.
+[[nodiscard]] base::Error blockedError(const Blocked& blocked);
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// What may be started, why not, and with which form of access.
+
+#include <QtTest>
+#include <set>
+
+#include "streaming/access_policy.h"
+#include "streaming/calibration.h"
+#include "streaming/run.h"
+#include "streaming/start_policy.h"
+
+using namespace rivulet;
+using base::MethodKind;
+using streaming::AccessChoice;
+using streaming::AccessPreference;
+using streaming::Activity;
+using streaming::Blocked;
+using streaming::BlockReason;
+using streaming::StartFacts;
+
+namespace {
+
+gcode::Program programOf(const char* text) {
+  return gcode::interpretProgram("a.nc", text).value();
+}
+
+/// Everything in order; the tests take one thing away at a time.
+StartFacts ready(const gcode::Program& program) {
+  StartFacts facts;
+  facts.isConnected = true;
+  facts.program = &program;
+  facts.channelStatus = 0;
+  facts.alarm = 0;
+  facts.controlAxes = base::RotarySet{};
+  return facts;
+}
+
+std::optional<BlockReason> reasonOf(const std::optional<Blocked>& blocked) {
+  return blocked ? std::optional(blocked->reason) : std::nullopt;
+}
+
+feasibility::Verdict infeasible() {
+  feasibility::Verdict verdict;
+  verdict.feasible = false;
+  verdict.limiting.equation = feasibility::Equation::Delta;
+  verdict.feedMmPerSMax = 10.0;
+  return verdict;
+}
+
+}  // namespace
+
+class TestStartPolicy : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void startsWhenNothingIsInTheWay() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    QVERIFY(!streaming::startBlocked(ready(program)));
+    // What is not known blocks nothing.
+    StartFacts facts;
+    facts.isConnected = true;
+    facts.program = &program;
+    QVERIFY(!streaming::startBlocked(facts));
+  }
+
+  void namesTheFirstReason() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    const auto reason = [&facts] { return reasonOf(streaming::startBlocked(facts)); };
+    facts.channelStatus = 1;
+    QVERIFY(reason() == BlockReason::ChannelBusy);
+    facts.alarm = 14080;
+    QVERIFY(reason() == BlockReason::AlarmActive);
+    QCOMPARE(streaming::startBlocked(facts)->arguments.front(), std::string("14080"));
+    facts.verdict = infeasible();
+    QVERIFY(reason() == BlockReason::Infeasible);
+    facts.settingsError = base::makeError(streaming::StreamError::AxisMissing, "why");
+    QVERIFY(reason() == BlockReason::SettingsInvalid);
+    QCOMPARE(streaming::blockedError(*streaming::startBlocked(facts)).message, std::string("why"));
+    facts.program = nullptr;
+    QVERIFY(reason() == BlockReason::NoProgram);
+    facts.isConnected = false;
+    QVERIFY(reason() == BlockReason::NotConnected);
+    facts.activity = Activity::Calibrating;
+    QVERIFY(reason() == BlockReason::CalibrationInProgress);
+    facts.activity = Activity::CheckingResume;
+    QVERIFY(reason() == BlockReason::ResumeCheckInProgress);
+    facts.activity = Activity::Streaming;
+    QVERIFY(reason() == BlockReason::RunInProgress);
+  }
+
+  void tellsProgramsApartThatCannotBeStreamed() {
+    const gcode::Program unknown = programOf("G1 X1 Y2 Z3 F100\nX=FOO(3)\n");
+    QVERIFY(reasonOf(streaming::startBlocked(ready(unknown))) == BlockReason::PathUnknown);
+    gcode::Program still = programOf("G1 X1 F100\n");
+    still.trajectory.points.clear();
+    QVERIFY(reasonOf(streaming::startBlocked(ready(still))) == BlockReason::NoMotion);
+    QVERIFY(reasonOf(streaming::programBlocked(programOf("TRAORI\nG1 X1 Y2 Z3 A3=0 B3=0 C3=1 F9\n"
+                                                         "X2 A3=1 B3=0 C3=1\n"))) ==
+            BlockReason::NeedsTransformation);
+  }
+
+  void infeasibleSettingsStartOnlyWhereTheyAreAccepted() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    facts.method = MethodKind::Position;
+    facts.verdict = infeasible();
+    const auto blocked = streaming::startBlocked(facts);
+    QVERIFY(reasonOf(blocked) == BlockReason::Infeasible);
+    QCOMPARE(blocked->arguments, (std::vector<std::string>{"(2)", "600"}));
+    facts.acceptsInfeasible = true;
+    QVERIFY(!streaming::startBlocked(facts));
+  }
+
+  void rotaryAxesNeedAMethodAndAControlThatHaveThem() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    facts.turnedAxes = {true, false, true};
+    facts.controlAxes = base::RotarySet{true, false, false};
+    const auto missing = streaming::startBlocked(facts);
+    QVERIFY(reasonOf(missing) == BlockReason::AxesMissing);
+    QCOMPARE(missing->arguments.front(), std::string("AC"));
+    facts.controlAxes = base::RotarySet{true, true, true};
+    QVERIFY(!streaming::startBlocked(facts));
+    for (const MethodKind method : base::kMethodKinds) {
+      facts.method = method;
+      facts.isCommissioned = true;
+      QCOMPARE(reasonOf(streaming::startBlocked(facts)) == BlockReason::RotaryNotStreamed,
+               !base::streamsRotary(method));
+    }
+  }
+
+  void methodCreditNeedsItsTest() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    facts.isCommissioned = false;
+    QVERIFY(!streaming::startBlocked(facts));
+    facts.method = MethodKind::Credit;
+    const auto blocked = streaming::startBlocked(facts);
+    QVERIFY(reasonOf(blocked) == BlockReason::NotCommissioned);
+    QVERIFY(streaming::blockedError(*blocked).code == streaming::StreamError::NotCommissioned);
+    facts.isCommissioned = true;
+    QVERIFY(!streaming::startBlocked(facts));
+  }
+
+  void onlyMethodsWithWindowsResume() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    QVERIFY(reasonOf(streaming::resumeBlocked(facts)) == BlockReason::NothingToResume);
+    facts.hasRunToResume = true;
+    QVERIFY(!streaming::resumeBlocked(facts));
+    // The program of that run may still wait on the control.
+    facts.channelStatus = 1;
+    QVERIFY(!streaming::resumeBlocked(facts));
+    for (const MethodKind method : base::kPaperMethods) {
+      facts.method = method;
+      QVERIFY(reasonOf(streaming::resumeBlocked(facts)) == BlockReason::MethodCannotResume);
+    }
+  }
+
+  void aCalibrationNeedsAChannelInReset() {
+    StartFacts facts;
+    facts.isConnected = true;
+    QVERIFY(!streaming::calibrationBlocked(facts));
+    facts.channelStatus = 1;
+    QVERIFY(reasonOf(streaming::calibrationBlocked(facts)) == BlockReason::ChannelBusy);
+    facts.activity = Activity::Streaming;
+    QVERIFY(reasonOf(streaming::calibrationBlocked(facts)) == BlockReason::RunInProgress);
+  }
+
+  /// Each reason has a sentence and a code of its own folder.
+  void everyReasonIsAnError() {
+    std::set<std::string> sentences;
+    for (int i = 0; i <= static_cast<int>(BlockReason::MethodCannotResume); ++i) {
+      const base::Error error =
+          streaming::blockedError({static_cast<BlockReason>(i), {"1", "2"}, std::nullopt});
+      QVERIFY(error.code);
+      QVERIFY(sentences.insert(error.message).second);
+    }
+  }
+
+  void methodsOfThePaperUseListsUnlessToldOtherwise() {
+    for (const MethodKind method : base::kMethodKinds) {
+      const bool isPublished = base::isPublished(method);
+      QVERIFY(streaming::accessPlan(AccessPreference::Automatic, method).choice ==
+              (isPublished ? AccessChoice::Fixed : AccessChoice::Best));
+      QVERIFY(streaming::accessPlan(AccessPreference::Array, method).choice == AccessChoice::Array);
+      const auto single = streaming::accessPlan(AccessPreference::Single, method);
+      QVERIFY(single.choice == AccessChoice::Fixed);
+      QVERIFY(single.grouping == opcua::Grouping::Single);
+      const auto list = streaming::accessPlan(AccessPreference::List, method);
+      QVERIFY(list.choice == AccessChoice::Fixed && list.grouping == opcua::Grouping::List);
+      QVERIFY(list.expected(nullptr) == opcua::Grouping::List);
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestStartPolicy)
+#include "tst_start_policy.moc"
