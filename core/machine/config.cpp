@@ -8,9 +8,12 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "base/units.h"
 
@@ -19,6 +22,9 @@ namespace rivulet::machine {
 namespace {
 
 using base::Result;
+
+template <class Value, std::size_t count>
+using Choices = std::array<std::pair<std::string_view, Value>, count>;
 
 /// Reads keys of a preset and remembers the first problem; unknown keys are found at the end.
 class Reader {
@@ -60,16 +66,20 @@ class Reader {
     return m_root.at_path(path).node() != nullptr;
   }
 
-  std::string word(const std::string& path) {
+  /// One of a few words. @return its value; the first one's where the word is another
+  template <class Value, std::size_t count>
+  Value choice(const std::string& path, const Choices<Value, count>& choices) {
     const toml::node* node = find(path);
-    if (node == nullptr) {
-      return {};
+    const std::string word = node == nullptr ? "" : node->value<std::string>().value_or("");
+    std::string allowed;
+    for (const auto& [name, value] : choices) {
+      if (word == name) {
+        return value;
+      }
+      allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : " or ", name);
     }
-    if (!node->is_string()) {
-      problem(path, "must be a text in quotes", node);
-      return {};
-    }
-    return node->value<std::string>().value_or("");
+    problem(path, "must be " + allowed, node);
+    return choices.front().second;
   }
 
   std::array<double, 2> range(const std::string& path) {
@@ -165,6 +175,89 @@ base::Duration milliseconds(Reader& reader, const std::string& path, double min,
   return base::fromMilliseconds(reader.number(path, min, max));
 }
 
+void readAxes(Reader& reader, MachineConfig& config) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const std::string prefix = fmt::format("axes.{}.", base::kAxisNames[axis]);
+    AxisLimits& limits = config.axes[axis];
+    const std::array<double, 2> position = reader.range(prefix + "positionMm");
+    limits.positionMmMin = position[0];
+    limits.positionMmMax = position[1];
+    limits.speedMmPerSMax =
+        base::mmPerSFromMmPerMin(reader.number(prefix + "speedMmPerMin", 1.0, 1e6));
+    limits.accelerationMmPerS2Max = reader.number(prefix + "accelerationMmPerS2", 1.0, 1e6);
+    limits.jerkMmPerS3Max = reader.number(prefix + "jerkMmPerS3", 1.0, 1e9);
+    limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
+    limits.startMm = reader.number(prefix + "startMm", position[0], position[1]);
+  }
+}
+
+/// A machine has the rotary axes that its preset names.
+void readRotaryAxes(Reader& reader, MachineConfig& config) {
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    const std::string table = fmt::format("axes.{}", base::kRotaryAxisNames[axis]);
+    if (!reader.has(table)) {
+      continue;
+    }
+    const std::string prefix = table + ".";
+    RotaryLimits& limits = config.rotaryAxes[axis].emplace();
+    const std::array<double, 2> position = reader.range(prefix + "positionDeg");
+    limits.positionDegMin = position[0];
+    limits.positionDegMax = position[1];
+    limits.speedDegPerSMax = reader.number(prefix + "speedDegPerS", 0.1, 1e5);
+    limits.accelerationDegPerS2Max = reader.number(prefix + "accelerationDegPerS2", 1.0, 1e6);
+    limits.jerkDegPerS3Max = reader.number(prefix + "jerkDegPerS3", 1.0, 1e9);
+    limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
+    limits.startDeg = reader.number(prefix + "startDeg", position[0], position[1]);
+  }
+}
+
+void readControl(Reader& reader, MachineConfig& config) {
+  config.interpolationCycle = milliseconds(reader, "control.interpolationCycleMs", 0.1, 100.0);
+  config.positionCycle = milliseconds(reader, "control.positionCycleMs", 0.01, 100.0);
+  config.blockPreparation = milliseconds(reader, "control.blockPreparationMs", 0.01, 1000.0);
+  config.bufferedBlocksMax =
+      static_cast<int>(reader.number("control.bufferedBlocks", 1.0, 100000.0));
+  config.standstillMean = milliseconds(reader, "control.standstillMs.mean", 0.0, 10000.0);
+  config.standstillDeviation = milliseconds(reader, "control.standstillMs.deviation", 0.0, 1000.0);
+  config.relatch = milliseconds(reader, "control.relatchMs", 0.0, 10000.0);
+  config.rRead = reader.choice(
+      "control.rRead", Choices<RRead, 2>{{{"atInterpretation", RRead::AtInterpretation},
+                                          {"cachedUntilStopre", RRead::CachedUntilStopre}}});
+  config.jumpStops = reader.flag("control.jumpStops");
+  config.resetDynamics =
+      reader.choice("control.resetDynamics",
+                    Choices<Dynamics, 2>{{{"BRISK", Dynamics::Brisk}, {"SOFT", Dynamics::Soft}}});
+  config.blocksPerCycleMax = reader.number("control.blocksPerCycleMax", 0.0, 1000.0);
+  if (reader.has("control.overlayMode")) {
+    config.overlayMode = static_cast<int>(reader.number("control.overlayMode", 0.0, 3.0));
+  }
+  config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
+  config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
+  config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));
+  config.traceLimit = base::fromSeconds(reader.number("control.traceMinutes", 0.0, 1440.0) * 60.0);
+}
+
+void readAccess(Reader& reader, AccessCost& access) {
+  access.readOverhead = milliseconds(reader, "access.readOverheadMs", 0.0, 10000.0);
+  access.writeOverhead = milliseconds(reader, "access.writeOverheadMs", 0.0, 10000.0);
+  access.nodeTimeMean = milliseconds(reader, "access.nodeTimeMs.mean", 0.0, 10000.0);
+  access.nodeTimeDeviation = milliseconds(reader, "access.nodeTimeMs.deviation", 0.0, 10000.0);
+  access.samplingMin = milliseconds(reader, "access.minimumSamplingMs", 1.0, 10000.0);
+  access.nodeTimeMin = milliseconds(reader, "access.nodeTimeMs.min", 0.0, 10000.0);
+  const std::set<std::string> forms = reader.words("access.arrayForms", {"count", "range"});
+  access.arrays.count = forms.contains("count");
+  access.arrays.range = forms.contains("range");
+  access.arrays.write = reader.choice(
+      "access.arrayWrite", Choices<ArrayWrite, 3>{{{"all", ArrayWrite::All},
+                                                   {"refused", ArrayWrite::Refused},
+                                                   {"firstOnly", ArrayWrite::FirstOnly}}});
+  access.arrays.charge = reader.choice(
+      "access.arrayCharge",
+      Choices<ArrayCharge, 2>{{{"element", ArrayCharge::Element}, {"node", ArrayCharge::Node}}});
+  access.programOverhead = milliseconds(reader, "access.programOverheadMs", 0.0, 60000.0);
+  access.programBytesPerS = 1e3 * reader.number("access.programKilobytesPerS", 1e-3, 1e9);
+}
+
 }  // namespace
 
 std::error_code make_error_code(MachineError code) {
@@ -211,91 +304,10 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
   }
   Reader reader(root, origin);
   MachineConfig config;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const std::string prefix = fmt::format("axes.{}.", base::kAxisNames[axis]);
-    AxisLimits& limits = config.axes[axis];
-    const std::array<double, 2> position = reader.range(prefix + "positionMm");
-    limits.positionMmMin = position[0];
-    limits.positionMmMax = position[1];
-    limits.speedMmPerSMax =
-        base::mmPerSFromMmPerMin(reader.number(prefix + "speedMmPerMin", 1.0, 1e6));
-    limits.accelerationMmPerS2Max = reader.number(prefix + "accelerationMmPerS2", 1.0, 1e6);
-    limits.jerkMmPerS3Max = reader.number(prefix + "jerkMmPerS3", 1.0, 1e9);
-    limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
-    limits.startMm = reader.number(prefix + "startMm", position[0], position[1]);
-  }
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    const std::string table = fmt::format("axes.{}", base::kRotaryAxisNames[axis]);
-    if (!reader.has(table)) {
-      continue;
-    }
-    const std::string prefix = table + ".";
-    RotaryLimits& limits = config.rotaryAxes[axis].emplace();
-    const std::array<double, 2> position = reader.range(prefix + "positionDeg");
-    limits.positionDegMin = position[0];
-    limits.positionDegMax = position[1];
-    limits.speedDegPerSMax = reader.number(prefix + "speedDegPerS", 0.1, 1e5);
-    limits.accelerationDegPerS2Max = reader.number(prefix + "accelerationDegPerS2", 1.0, 1e6);
-    limits.jerkDegPerS3Max = reader.number(prefix + "jerkDegPerS3", 1.0, 1e9);
-    limits.servoTimeConstantS = reader.number(prefix + "servoTimeConstantMs", 0.0, 1000.0) * 1e-3;
-    limits.startDeg = reader.number(prefix + "startDeg", position[0], position[1]);
-  }
-  config.interpolationCycle = milliseconds(reader, "control.interpolationCycleMs", 0.1, 100.0);
-  config.positionCycle = milliseconds(reader, "control.positionCycleMs", 0.01, 100.0);
-  config.blockPreparation = milliseconds(reader, "control.blockPreparationMs", 0.01, 1000.0);
-  config.bufferedBlocksMax =
-      static_cast<int>(reader.number("control.bufferedBlocks", 1.0, 100000.0));
-  config.standstillMean = milliseconds(reader, "control.standstillMs.mean", 0.0, 10000.0);
-  config.standstillDeviation = milliseconds(reader, "control.standstillMs.deviation", 0.0, 1000.0);
-  config.relatch = milliseconds(reader, "control.relatchMs", 0.0, 10000.0);
-  const std::string rRead = reader.word("control.rRead");
-  if (rRead == "cachedUntilStopre") {
-    config.rRead = RRead::CachedUntilStopre;
-  } else if (rRead != "atInterpretation") {
-    reader.problem("control.rRead", "must be \"atInterpretation\" or \"cachedUntilStopre\"",
-                   nullptr);
-  }
-  config.jumpStops = reader.flag("control.jumpStops");
-  const std::string dynamics = reader.word("control.resetDynamics");
-  if (dynamics == "SOFT") {
-    config.resetDynamics = Dynamics::Soft;
-  } else if (dynamics != "BRISK") {
-    reader.problem("control.resetDynamics", "must be \"BRISK\" or \"SOFT\"", nullptr);
-  }
-  config.blocksPerCycleMax = reader.number("control.blocksPerCycleMax", 0.0, 1000.0);
-  if (reader.has("control.overlayMode")) {
-    config.overlayMode = static_cast<int>(reader.number("control.overlayMode", 0.0, 3.0));
-  }
-  config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
-  config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
-  config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));
-  config.traceLimit = base::fromSeconds(reader.number("control.traceMinutes", 0.0, 1440.0) * 60.0);
-  config.access.readOverhead = milliseconds(reader, "access.readOverheadMs", 0.0, 10000.0);
-  config.access.writeOverhead = milliseconds(reader, "access.writeOverheadMs", 0.0, 10000.0);
-  config.access.nodeTimeMean = milliseconds(reader, "access.nodeTimeMs.mean", 0.0, 10000.0);
-  config.access.nodeTimeDeviation =
-      milliseconds(reader, "access.nodeTimeMs.deviation", 0.0, 10000.0);
-  config.access.samplingMin = milliseconds(reader, "access.minimumSamplingMs", 1.0, 10000.0);
-  config.access.nodeTimeMin = milliseconds(reader, "access.nodeTimeMs.min", 0.0, 10000.0);
-  const std::set<std::string> forms = reader.words("access.arrayForms", {"count", "range"});
-  config.access.arrays.count = forms.contains("count");
-  config.access.arrays.range = forms.contains("range");
-  const std::string arrayWrite = reader.word("access.arrayWrite");
-  if (arrayWrite == "refused") {
-    config.access.arrays.write = ArrayWrite::Refused;
-  } else if (arrayWrite == "firstOnly") {
-    config.access.arrays.write = ArrayWrite::FirstOnly;
-  } else if (arrayWrite != "all") {
-    reader.problem("access.arrayWrite", "must be \"all\", \"refused\" or \"firstOnly\"", nullptr);
-  }
-  config.access.programOverhead = milliseconds(reader, "access.programOverheadMs", 0.0, 60000.0);
-  config.access.programBytesPerS = 1e3 * reader.number("access.programKilobytesPerS", 1e-3, 1e9);
-  const std::string arrayCharge = reader.word("access.arrayCharge");
-  if (arrayCharge == "node") {
-    config.access.arrays.charge = ArrayCharge::Node;
-  } else if (arrayCharge != "element") {
-    reader.problem("access.arrayCharge", "must be \"node\" or \"element\"", nullptr);
-  }
+  readAxes(reader, config);
+  readRotaryAxes(reader, config);
+  readControl(reader, config);
+  readAccess(reader, config.access);
   if (const std::string problem = reader.finish(); !problem.empty()) {
     return base::fail(MachineError::PresetMalformed,
                       fmt::format("The preset cannot be used: {}. Correct the file.", problem),
