@@ -160,10 +160,69 @@ std::vector<std::string> rowOf(const std::string& name, double feed, const Summa
           fmt::format("{:.2f}", summary.waitingS)};
 }
 
-}  // namespace
+/// What the report shows of one method.
+struct Lines {
+  std::vector<std::vector<std::string>> rows;  ///< one per feed
+  std::optional<std::size_t> largest;          ///< feed up to which every run is right
+  Series rates;
+  Series shares;
+  std::size_t wrong = 0;
+};
 
-base::Result<Experiment> runMethods(const ExperimentOptions& options) {
-  const std::size_t seeds = options.seeds > 0 ? options.seeds : 40;
+/// @param runs  of the method: feed by feed, `seeds` each
+Lines linesOf(const std::string& name, const Measured* runs, std::size_t seeds) {
+  Lines lines;
+  lines.rates = {name, SeriesStyle::Line, false, {}, {}, {}};
+  lines.shares = {name, SeriesStyle::Line, false, {}, {}, {}};
+  bool isStillRight = true;
+  for (std::size_t f = 0; f < kFeeds.size(); ++f) {
+    const Summary summary = summaryOf(runs + f * seeds, seeds);
+    lines.rows.push_back(rowOf(name, kFeeds[f], summary, seeds));
+    lines.wrong += seeds - summary.right;
+    isStillRight = isStillRight && summary.right == seeds;
+    if (isStillRight) {
+      lines.largest = f;
+      lines.rates.x.push_back(kFeeds[f]);
+      lines.rates.y.push_back(summary.pointsPerS);
+      lines.shares.x.push_back(kFeeds[f]);
+      lines.shares.y.push_back(100.0 * summary.standingShare);
+    }
+  }
+  return lines;
+}
+
+/// A method with windows promises that no run is ever wrong.
+Check promiseOf(const std::string& name, std::size_t wrong) {
+  Check never;
+  never.what = fmt::format("runs of method {} with an error, all feeds", name);
+  never.source = "promise of the method";
+  never.reference = 0.0;
+  never.ours = static_cast<double>(wrong);
+  never.lowest = 0.0;
+  never.highest = 0.0;
+  return never;
+}
+
+std::vector<std::string> notesOf() {
+  return {
+      fmt::format("The largest feed is the largest of the {} that were tried at which, and below "
+                  "which, every run was right. At {:.0f} mm/min no limit was found.",
+                  kFeeds.size(), kFeeds.back()),
+      "With points so close, and a stand-still in each loop, the axes never reach the larger "
+      "feeds: points per second approach a limit, and so do the errors.",
+      "Methods window, credit and file are right at any feed because the axes wait when the client "
+      "is late. The methods of [P1] are right only where they are fast enough for the machine.",
+      "Method credit is experimental: it needs a control that reads R-parameters each time it "
+      "passes a block, as this virtual machine does.",
+      "Method file is shown for comparison. No source says what storing a program costs on a "
+      "control; this machine takes what its preset says.",
+      "Where runs went wrong, the figures of the second table include repeated or skipped points: "
+      "they do not measure the method."};
+}
+
+/// Every contender at every feed, `seeds` runs each. @return nothing if cancelled
+std::optional<std::vector<Measured>> measureAll(const ExperimentOptions& options,
+                                                std::size_t seeds) {
   const std::size_t perMethod = kFeeds.size() * seeds;
   std::vector<Measured> runs(kContenders.size() * perMethod);
   std::atomic<std::size_t> done{0};
@@ -179,7 +238,15 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
       isCancelled = true;
     }
   });
-  if (isCancelled) {
+  return isCancelled ? std::nullopt : std::optional(std::move(runs));
+}
+
+}  // namespace
+
+base::Result<Experiment> runMethods(const ExperimentOptions& options) {
+  const std::size_t seeds = options.seeds > 0 ? options.seeds : 40;
+  const std::optional<std::vector<Measured>> runs = measureAll(options, seeds);
+  if (!runs) {
     return base::fail(ExperimentError::Cancelled, "The experiment was cancelled.");
   }
 
@@ -189,8 +256,8 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
   result.setup = fmt::format(
       "{} points, steps of {} mm plus an exponential rest of mean {} mm; N {}, δ = d_min; {} feeds "
       "from {:.0f} to {:.0f} mm/min, {} runs each. All methods get the same contours, machines and "
-      "seeds. Errors, pauses and times are those of the machine's own trace; access is what "
-      "its variable service has served. Waiting is how much longer the axes stood than with a "
+      "seeds. Errors, pauses and times come from the machine's own trace; access is what its "
+      "variable service has served. Waiting is how much longer the axes stood than with a "
       "client that needs no time.",
       kPoints, kPointDistanceMm, kRestMmMean, kPointsPerLoop, kFeeds.size(), kFeeds.front(),
       kFeeds.back(), seeds);
@@ -205,60 +272,20 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
       "Share of time the axes stand, runs without error", "F (mm/min)", "stand-still (%)", {}};
   for (std::size_t m = 0; m < kContenders.size(); ++m) {
     const std::string name(kContenders[m].name);
-    Series rates{name, SeriesStyle::Line, false, {}, {}, {}};
-    Series shares{name, SeriesStyle::Line, false, {}, {}, {}};
-    std::optional<std::size_t> largest;
-    bool isStillRight = true;
-    std::size_t wrong = 0;
-    std::vector<Summary> summaries;
-    for (std::size_t f = 0; f < kFeeds.size(); ++f) {
-      const Summary summary = summaryOf(&runs[m * perMethod + f * seeds], seeds);
-      summaries.push_back(summary);
-      all.rows.push_back(rowOf(name, kFeeds[f], summary, seeds));
-      wrong += seeds - summary.right;
-      isStillRight = isStillRight && summary.right == seeds;
-      if (isStillRight) {
-        largest = f;
-        rates.x.push_back(kFeeds[f]);
-        rates.y.push_back(summary.pointsPerS);
-        shares.x.push_back(kFeeds[f]);
-        shares.y.push_back(100.0 * summary.standingShare);
-      }
-    }
-    if (largest) {
-      best.rows.push_back(rowOf(name, kFeeds[*largest], summaries[*largest], seeds));
+    Lines lines = linesOf(name, runs->data() + m * kFeeds.size() * seeds, seeds);
+    all.rows.insert(all.rows.end(), lines.rows.begin(), lines.rows.end());
+    if (lines.largest) {
+      best.rows.push_back(lines.rows[*lines.largest]);
     }
     if (base::hasWindows(kContenders[m].method)) {
-      Check never;
-      never.what = fmt::format("runs of method {} with an error, all feeds", name);
-      never.source = "promise of the method";
-      never.reference = 0.0;
-      never.ours = static_cast<double>(wrong);
-      never.lowest = 0.0;
-      never.highest = 0.0;
-      result.checks.push_back(never);
+      result.checks.push_back(promiseOf(name, lines.wrong));
     }
-    rate.series.push_back(std::move(rates));
-    standing.series.push_back(std::move(shares));
+    rate.series.push_back(std::move(lines.rates));
+    standing.series.push_back(std::move(lines.shares));
   }
   result.tables = {std::move(best), std::move(all)};
   result.plots = {std::move(rate), std::move(standing)};
-  result.notes = {
-      fmt::format("The largest feed is the largest of the {} that were tried with every run right "
-                  "there and at all smaller ones: with {:.0f} mm/min no limit was found.",
-                  kFeeds.size(), kFeeds.back()),
-      "Between points so close, and with a stand-still in each loop, the axes of the machine never "
-      "reach the larger feeds: points per second approach a limit, and so do the errors.",
-      "Methods window, credit and file are right at any feed because their axes wait where the "
-      "client is late; the methods of [P1] are right only where they are fast enough on the "
-      "machine in "
-      "question.",
-      "Method credit is experimental: it needs a control that reads R-parameters each time it "
-      "passes a block, as this virtual machine does.",
-      "Method file is there for comparison. What storing a program costs on a control is published "
-      "nowhere; the machine of this run takes what its preset says.",
-      "Where runs went wrong, the figures of the second table are those of runs that repeat or "
-      "skip points: they are no measure of the method."};
+  result.notes = notesOf();
   return result;
 }
 

@@ -17,16 +17,16 @@ namespace {
 
 using feasibility::SweepAxis;
 
-/// A run that gets nowhere is given up this long after it should have got somewhere.
+/// A run without progress is abandoned after this time.
 constexpr base::Duration kStallDeadline = std::chrono::seconds{3};
-/// A program that repeats takes longer than planned: this factor and this time more are enough to
-/// see it.
+/// A run that repeats points takes longer than planned. It is watched for the planned time times
+/// this factor, plus this rest.
 constexpr double kLimitFactor = 1.5;
 constexpr double kLimitRestS = 5.0;
-/// Way to the first point, beyond δ.
+/// Distance from the start to the first point, in addition to δ.
 constexpr double kApproachMm = 1.0;
 
-/// Time at the feed, and a stand-still at every signal.
+/// Time at the programmed feed, plus a stand-still at every signal.
 double plannedSeconds(const streaming::Scenario& scenario) {
   const std::vector<gcode::TrajectoryPoint>& points = scenario.program->trajectory.points;
   double lengthMm = 0.0;
@@ -56,6 +56,54 @@ std::shared_ptr<const gcode::Program> programAt(const std::vector<gcode::StreamP
   return streaming::programOf(positions);
 }
 
+/// The places of the region to be tried, feed by feed, and the program of each abscissa.
+struct Grid {
+  std::vector<RegionPoint> points;
+  std::vector<std::shared_ptr<const gcode::Program>> programs;
+};
+
+Grid gridOf(const RegionRequest& request) {
+  const double distanceMmMin = feasibility::programDistances(request.points, 2).pointDistanceMmMin;
+  Grid grid;
+  for (const double abscissa : request.abscissas) {
+    RIVULET_ASSERT(abscissa > 0.0);
+    const bool scales = request.axis == SweepAxis::PointDistance;
+    const double scale = scales ? abscissa / distanceMmMin : 1.0;
+    grid.programs.push_back(programAt(request.points, scale, request.points.front().positionMm));
+    for (const double feedMmPerS : request.feedsMmPerS) {
+      RIVULET_ASSERT(feedMmPerS > 0.0);
+      RegionPoint point;
+      point.abscissa = abscissa;
+      point.feedMmPerS = feedMmPerS;
+      point.pointsPerLoop = request.axis == SweepAxis::PointsPerLoop
+                                ? static_cast<int>(std::lround(abscissa))
+                                : request.settings.parameters.pointsPerLoop;
+      point.deltaMm = request.axis == SweepAxis::Delta ? abscissa : request.settings.deltaMm;
+      point.pointDistanceMmMin = distanceMmMin * scale;
+      grid.points.push_back(point);
+    }
+  }
+  return grid;
+}
+
+/// A run at one place of the region; its seed is still open.
+streaming::Scenario scenarioAt(const RegionRequest& request, const Grid& grid, std::size_t at) {
+  const RegionPoint& point = grid.points[at];
+  streaming::Scenario scenario;
+  scenario.machine = request.machine;
+  scenario.program = grid.programs[at / request.feedsMmPerS.size()];
+  const base::Vec3 startMm = regionStartMm(request.points, point.deltaMm);
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    machine::AxisLimits& limits = scenario.machine.axes[axis];
+    limits.startMm = std::clamp(startMm[axis], limits.positionMmMin, limits.positionMmMax);
+  }
+  scenario.settings = request.settings;
+  scenario.settings.feedMmPerS = point.feedMmPerS;
+  scenario.settings.deltaMm = point.deltaMm;
+  scenario.settings.parameters.pointsPerLoop = point.pointsPerLoop;
+  return scenario;
+}
+
 }  // namespace
 
 std::string_view runFateName(RunFate fate) {
@@ -76,7 +124,7 @@ std::string_view runFateName(RunFate fate) {
 
 RunFate fateOf(streaming::Scenario scenario, base::Error* error) {
   scenario.settings.stallDeadline = kStallDeadline;
-  scenario.settings.isCommissioned = true;  // what the virtual machine is, is known
+  scenario.settings.isCommissioned = true;  // the virtual machine needs no commissioning test
   scenario.limit = base::fromSeconds(kLimitFactor * plannedSeconds(scenario) + kLimitRestS);
   const streaming::RunReport report = streaming::simulate(scenario);
   const trace::Integrity& integrity = report.integrity;
@@ -142,29 +190,8 @@ RegionResult simulateRegion(const RegionRequest& request, base::Executor& execut
                             const RegionProgress& progress) {
   RIVULET_ASSERT(request.points.size() >= 2);
   RIVULET_ASSERT(request.seedsPerPoint > 0);
-  const double distanceMmMin = feasibility::programDistances(request.points, 2).pointDistanceMmMin;
-  RegionResult result;
-  std::vector<std::shared_ptr<const gcode::Program>> programs;
-  for (const double abscissa : request.abscissas) {
-    RIVULET_ASSERT(abscissa > 0.0);
-    const bool scales = request.axis == SweepAxis::PointDistance;
-    const double scale = scales ? abscissa / distanceMmMin : 1.0;
-    programs.push_back(programAt(request.points, scale, request.points.front().positionMm));
-    for (const double feedMmPerS : request.feedsMmPerS) {
-      RIVULET_ASSERT(feedMmPerS > 0.0);
-      RegionPoint point;
-      point.abscissa = abscissa;
-      point.feedMmPerS = feedMmPerS;
-      point.pointsPerLoop = request.axis == SweepAxis::PointsPerLoop
-                                ? static_cast<int>(std::lround(abscissa))
-                                : request.settings.parameters.pointsPerLoop;
-      point.deltaMm = request.axis == SweepAxis::Delta ? abscissa : request.settings.deltaMm;
-      point.pointDistanceMmMin = distanceMmMin * scale;
-      result.points.push_back(point);
-    }
-  }
-
-  const std::size_t total = result.points.size() * request.seedsPerPoint;
+  const Grid grid = gridOf(request);
+  const std::size_t total = grid.points.size() * request.seedsPerPoint;
   std::vector<RunFate> fates(total, RunFate::Cancelled);
   std::vector<base::Error> errors(total);
   std::atomic<bool> cancelled{false};
@@ -174,19 +201,7 @@ RegionResult simulateRegion(const RegionRequest& request, base::Executor& execut
       return;
     }
     const std::size_t at = index / request.seedsPerPoint;
-    const RegionPoint& point = result.points[at];
-    streaming::Scenario scenario;
-    scenario.machine = request.machine;
-    scenario.program = programs[at / request.feedsMmPerS.size()];
-    const base::Vec3 startMm = regionStartMm(request.points, point.deltaMm);
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      machine::AxisLimits& limits = scenario.machine.axes[axis];
-      limits.startMm = std::clamp(startMm[axis], limits.positionMmMin, limits.positionMmMax);
-    }
-    scenario.settings = request.settings;
-    scenario.settings.feedMmPerS = point.feedMmPerS;
-    scenario.settings.deltaMm = point.deltaMm;
-    scenario.settings.parameters.pointsPerLoop = point.pointsPerLoop;
+    streaming::Scenario scenario = scenarioAt(request, grid, at);
     scenario.seed = base::Random(request.seed).fork(index).bits();
     fates[index] = fateOf(std::move(scenario), &errors[index]);
     if (progress && !progress(++done, total)) {
@@ -194,28 +209,19 @@ RegionResult simulateRegion(const RegionRequest& request, base::Executor& execut
     }
   });
 
+  RegionResult result;
   result.cancelled = cancelled;
+  result.points = grid.points;
   for (std::size_t index = 0; index < total; ++index) {
-    RegionPoint& point = result.points[index / request.seedsPerPoint];
-    switch (fates[index]) {
-      case RunFate::Faulty:
-        ++point.faulty;
-        ++point.runs;
-        break;
-      case RunFate::Stalled:
-        ++point.stalled;
-        ++point.runs;
-        break;
-      case RunFate::Ran:
-        ++point.runs;
-        break;
-      case RunFate::Refused:
-        if (!result.error.code) {
-          result.error = errors[index];
-        }
-        break;
-      case RunFate::Cancelled:
-        break;
+    if (fates[index] == RunFate::Refused) {
+      if (!result.error.code) {
+        result.error = errors[index];
+      }
+    } else if (fates[index] != RunFate::Cancelled) {
+      RegionPoint& point = result.points[index / request.seedsPerPoint];
+      ++point.runs;
+      point.faulty += fates[index] == RunFate::Faulty ? 1 : 0;
+      point.stalled += fates[index] == RunFate::Stalled ? 1 : 0;
     }
   }
   return result;
