@@ -166,7 +166,7 @@ void CalibrationPage::setRecord(std::shared_ptr<const streaming::CalibrationReco
   m_outdated = outdated;
   const streaming::Calibration* calibration = m_record ? &m_record->calibration : nullptr;
   m_lines->setCalibration(calibration);
-  m_fits->setFits(calibration != nullptr ? calibration->fits : std::vector<streaming::AccessFit>{});
+  m_fits->setRows(calibration != nullptr ? calibration->fits : std::vector<streaming::AccessFit>{});
   m_series->setSeries(
       calibration != nullptr ? calibration->series : std::vector<streaming::AccessSeries>{},
       calibration != nullptr ? calibration->plan.shots : 0);
@@ -221,7 +221,7 @@ void CalibrationPage::cellsChanged() {
 void CalibrationPage::showSelected() {
   const int row = m_seriesTable->currentIndex().row();
   m_histogram->setSeries(
-      row < 0 || row >= m_series->rowCount() ? std::nullopt : std::optional(m_series->series(row)));
+      row < 0 || row >= m_series->rowCount() ? std::nullopt : std::optional(m_series->row(row)));
   showLegends();
 }
 
@@ -243,8 +243,8 @@ void CalibrationPage::retranslate() {
   }
   m_tabs->setTabText(0, tr("Lines"));
   m_tabs->setTabText(1, tr("Spread (times in ms)"));
-  m_fits->retranslate();
-  m_series->retranslate();
+  m_fits->refresh();
+  m_series->refresh();
   m_lines->retranslate();
   m_histogram->retranslate();
   refresh();

@@ -19,99 +19,32 @@
 
 namespace rivulet::widgets {
 
-LogModel::LogModel(QObject* parent) : QAbstractTableModel(parent) {
-}
-
-void LogModel::append(const LogLine& line) {
-  if (m_lines.size() == kCapacity) {
-    beginRemoveRows({}, 0, 0);
-    m_lines.pop_front();
-    endRemoveRows();
-  }
-  const int row = static_cast<int>(m_lines.size());
-  beginInsertRows({}, row, row);
-  m_lines.push_back(line);
-  endInsertRows();
-}
-
-void LogModel::clear() {
-  beginResetModel();
-  m_lines.clear();
-  endResetModel();
+LogModel::LogModel(QObject* parent)
+    : TableModel(
+          {{[] { return tr("Time"); },
+            [](const LogLine& line) { return line.at.toString(QStringLiteral("hh:mm:ss.zzz")); }},
+           {[] { return tr("Severity"); },
+            [](const LogLine& line) { return severityText(line.severity); }, false,
+            [this](const LogLine& line, int role) {
+              return role == Qt::DecorationRole ? QVariant(severityIcon(line.severity, m_palette))
+                                                : QVariant();
+            }},
+           {[] { return tr("Message"); }, [](const LogLine& line) { return line.text; }}},
+          parent, kCapacity) {
 }
 
 void LogModel::setColors(const QPalette& palette) {
   m_palette = palette;
-  retranslate();
-}
-
-void LogModel::retranslate() {
-  if (!m_lines.empty()) {
-    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-  }
-  Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+  refresh();
 }
 
 QString LogModel::toText() const {
   QString text;
-  for (const LogLine& line : m_lines) {
+  for (const LogLine& line : rows()) {
     text += QStringLiteral("%1\t%2\t%3\n")
                 .arg(line.at.toString(Qt::ISODateWithMs), severityText(line.severity), line.text);
   }
   return text;
-}
-
-int LogModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
-}
-
-int LogModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant LogModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid()) {
-    return {};
-  }
-  const LogLine& line = m_lines[static_cast<std::size_t>(index.row())];
-  if (role == Qt::DisplayRole || role == Qt::ToolTipRole) {
-    switch (index.column()) {
-      case Time:
-        return line.at.toString(QStringLiteral("hh:mm:ss.zzz"));
-      case SeverityColumn:
-        return severityText(line.severity);
-      case Text:
-        return line.text;
-      default:
-        return {};
-    }
-  }
-  if (role == Qt::DecorationRole && index.column() == SeverityColumn) {
-    return severityIcon(line.severity, m_palette);
-  }
-  return {};
-}
-
-QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) {
-    return {};
-  }
-  if (role == Qt::TextAlignmentRole) {
-    return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-  }
-  if (role != Qt::DisplayRole) {
-    return {};
-  }
-  switch (section) {
-    case Time:
-      return tr("Time");
-    case SeverityColumn:
-      return tr("Severity");
-    case Text:
-      return tr("Message");
-    default:
-      return {};
-  }
 }
 
 LogView::LogView(QWidget* parent)
@@ -166,7 +99,7 @@ void LogView::retranslate() {
   m_copy->setText(tr("Copy"));
   m_save->setText(tr("Save…"));
   m_clear->setText(tr("Clear"));
-  m_model->retranslate();
+  m_model->refresh();
 }
 
 void LogView::restyle() {

@@ -6,12 +6,12 @@
 /// @threadsafety GUI thread.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QDateTime>
-#include <deque>
+#include <QPalette>
 
 #include "gcode/diagnostic.h"
 #include "widgets/common/page.h"
+#include "widgets/common/table_model.h"
 
 class QPushButton;
 class QTableView;
@@ -24,30 +24,21 @@ struct LogLine {
   QString text;
 };
 
-class LogModel final : public QAbstractTableModel {
+class LogModel final : public TableModel<LogLine> {
   Q_OBJECT
 
  public:
-  enum Column { Time, SeverityColumn, Text, ColumnCount };
+  enum Column { Time, SeverityColumn, Text };
   static constexpr std::size_t kCapacity = 5000;
 
   explicit LogModel(QObject* parent = nullptr);
 
-  void append(const LogLine& line);
-  void clear();
+  /// Icons are drawn in the colours of this palette.
   void setColors(const QPalette& palette);
-  void retranslate();
   /// Every line as text, tab separated.
   [[nodiscard]] QString toText() const;
 
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                    int role) const override;
-
  private:
-  std::deque<LogLine> m_lines;
   QPalette m_palette;
 };
 

@@ -6,35 +6,25 @@
 /// @threadsafety GUI thread.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QPalette>
-#include <memory>
 
-#include "gcode/program.h"
+#include "gcode/diagnostic.h"
+#include "widgets/common/table_model.h"
 
 namespace rivulet::widgets {
 
-class DiagnosticModel final : public QAbstractTableModel {
+class DiagnosticModel final : public TableModel<gcode::Diagnostic> {
   Q_OBJECT
 
  public:
-  enum Column { SeverityColumn, Line, ColumnInLine, Text, ColumnCount };
+  enum Column { SeverityColumn, Line, ColumnInLine, Text };
 
   explicit DiagnosticModel(QObject* parent = nullptr);
 
-  /// @param program  may be null
-  void setProgram(std::shared_ptr<const gcode::Program> program);
+  /// Icons are drawn in the colours of this palette.
   void setColors(const QPalette& palette);
-  void retranslate();
-
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                    int role) const override;
 
  private:
-  std::shared_ptr<const gcode::Program> m_program;
   QPalette m_palette;
 };
 

@@ -202,7 +202,11 @@ void ProgramPanel::placeAboveTabs(QWidget* widget) {
 void ProgramPanel::setProgram(std::shared_ptr<const ProgramView> view) {
   m_program = std::move(view);
   m_times.reset();
-  m_findings->setProgram(m_program ? m_program->program : nullptr);
+  if (m_program) {
+    m_findings->setRows(m_program->program->diagnostics);
+  } else {
+    m_findings->clear();
+  }
   m_findingsTable->selectRow(0);
   m_chart->setHistogram(m_program && m_program->statistics ? m_program->statistics->distances
                                                            : feasibility::DistanceHistogram{});
@@ -295,7 +299,7 @@ void ProgramPanel::retranslate() {
   m_figureNames[WindowLength]->setToolTip(
       tr("Smallest path length of half a loop (N/2 points, rounded down)"));
   m_chartName->setText(tr("Distances of neighbouring points, mm"));
-  m_findings->retranslate();
+  m_findings->refresh();
   showFinding();
   fillRecentMenu();
   showProgram();

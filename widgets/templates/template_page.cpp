@@ -99,7 +99,7 @@ void TemplatePage::retranslate() {
   m_copy->setText(tr("Copy"));
   m_save->setText(tr("Save…"));
   m_cellsGroup->setTitle(tr("Cells"));
-  m_cells->retranslate();
+  m_cells->refresh();
   showState();
 }
 

@@ -6,34 +6,18 @@
 /// @threadsafety GUI thread.
 #pragma once
 
-#include <QAbstractTableModel>
-#include <vector>
-
 #include "trace/pause.h"
+#include "widgets/common/table_model.h"
 
 namespace rivulet::widgets {
 
-class PauseModel final : public QAbstractTableModel {
+class PauseModel final : public TableModel<trace::Pause> {
   Q_OBJECT
 
  public:
-  enum Column { Start, Duration, Origin, ColumnCount };
+  enum Column { Start, Duration, Origin };
 
   explicit PauseModel(QObject* parent = nullptr);
-
-  void setPauses(std::vector<trace::Pause> pauses);
-  void append(const trace::Pause& pause);
-  void retranslate();
-  [[nodiscard]] const std::vector<trace::Pause>& pauses() const { return m_pauses; }
-
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                    int role) const override;
-
- private:
-  std::vector<trace::Pause> m_pauses;
 };
 
 }  // namespace rivulet::widgets

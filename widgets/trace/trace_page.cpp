@@ -48,7 +48,7 @@ TracePage::TracePage(QWidget* parent)
   plots->setSpacing(0);
   for (std::size_t index = 0; index < m_plots.size(); ++index) {
     m_plots[index] = new TimePlot(m_window, this);
-    m_plots[index]->setPauses(&m_pauses->pauses(), index == kFeedPlot);
+    m_plots[index]->setPauses(&m_pauses->rows(), index == kFeedPlot);
     // The lowest plot also carries the times, the feed plot the labels of the pauses.
     plots->addWidget(m_plots[index], index == kFeedPlot ? 6 : 4);
   }
@@ -97,7 +97,7 @@ void TracePage::clear() {
   for (TimePlot* plot : m_plots) {
     plot->clear();
   }
-  m_pauses->setPauses({});
+  m_pauses->clear();
   m_pauseTotal = {};
   m_source = Source::Nothing;
   m_note.clear();
@@ -162,7 +162,7 @@ void TracePage::showControlTrace(const std::shared_ptr<const trace::ControlTrace
     pause.start = base::Instant{pause.start - origin};
     m_pauseTotal += pause.duration;
   }
-  m_pauses->setPauses(std::move(shifted));
+  m_pauses->setRows(shifted);
   m_cycle = trace->cycle;
   m_truncated = trace->truncated;
   m_source = Source::Control;
@@ -199,7 +199,7 @@ void TracePage::retranslate() {
   m_summaryNames[0]->setText(tr("Number"));
   m_summaryNames[1]->setText(tr("Mean"));
   m_summaryNames[2]->setText(tr("Total"));
-  m_pauses->retranslate();
+  m_pauses->refresh();
   showNote();
   showSummary();
   showLegend();
@@ -242,7 +242,7 @@ void TracePage::showNote() {
 }
 
 void TracePage::showSummary() {
-  const std::size_t count = m_pauses->pauses().size();
+  const std::size_t count = m_pauses->rows().size();
   m_summaryValues[0]->setText(countText(count));
   m_summaryValues[1]->setText(count == 0 ? noValue()
                                          : millisecondsText(base::toMilliseconds(m_pauseTotal) /

@@ -166,13 +166,13 @@ class TestCalibrationPage : public QObject {
                                        QAbstractItemModelTester::FailureReportingMode::QtTest);
     const auto record = test::calibrationRecord();
     model.setSeries(record->calibration.series, record->calibration.plan.shots);
-    fits.setFits(record->calibration.fits);
+    fits.setRows(record->calibration.fits);
     const auto text = [&model](int row, int column) {
       return model.index(row, column).data().toString();
     };
     bool cut = false;
     for (int row = 0; row < model.rowCount(); ++row) {
-      const streaming::AccessSeries& series = model.series(row);
+      const streaming::AccessSeries& series = model.row(row);
       QCOMPARE(text(row, SeriesModel::Cells), QString::number(series.nodes));
       QCOMPARE(text(row, SeriesModel::P99) == QStringLiteral("\u2013"), series.shotsMade < 100);
       QCOMPARE(text(row, SeriesModel::P999), QStringLiteral("\u2013"));

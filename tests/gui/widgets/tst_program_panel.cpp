@@ -71,7 +71,7 @@ class TestProgramPanel : public QObject {
     QCOMPARE(model.rowCount(), 0);
     const auto program = test::brokenProgram();
     QVERIFY(!program->isStreamable());
-    model.setProgram(program);
+    model.setRows(program->diagnostics);
     QCOMPARE(model.rowCount(), static_cast<int>(program->diagnostics.size()));
     QCOMPARE(model.index(0, DiagnosticModel::SeverityColumn).data().toString(), QString("Error"));
     QCOMPARE(model.index(0, DiagnosticModel::Line).data().toString(), QString("3"));
@@ -85,7 +85,7 @@ class TestProgramPanel : public QObject {
     QCOMPARE(model.index(0, DiagnosticModel::SeverityColumn).data().toString(), QString("Fehler"));
     QVERIFY(test::visibleText(panel).contains("Nicht streambar"));
     QVERIFY(test::visibleText(panel).contains(diagnosticText(program->diagnostics.front())));
-    model.setProgram(nullptr);
+    model.clear();
     QCOMPARE(model.rowCount(), 0);
   }
 

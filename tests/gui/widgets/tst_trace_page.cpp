@@ -113,7 +113,7 @@ class TestTracePage : public QObject {
     QCOMPARE(model.index(0, PauseModel::Origin).data().toString(), QString("I (inferred)"));
     language.german();
     QCOMPARE(model.index(0, PauseModel::Origin).data().toString(), QString("A (abgeleitet)"));
-    model.setPauses({});
+    model.clear();
     QCOMPARE(model.rowCount(), 0);
   }
 
