@@ -1,0 +1,401 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/eval/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "base/contract.h"
+#include "base/text.h"
+
+namespace rivulet::nc {
+
+namespace {
+
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
+constexpr double kIndexMax = 1e6;
+
+std::int64_t asBits(double value) {
+  return static_cast<std::int64_t>(std::clamp(value, -9.0e18, 9.0e18));
+}
+
+double atan2Deg(double y, double x) {
+  return std::atan2(y, x) / kRadPerDegree;
+}
+
+/// Functions and operators that need nothing but the numbers. What has no value gives NaN.
+double compute(Op op, double a, double b, double c) {
+  switch (op) {
+    case Op::Negate:
+      return -a;
+    case Op::Not:
+      return a == 0.0 ? 1.0 : 0.0;
+    case Op::BitNot:
+      return static_cast<double>(~asBits(a));
+    case Op::Or:
+      return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
+    case Op::Xor:
+      return (a != 0.0) != (b != 0.0) ? 1.0 : 0.0;
+    case Op::And:
+      return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
+    case Op::BitOr:
+      return static_cast<double>(asBits(a) | asBits(b));
+    case Op::BitXor:
+      return static_cast<double>(asBits(a) ^ asBits(b));
+    case Op::BitAnd:
+      return static_cast<double>(asBits(a) & asBits(b));
+    case Op::Add:
+      return a + b;
+    case Op::Subtract:
+      return a - b;
+    case Op::Multiply:
+      return a * b;
+    case Op::Divide:
+      return a / b;
+    case Op::IntegerDivide:
+      return std::trunc(a / b);
+    case Op::Modulo:
+      return std::fmod(a, b);
+    case Op::FloorModulo: {
+      const double rest = std::fmod(a, b);
+      return rest < 0.0 ? rest + std::abs(b) : rest;
+    }
+    case Op::Power:
+      return std::pow(a, b);
+    case Op::Sin:
+      return std::sin(a * kRadPerDegree);
+    case Op::Cos:
+      return std::cos(a * kRadPerDegree);
+    case Op::Tan:
+      return std::tan(a * kRadPerDegree);
+    case Op::Asin:
+      return std::asin(a) / kRadPerDegree;
+    case Op::Acos:
+      return std::acos(a) / kRadPerDegree;
+    case Op::Atan2:
+      return atan2Deg(a, b);
+    case Op::AtanPositive:
+      return atan2Deg(a, b) < 0.0 ? atan2Deg(a, b) + 360.0 : atan2Deg(a, b);
+    case Op::Sqrt:
+      return std::sqrt(a);
+    case Op::Square:
+      return a * a;
+    case Op::Abs:
+      return std::abs(a);
+    case Op::Truncate:
+      return std::trunc(a);
+    case Op::Round:
+      return std::round(a);
+    case Op::RoundUp:
+      return std::ceil(a);
+    case Op::RoundDown:
+      return std::floor(a);
+    case Op::Ln:
+      return a > 0.0 ? std::log(a) : std::numeric_limits<double>::quiet_NaN();
+    case Op::Exp:
+      return std::exp(a);
+    case Op::MinVal:
+      return std::min(a, b);
+    case Op::MaxVal:
+      return std::max(a, b);
+    case Op::Bound:  // least, most, value
+      return c > b ? b : std::max(a, c);
+    default:
+      break;
+  }
+  base::contractViolated("every operator has a meaning", __FILE__, __LINE__);
+}
+
+bool isComparison(Op op) {
+  return op >= Op::Equal && op <= Op::GreaterEqual;
+}
+
+/// @param order  < 0, 0, > 0 as the left operand lies below, at or above the right one
+/// @param equal  the control takes them for equal
+bool compares(Op op, double order, bool equal, bool strictExcludesEqual) {
+  switch (op) {
+    case Op::Equal:
+      return equal;
+    case Op::Unequal:
+      return !equal;
+    case Op::Less:
+      return order < 0.0 && !(strictExcludesEqual && equal);
+    case Op::LessEqual:
+      return order < 0.0 || equal;
+    case Op::Greater:
+      return order > 0.0 && !(strictExcludesEqual && equal);
+    default:
+      return order > 0.0 || equal;
+  }
+}
+
+tl::unexpected<Fault> placed(Fault fault, Place place) {
+  if (fault.place.line.value == 0 && fault.place.column == 1) {
+    fault.place = place;
+  }
+  return fail(std::move(fault));
+}
+
+/// Evaluates the leaves; `NaN` of a source becomes a fault.
+Expected<Value> leaf(const Expression& node, const ValueSource& source,
+                     const Semantics& semantics) {
+  switch (node.op) {
+    case Op::Number:
+      return node.number;
+    case Op::Text:
+      return node.name;
+    case Op::Exists:
+      return source.exists(node.operands.front().name) ? 1.0 : 0.0;
+    case Op::System: {
+      Expected<std::vector<Value>> indices = systemIndices(node, source, semantics);
+      return indices ? source.system(node.name, *indices) : fail(indices.error());
+    }
+    case Op::Variable: {
+      std::array<int, 3> indices{};
+      if (node.operands.size() > indices.size()) {
+        return fail(FaultCode::ArrayTooManyIndices);
+      }
+      for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        const Expected<int> index = evaluateIndex(node.operands[i], source, semantics);
+        if (!index) {
+          return fail(index.error());
+        }
+        indices[i] = *index;
+      }
+      return source.variable(node.name, std::span(indices).first(node.operands.size()));
+    }
+    default:
+      break;
+  }
+  // R, $R and # by number.
+  const Expected<double> number = evaluateNumber(node.operands.front(), source, semantics);
+  if (!number) {
+    return fail(number.error());
+  }
+  const double rounded = std::round(*number);
+  if (!(rounded >= 0.0 && rounded < kIndexMax)) {
+    return node.op == Op::Hash ? fail(FaultCode::VariableNumberMissing)
+                               : fail(FaultCode::NoSuchR, base::formatNumber(*number));
+  }
+  const int index = static_cast<int>(rounded);
+  const Expected<double> value = node.op == Op::Hash ? source.numbered(index)
+                                 : node.op == Op::R  ? source.r(index)
+                                                     : source.mainR(index);
+  return value ? Expected<Value>(*value) : fail(value.error());
+}
+
+Expected<Value> compared(const Expression& node, const Value& a, const Value& b,
+                         const Semantics& semantics) {
+  if (a.index() != b.index()) {
+    return fail(FaultCode::TextCalculated, {}, node.place);
+  }
+  if (const auto* text = std::get_if<std::string>(&a)) {
+    const int order = text->compare(std::get<std::string>(b));
+    return compares(node.op, order, order == 0, true) ? 1.0 : 0.0;
+  }
+  const double x = std::get<double>(a);
+  const double y = std::get<double>(b);
+  return compares(node.op, x < y ? -1.0 : (x > y ? 1.0 : 0.0), areEqual(x, y, semantics),
+                  semantics.strictExcludesEqual)
+             ? 1.0
+             : 0.0;
+}
+
+std::string called(const Expression& node, double a) {
+  static constexpr auto kWord = [](Op op) {
+    for (const Notation* notation : {&sinumerikNotation(), &hashNotation()}) {
+      for (const FunctionWord& function : notation->functions) {
+        if (function.op == op) {
+          return function.word;
+        }
+      }
+    }
+    return std::string_view("the power");
+  };
+  return fmt::format("{}({})", kWord(node.op), base::formatNumber(a));
+}
+
+}  // namespace
+
+const Semantics& sinumerikSemantics() {
+  static constexpr Semantics semantics{1e-12, 0.0, true};
+  return semantics;
+}
+
+const Semantics& hashSemantics() {
+  static constexpr Semantics semantics{0.0, 1e-4, false};
+  return semantics;
+}
+
+bool areEqual(double a, double b, const Semantics& semantics) {
+  const double difference = std::abs(a - b);
+  return difference <= semantics.equalRelative * std::max(std::abs(a), std::abs(b)) ||
+         difference < semantics.equalAbsolute;
+}
+
+Expected<Value> ValueSource::variable(std::string_view name,
+                                      std::span<const int> /*indices*/) const {
+  return fail(FaultCode::NotDefined, std::string(name));
+}
+
+Expected<double> ValueSource::numbered(int number) const {
+  return fail(FaultCode::OnlyOnControl, fmt::format("#{}", number));
+}
+
+Expected<Value> ValueSource::system(std::string_view name, std::span<const Value> indices) const {
+  std::string text(name);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    text += (i == 0 ? "[" : ",") + textOf(indices[i]);
+  }
+  return fail(FaultCode::OnlyOnControl, indices.empty() ? text : text + "]");
+}
+
+bool ValueSource::exists(std::string_view name) const {
+  return variable(name, {}).has_value();
+}
+
+Expected<Value> evaluate(const Expression& node, const ValueSource& source,
+                         const Semantics& semantics) {
+  if (node.op <= Op::Exists) {
+    Expected<Value> value = leaf(node, source, semantics);
+    if (!value) {
+      return placed(std::move(value.error()), node.place);
+    }
+    if (const auto* number = std::get_if<double>(&*value);
+        number != nullptr && std::isnan(*number)) {
+      return fail(FaultCode::ValueUnknown, {}, node.place);
+    }
+    return value;
+  }
+  if (isComparison(node.op) || node.op == Op::Concatenate) {
+    const Expected<Value> a = evaluate(node.operands[0], source, semantics);
+    const Expected<Value> b = a ? evaluate(node.operands[1], source, semantics) : a;
+    if (!b) {
+      return b;
+    }
+    return node.op == Op::Concatenate ? Expected<Value>(textOf(*a) + textOf(*b))
+                                      : compared(node, *a, *b, semantics);
+  }
+  std::array<double, 3> operands{};
+  for (std::size_t i = 0; i < node.operands.size(); ++i) {
+    const Expected<double> operand = evaluateNumber(node.operands[i], source, semantics);
+    if (!operand) {
+      return fail(operand.error());
+    }
+    operands[i] = *operand;
+  }
+  const bool divides = node.op >= Op::Divide && node.op <= Op::FloorModulo;
+  if (divides && operands[1] == 0.0) {
+    return fail(FaultCode::DivisionByZero, {}, node.place);
+  }
+  const double result = compute(node.op, operands[0], operands[1], operands[2]);
+  if (std::isnan(result)) {
+    return fail(FaultCode::OutOfDomain, called(node, operands[0]), node.place);
+  }
+  if (!std::isfinite(result)) {
+    return fail(FaultCode::NotFinite, {}, node.place);
+  }
+  return result;
+}
+
+Expected<double> evaluateNumber(const Expression& expression, const ValueSource& source,
+                                const Semantics& semantics) {
+  if (expression.op == Op::Number) {
+    return expression.number;
+  }
+  const Expected<Value> value = evaluate(expression, source, semantics);
+  if (!value) {
+    return fail(value.error());
+  }
+  const auto* number = std::get_if<double>(&*value);
+  return number != nullptr ? Expected<double>(*number)
+                           : fail(FaultCode::TextCalculated, {}, expression.place);
+}
+
+Expected<int> evaluateIndex(const Expression& expression, const ValueSource& source,
+                            const Semantics& semantics) {
+  const Expected<double> value = evaluateNumber(expression, source, semantics);
+  if (!value) {
+    return fail(value.error());
+  }
+  if (!(std::abs(*value) <= kIndexMax)) {
+    return fail(FaultCode::IndexOutsideArray, {}, expression.place);
+  }
+  return static_cast<int>(std::lround(*value));
+}
+
+Expected<std::vector<Value>> systemIndices(const Expression& system, const ValueSource& source,
+                                           const Semantics& semantics) {
+  std::vector<Value> indices;
+  for (const Expression& operand : system.operands) {
+    Expected<Value> index = evaluate(operand, source, semantics);
+    if (!index && operand.op == Op::Variable && operand.operands.empty() &&
+        index.error().code == FaultCode::NotDefined) {
+      index = Value(operand.name);
+    }
+    if (!index) {
+      return fail(index.error());
+    }
+    indices.push_back(std::move(*index));
+  }
+  return indices;
+}
+
+std::string textOf(const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? base::formatNumber(*number) : std::get<std::string>(value);
+}
+
+bool isConstant(const Expression& expression) {
+  bool constant = true;
+  forEachNode(expression, [&constant](const Expression& node) {
+    constant = constant && (node.op == Op::Number || node.op == Op::Text || node.op > Op::Exists);
+  });
+  return constant;
+}
+
+Expected<Expression> freeze(const Expression& expression, const ValueSource& source,
+                            const Semantics& semantics) {
+  bool inMainRun = false;
+  forEachNode(expression, [&inMainRun](const Expression& node) {
+    inMainRun = inMainRun || node.op == Op::MainR || node.op == Op::System;
+  });
+  if (!inMainRun) {
+    Expected<Value> value = evaluate(expression, source, semantics);
+    if (!value) {
+      return fail(value.error());
+    }
+    Expression frozen = expression;
+    frozen.operands.clear();
+    const auto* number = std::get_if<double>(&*value);
+    frozen.op = number != nullptr ? Op::Number : Op::Text;
+    frozen.number = number != nullptr ? *number : 0.0;
+    frozen.name = number != nullptr ? std::string() : std::get<std::string>(*value);
+    return frozen;
+  }
+  if (expression.op == Op::R || expression.op == Op::Variable) {
+    // Its index is known in the main run only, but the value is asked for now.
+    return fail(FaultCode::IndexFromMainRun, {}, expression.place);
+  }
+  Expression frozen = expression;
+  for (Expression& operand : frozen.operands) {
+    Expected<Expression> made = freeze(operand, source, semantics);
+    if (!made && expression.op == Op::System && made.error().code == FaultCode::NotDefined) {
+      continue;  // the name of an axis
+    }
+    if (!made) {
+      return made;
+    }
+    operand = std::move(*made);
+  }
+  return frozen;
+}
+
+}  // namespace rivulet::nc

@@ -1,0 +1,396 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/eval/variables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/contract.h"
+
+namespace rivulet::nc {
+
+namespace {
+
+constexpr int kElementsMax = 100'000;
+constexpr int kLocalNumberMax = 33;
+/// From here on # variables are the control's own; those below are 0 until they are assigned.
+constexpr int kFirstOfControl = 5000;
+constexpr double kIntMax = 2147483647.0;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+bool holdsText(Type type) {
+  return type == Type::String || type == Type::Axis || type == Type::Frame;
+}
+
+bool isGlobal(std::string_view name) {
+  return name.starts_with("<_");
+}
+
+}  // namespace
+
+// --- reading ----------------------------------------------------------------------------------
+
+Expected<double> Variables::r(int index) const {
+  const auto found = m_r.find(index);
+  return found != m_r.end() ? Expected<double>(found->second)
+                            : fail(FaultCode::RUnset, fmt::format("{}", index));
+}
+
+Expected<Value> Variables::variable(std::string_view name, std::span<const int> indices) const {
+  const Binding* const found = binding(name);
+  if (found == nullptr) {
+    return name.starts_with('<') ? fail(FaultCode::OnlyOnControl, "#" + std::string(name))
+                                 : fail(FaultCode::NotDefined, std::string(name));
+  }
+  const Expected<std::size_t> element = elementOf(*found, indices);
+  return element ? Expected<Value>(found->variable->values[*element]) : fail(element.error());
+}
+
+Expected<double> Variables::numbered(int number) const {
+  const auto& numbers = number <= kLocalNumberMax ? m_scopes.back().numbers : m_globals.numbers;
+  const auto found = numbers.find(number);
+  if (found != numbers.end()) {
+    return found->second;
+  }
+  return number < kFirstOfControl ? Expected<double>(0.0) : ValueSource::numbered(number);
+}
+
+bool Variables::exists(std::string_view name) const {
+  return binding(name) != nullptr;
+}
+
+const Binding* Variables::binding(std::string_view name) const {
+  const Scope& scope = isGlobal(name) ? m_globals : m_scopes.back();
+  const auto found = scope.names.find(name);
+  return found == scope.names.end() ? nullptr : &found->second;
+}
+
+const Variable* Variables::find(std::string_view upperName) const {
+  const Binding* const found = binding(upperName);
+  return found == nullptr ? nullptr : found->variable.get();
+}
+
+Expected<std::size_t> Variables::elementOf(const Binding& binding,
+                                           std::span<const int> indices) const {
+  if (binding.element) {
+    return indices.empty() ? Expected<std::size_t>(*binding.element)
+                           : fail(FaultCode::ArrayTooManyIndices);
+  }
+  const std::vector<int>& sizes = binding.variable->sizes;
+  if (indices.size() != sizes.size()) {
+    return fail(indices.empty()                 ? FaultCode::ArrayIndexMissing
+                : indices.size() > sizes.size() ? FaultCode::ArrayTooManyIndices
+                                                : FaultCode::ArrayTooFewIndices);
+  }
+  std::size_t element = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (indices[i] < 0 || indices[i] >= sizes[i]) {
+      return fail(FaultCode::IndexOutsideArray);
+    }
+    element = element * static_cast<std::size_t>(sizes[i]) + static_cast<std::size_t>(indices[i]);
+  }
+  return element;
+}
+
+Expected<std::size_t> Variables::elementOf(const Binding& binding, const Expression& target) const {
+  std::vector<int> indices;
+  for (const Expression& operand : target.operands) {
+    const Expected<int> index = evaluateIndex(operand, *this, m_semantics);
+    if (!index) {
+      return fail(index.error());
+    }
+    indices.push_back(*index);
+  }
+  return elementOf(binding, indices);
+}
+
+// --- writing ----------------------------------------------------------------------------------
+
+Expected<Value> Variables::converted(Type type, Value value) const {
+  const bool isText = std::holds_alternative<std::string>(value);
+  if (holdsText(type)) {
+    return isText || type == Type::Frame
+               ? Expected<Value>(std::move(value))
+               : fail(FaultCode::TypeMismatch, std::string(typeName(type)));
+  }
+  if (isText) {
+    const std::string& text = std::get<std::string>(value);
+    if (type == Type::Char && text.size() == 1) {
+      return static_cast<double>(static_cast<unsigned char>(text[0]));
+    }
+    return type == Type::Bool ? Expected<Value>(text.empty() ? 0.0 : 1.0)
+                              : fail(FaultCode::TypeMismatch, std::string(typeName(type)));
+  }
+  const double number = std::get<double>(value);
+  if (type == Type::Bool) {
+    return number != 0.0 ? 1.0 : 0.0;
+  }
+  if (type == Type::Real) {
+    return number;
+  }
+  const double rounded = std::round(number);
+  const bool fits = type == Type::Char ? rounded >= 0.0 && rounded <= 255.0
+                                       : rounded >= -kIntMax - 1.0 && rounded <= kIntMax;
+  return fits ? Expected<Value>(rounded) : fail(FaultCode::OutOfRange, std::string(typeName(type)));
+}
+
+Expected<Value> Variables::valueFor(Type type, const Expression& expression) const {
+  // The name of an axis stands for itself.
+  const bool isName = type == Type::Axis && expression.op == Op::Variable &&
+                      expression.operands.empty() && binding(expression.name) == nullptr;
+  Expected<Value> value =
+      isName ? Expected<Value>(expression.name) : evaluate(expression, *this, m_semantics);
+  if (!value) {
+    return value;
+  }
+  Expected<Value> result = converted(type, std::move(*value));
+  if (!result) {
+    result.error().place = expression.place;
+  }
+  return result;
+}
+
+Expected<void> Variables::fill(Variable& variable, std::size_t first, const Initial& initial) {
+  const std::size_t room = variable.values.size() - first;
+  if (initial.kind == Initial::Kind::Set) {
+    if (initial.values.size() > room) {
+      return fail(FaultCode::TooManyValues);
+    }
+    for (std::size_t i = 0; i < initial.values.size(); ++i) {
+      if (!initial.values[i]) {
+        continue;
+      }
+      Expected<Value> value = valueFor(variable.type, *initial.values[i]);
+      variable.values[first + i] = value ? *value : Value(kUnknown);
+      if (!value) {
+        return fail(value.error());
+      }
+    }
+    return {};
+  }
+  if (initial.values.empty() || initial.values.size() > 2 || !initial.values[0]) {
+    return fail(FaultCode::ListMalformed);
+  }
+  std::size_t count = initial.kind == Initial::Kind::One ? 1 : room;
+  if (initial.values.size() == 2 && initial.values[1]) {
+    const Expected<int> times = evaluateIndex(*initial.values[1], *this, m_semantics);
+    if (!times) {
+      return fail(times.error());
+    }
+    count = std::min(room, static_cast<std::size_t>(std::max(0, *times)));
+  }
+  const Expected<Value> value = valueFor(variable.type, *initial.values[0]);
+  std::fill_n(variable.values.begin() + static_cast<std::ptrdiff_t>(first), count,
+              value ? *value : Value(kUnknown));
+  return value ? Expected<void>() : fail(value.error());
+}
+
+Expected<void> Variables::assign(const Assignment& assignment) {
+  const Expression& target = assignment.target;
+  if (target.op == Op::Variable && binding(target.name) != nullptr) {
+    const Binding& bound = *binding(target.name);
+    const Expected<std::size_t> element = elementOf(bound, target);
+    if (!element) {
+      Fault fault = element.error();
+      fault.place = target.place;
+      return fail(std::move(fault));
+    }
+    if (bound.element && assignment.initial.kind != Initial::Kind::One) {
+      return fail(FaultCode::ListMalformed, {}, target.place);
+    }
+    return fill(*bound.variable, *element, assignment.initial);
+  }
+  if (assignment.initial.kind != Initial::Kind::One) {
+    return fail(FaultCode::ListMalformed, {}, target.place);
+  }
+  Expected<Value> value = evaluate(*assignment.initial.values.front(), *this, m_semantics);
+  Expected<void> done = assign(target, value ? *value : Value(kUnknown));
+  return value ? done : fail(value.error());
+}
+
+Expected<void> Variables::assign(const Expression& target, Value value) {
+  const auto placed = [&target](Fault fault) {
+    fault.place = target.place;
+    return fail(std::move(fault));
+  };
+  if (target.op == Op::Variable) {
+    const Binding* found = binding(target.name);
+    if (found == nullptr && target.name.starts_with('<')) {
+      Scope& owner = isGlobal(target.name) ? m_globals : scope();
+      auto fresh = std::make_shared<Variable>();
+      fresh->values = {0.0};
+      found = &owner.names.emplace(target.name, Binding{std::move(fresh), {}, false}).first->second;
+    }
+    if (found == nullptr) {
+      return fail(FaultCode::NotDefined, target.name, target.place);
+    }
+    const Expected<std::size_t> element = elementOf(*found, target);
+    if (!element) {
+      return placed(element.error());
+    }
+    Expected<Value> fitting = converted(found->variable->type, std::move(value));
+    found->variable->values[*element] = fitting ? *fitting : Value(kUnknown);
+    return fitting ? Expected<void>() : placed(fitting.error());
+  }
+  const auto* const number = std::get_if<double>(&value);
+  if (number == nullptr) {
+    return fail(FaultCode::TypeMismatch, std::string(typeName(Type::Real)), target.place);
+  }
+  if (target.op == Op::System) {
+    const Expected<std::vector<Value>> indices = systemIndices(target, *this, m_semantics);
+    if (!indices) {
+      return fail(indices.error());
+    }
+    const Expected<void> done = setSystem(target.name, *indices, *number);
+    return done ? done : placed(done.error());
+  }
+  RIVULET_ASSERT(target.op == Op::R || target.op == Op::MainR || target.op == Op::Hash);
+  const Expected<double> at = this->number(target.operands.front());
+  if (!at) {
+    return fail(at.error());
+  }
+  const double rounded = std::round(*at);
+  if (!(rounded >= 0.0 && rounded < 1e6)) {
+    return fail(target.op == Op::Hash ? FaultCode::VariableNumberMissing : FaultCode::NoSuchR,
+                fmt::format("{}", *at), target.place);
+  }
+  const int index = static_cast<int>(rounded);
+  if (target.op == Op::Hash) {
+    (index <= kLocalNumberMax ? scope() : m_globals).numbers[index] = *number;
+    return {};
+  }
+  const Expected<void> done = target.op == Op::R ? setR(index, *number) : setMainR(index, *number);
+  return done ? done : placed(done.error());
+}
+
+Expected<void> Variables::setR(int index, double value) {
+  m_r[index] = value;
+  return {};
+}
+
+Expected<void> Variables::setMainR(int /*index*/, double /*value*/) {
+  return fail(FaultCode::ControlWritten);
+}
+
+Expected<void> Variables::setSystem(std::string_view /*name*/, std::span<const Value> /*indices*/,
+                                    double /*value*/) {
+  return fail(FaultCode::ControlWritten);
+}
+
+// --- definitions and scopes -------------------------------------------------------------------
+
+Expected<Variable> Variables::made(const Definition& definition) const {
+  Variable variable;
+  variable.type = definition.type;
+  double elements = 1.0;
+  for (const std::optional<Expression>& size : definition.sizes) {
+    const Expected<double> value = size ? number(*size) : Expected<double>(0.0);
+    if (!value) {
+      return fail(value.error());
+    }
+    elements *= std::floor(*value);
+    if (!(*value >= 1.0) || elements > kElementsMax) {
+      return fail(FaultCode::SizeMalformed, {}, definition.place);
+    }
+    variable.sizes.push_back(static_cast<int>(*value));
+  }
+  variable.values.assign(static_cast<std::size_t>(elements),
+                         holdsText(definition.type) ? Value(std::string()) : Value(0.0));
+  return variable;
+}
+
+Expected<void> Variables::define(const Definition& definition) {
+  Expected<Variable> variable = made(definition);
+  if (!variable) {
+    return fail(variable.error());
+  }
+  auto owned = std::make_shared<Variable>(std::move(*variable));
+  scope().names.insert_or_assign(definition.name, Binding{owned, {}, false});
+  if (!definition.initial || definition.type == Type::Frame) {
+    return {};
+  }
+  Expected<void> done = fill(*owned, 0, *definition.initial);
+  if (!done && done.error().place.line.value == 0) {
+    done.error().place = definition.place;
+  }
+  return done;
+}
+
+Expected<Scope> Variables::passed(std::span<const Definition> parameters,
+                                  std::span<const std::optional<Expression>> arguments) const {
+  if (arguments.size() > parameters.size()) {
+    return fail(FaultCode::TooManyArguments, fmt::format("{}", parameters.size()));
+  }
+  Scope scope;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Definition& parameter = parameters[i];
+    const Expression* const given = i < arguments.size() && arguments[i] ? &*arguments[i] : nullptr;
+    const Binding* const of =
+        given != nullptr && given->op == Op::Variable ? binding(given->name) : nullptr;
+    Binding bound;
+    if (given != nullptr && (parameter.isReference || !parameter.sizes.empty())) {
+      if (of == nullptr) {
+        return fail(FaultCode::ReferenceNeedsVariable, parameter.name, given->place);
+      }
+      bound = *of;
+      if (!given->operands.empty()) {
+        const Expected<std::size_t> element = elementOf(*of, *given);
+        if (!element) {
+          return fail(element.error());
+        }
+        bound.element = *element;
+      }
+      const std::size_t dimensions = bound.element ? 0 : of->variable->sizes.size();
+      if (of->variable->type != parameter.type || dimensions != parameter.sizes.size()) {
+        return fail(FaultCode::ReferenceTypeDiffers, parameter.name, given->place);
+      }
+      bound.isReference = parameter.isReference;
+    } else {
+      Definition local = parameter;
+      for (std::optional<Expression>& size : local.sizes) {
+        size = size ? std::move(size) : Expression::constant(1.0);
+      }
+      Expected<Variable> variable = made(local);
+      if (!variable) {
+        return fail(variable.error());
+      }
+      const std::optional<Initial>& initial = parameter.initial;
+      const Expression* const source = given != nullptr ? given
+                                       : initial && initial->kind == Initial::Kind::One
+                                           ? &*initial->values.front()
+                                           : nullptr;
+      if (source != nullptr) {
+        Expected<Value> value = valueFor(parameter.type, *source);
+        if (!value) {
+          return fail(value.error());
+        }
+        variable->values.front() = std::move(*value);
+      }
+      bound.variable = std::make_shared<Variable>(std::move(*variable));
+    }
+    scope.names.insert_or_assign(parameter.name, std::move(bound));
+  }
+  return scope;
+}
+
+void Variables::enter(const Scope& scope) {
+  Scope own = scope;
+  for (auto& [name, bound] : own.names) {
+    if (!bound.isReference) {
+      bound.variable = std::make_shared<Variable>(*bound.variable);
+    }
+  }
+  m_scopes.push_back(std::move(own));
+}
+
+void Variables::leave() {
+  RIVULET_ASSERT(m_scopes.size() > 1);
+  m_scopes.pop_back();
+}
+
+}  // namespace rivulet::nc

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What is wrong with an NC text, and where. Reading a program for its path makes findings of
+/// faults; the virtual machine makes an alarm of a fault when it interprets the block. Both take
+/// the words from here. @threadsafety plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <utility>
+
+#include "base/id.h"
+
+namespace rivulet::nc {
+
+enum class FaultCode : std::uint8_t {
+  // Expressions as text.
+  ValueMissing,
+  NotAValue,          ///< argument: the character
+  NotANumber,         ///< argument: the text
+  ConstantMalformed,  ///< 'H1F', 'B101'
+  TextNotClosed,      ///< a text in quotes
+  BracketNotClosed,
+  OperandMissing,
+  NestedTooDeeply,
+  RestNotUnderstood,  ///< argument: the text behind the expression
+  NameUnknown,        ///< argument: what is neither a variable nor a function
+  ArgumentsMissing,   ///< argument: the function
+  TooFewArguments,    ///< argument: the function
+  AtanMalformed,
+  ExistsMalformed,
+  RNumberMissing,
+  VariableNumberMissing,
+  VariableNameNotClosed,
+  NoSuchHash,    ///< argument: "#ABC"
+  IndexMissing,  ///< argument: the system variable
+  // Assignments and definitions as text.
+  EqualsMissing,
+  NotAssignable,  ///< argument: the text in front of '='
+  ListMalformed,  ///< SET, REP
+  NameMissing,
+  NoSuchType,  ///< argument: the word behind DEF
+  SizeMalformed,
+  ParametersMalformed,
+  // Evaluation.
+  DivisionByZero,
+  OutOfDomain,  ///< argument: "SQRT(-1)"
+  NotFinite,
+  ValueUnknown,  ///< an earlier fault left the variable without a value
+  RUnset,        ///< argument: the number
+  NoSuchR,       ///< argument: the number
+  NotDefined,    ///< argument: the name
+  ArrayIndexMissing,
+  ArrayTooManyIndices,
+  ArrayTooFewIndices,
+  IndexOutsideArray,
+  TextCalculated,
+  TypeMismatch,  ///< argument: the type that is needed
+  OutOfRange,    ///< argument: the type
+  TooManyValues,
+  OnlyOnControl,  ///< argument: the variable
+  ControlWritten,
+  TooManyArguments,        ///< argument: how many the subprogram takes
+  ReferenceNeedsVariable,  ///< argument: the parameter
+  ReferenceTypeDiffers,    ///< argument: the parameter
+  IndexFromMainRun,        ///< in a synchronized action
+};
+
+/// Where a node of the syntax tree begins in its text.
+struct Place {
+  base::LineNumber line;
+  std::uint16_t file = 0;  ///< 0: the program itself; others: subprograms in the order of loading
+  int column = 1;          ///< from 1, in bytes
+};
+
+struct Fault {
+  FaultCode code = FaultCode::ValueMissing;
+  std::string argument;
+  Place place;
+};
+
+/// A value, or why there is none.
+template <class T>
+using Expected = tl::expected<T, Fault>;
+
+[[nodiscard]] inline tl::unexpected<Fault> fail(FaultCode code, std::string argument = {},
+                                                Place place = {}) {
+  return tl::unexpected<Fault>(Fault{code, std::move(argument), place});
+}
+[[nodiscard]] inline tl::unexpected<Fault> fail(Fault fault) {
+  return tl::unexpected<Fault>(std::move(fault));
+}
+
+/// One English clause without full stop: "a bracket is not closed".
+[[nodiscard]] std::string describe(const Fault& fault);
+
+}  // namespace rivulet::nc

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Expressions, assignments and definitions of an NC program as a tree. Two notations exist: that
+/// of SINUMERIK with ( ) and names, and that of the ISO dialects with [ ] and #. What differs
+/// between them stands in the tables of a `Notation`; the tree is the same. @threadsafety pure.
+///
+/// Priorities, strongest first. SINUMERIK: NOT B_NOT and the sign; * / DIV MOD; + -; B_AND; B_XOR;
+/// B_OR; AND; XOR; OR; <<; comparisons. ISO: the sign; **; * / MOD; + -; comparisons; AND OR XOR.
+/// Equal rank goes left to right.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nc/fault.h"
+
+namespace rivulet::nc {
+
+enum class Op : std::uint8_t {
+  // Leaves.
+  Number,
+  Text,      ///< name: the text
+  R,         ///< R5, R[index]: operand 0 is the index
+  MainR,     ///< $R5: the R-parameter as the main run sees it
+  Variable,  ///< name, indices as operands; "#<name>" as "<NAME>"
+  Hash,      ///< #5, #[expression]: operand 0 is the number
+  System,    ///< "$AA_IW", indices as operands
+  Exists,    ///< EXISTS[#<name>]
+  // Operators.
+  Negate,
+  Not,
+  BitNot,
+  Or,
+  Xor,
+  And,
+  BitOr,
+  BitXor,
+  BitAnd,
+  Concatenate,
+  Equal,
+  Unequal,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  IntegerDivide,
+  Modulo,
+  FloorModulo,  ///< a rest that is never negative, as in RS-274/NGC
+  Power,
+  // Functions; angles in degrees.
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan2,         ///< -180 to 180
+  AtanPositive,  ///< 0 to 360
+  Sqrt,
+  Square,
+  Abs,
+  Truncate,
+  Round,
+  RoundUp,
+  RoundDown,
+  Ln,
+  Exp,
+  MinVal,
+  MaxVal,
+  Bound,
+};
+
+/// One node, with all that is below it.
+struct Expression {
+  Op op = Op::Number;
+  double number = 0.0;
+  std::string name;  ///< upper case but for Text
+  std::vector<Expression> operands;
+  Place place;
+
+  [[nodiscard]] static Expression constant(double value);
+};
+
+/// Calls `visit` for the node and all below it, operands first.
+template <class Visit>
+void forEachNode(const Expression& expression, const Visit& visit) {
+  for (const Expression& operand : expression.operands) {
+    forEachNode(operand, visit);
+  }
+  visit(expression);
+}
+
+struct OperatorWord {
+  std::string_view word;
+  Op op;
+};
+struct FunctionWord {
+  std::string_view word;
+  Op op;
+  int arguments;
+};
+
+/// What a notation calls its operators and functions.
+struct Notation {
+  std::span<const std::span<const OperatorWord>> levels;  ///< weakest first
+  std::span<const FunctionWord> functions;
+  char open;
+  char close;
+  bool hasNames;  ///< variables have names, R-parameters exist, words end at word boundaries
+};
+[[nodiscard]] const Notation& sinumerikNotation();
+[[nodiscard]] const Notation& hashNotation();
+
+/// What stands behind '='.
+struct Initial {
+  enum class Kind : std::uint8_t { One, Set, Rep } kind = Kind::One;
+  std::vector<std::optional<Expression>>
+      values;  ///< nothing: left out, the element keeps its value
+};
+
+struct Assignment {
+  Expression target;  ///< R, MainR, Variable, Hash or System
+  Initial initial;
+};
+
+enum class Type : std::uint8_t { Int, Real, Bool, Char, String, Axis, Frame };
+[[nodiscard]] std::string_view typeName(Type type);
+
+/// One variable of a DEF, or one parameter of a PROC.
+struct Definition {
+  Type type = Type::Real;
+  std::string name;                              ///< upper case
+  std::vector<std::optional<Expression>> sizes;  ///< of an array; nothing: any, for parameters
+  std::optional<Initial> initial;
+  bool isReference = false;  ///< VAR
+  Place place;
+};
+
+/// Reads from the front of a text. After a failure the reader is not to be used any more.
+class Reader {
+ public:
+  /// @param place  of the first character
+  Reader(std::string_view text, const Notation& notation, Place place = {});
+
+  /// The longest expression at the front. Blanks in front of what follows it stay unread.
+  [[nodiscard]] Expected<Expression> expression();
+  /// R5, DEPTH, FIELD[1,2], $AA_OFF[X], #5: what can stand in front of '='.
+  [[nodiscard]] Expected<Expression> target();
+  /// "R1=5", "FIELD[1,2]=SET(7,8)".
+  [[nodiscard]] Expected<Assignment> assignment();
+  /// What follows DEF: "REAL A=5, B[3]=REP(0), C".
+  [[nodiscard]] Expected<std::vector<Definition>> definitions();
+  /// What follows PROC NAME: "(INT A, VAR REAL B[], STRING[8] C)", or nothing.
+  [[nodiscard]] Expected<std::vector<Definition>> parameters();
+  /// What follows the name of a subprogram: "(1,,A)", or nothing.
+  [[nodiscard]] Expected<std::vector<std::optional<Expression>>> arguments();
+
+  void skipBlanks();
+  [[nodiscard]] char peek() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
+  /// Blanks in front of `c` are skipped in any case.
+  bool take(char c);
+  /// The word, in any case of letters, at a word boundary.
+  bool takeWord(std::string_view upper);
+  /// A name in upper case; empty if there is none.
+  [[nodiscard]] std::string name();
+  [[nodiscard]] bool isAtEnd();
+  [[nodiscard]] std::string_view rest() const { return m_text.substr(m_at); }
+  /// Characters read.
+  [[nodiscard]] std::size_t length() const { return m_at; }
+  [[nodiscard]] Place place() const;
+
+ private:
+  using Result = std::optional<Expression>;
+
+  std::nullopt_t fault(FaultCode code, std::string argument = {});
+  template <class T>
+  Expected<T> outcome(std::optional<T> value);
+  Result level(std::size_t index);
+  Result unary();
+  Result unaryInner();
+  Result primary();
+  Result number();
+  Result bits();
+  Result text();
+  Result rParameter(Op op);
+  Result system();
+  Result hash();
+  Result named();
+  Result function(const FunctionWord& word, Place place);
+  Result exists(Place place);
+  Result readTarget();
+  /// "[1,2]" behind a name, into the operands. @return false: see the fault
+  bool indices(Expression& node);
+  std::optional<Initial> initial();
+  std::optional<Type> type();
+  std::optional<Definition> definition(Type type, bool isParameter);
+  bool takeOperator(std::string_view word);
+  Expression node(Op op, Place place, std::vector<Expression> operands = {}) const;
+
+  std::string_view m_text;
+  const Notation& m_notation;
+  Place m_begin;
+  std::size_t m_at = 0;
+  int m_depth = 0;
+  std::optional<Fault> m_fault;
+};
+
+/// The whole text as one expression.
+[[nodiscard]] Expected<Expression> parseExpression(std::string_view text, const Notation& notation,
+                                                   Place place = {});
+
+}  // namespace rivulet::nc
