@@ -195,6 +195,10 @@
         <translation>Die Datei enthält Bytes, die kein NC-Text hat: eine Textdatei wählen, kein Archiv oder Bild.</translation>
     </message>
     <message>
+        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
+        <translation>%1 ist ein Drehzyklus, das Programm also für eine Drehmaschine: X wird als Durchmesser gelesen, U und W als Inkremente, die Ebene ist Z X.</translation>
+    </message>
+    <message>
         <source>%1 is left out, as you have accepted: the path may differ from the control&apos;s.</source>
         <translation>%1 wird ausgelassen, wie hingenommen: Die Bahn kann von der der Steuerung abweichen.</translation>
     </message>

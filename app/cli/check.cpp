@@ -27,8 +27,11 @@ constexpr std::array<std::string_view, 13> kEndings{".MPF", ".SPF", ".NC",    ".
 struct Checked {
   std::string file;
   base::Result<gcode::Program> program;
+  gcode::Readiness readiness = gcode::Readiness::NotUnderstood;  ///< the path is not kept
 
-  [[nodiscard]] bool isUnderstood() const { return program && program->isUnderstood(); }
+  [[nodiscard]] bool isUnderstood() const {
+    return program && readiness != gcode::Readiness::NotUnderstood;
+  }
 };
 
 /// The files themselves, and the programs in the folders among them, in the order of their names.
@@ -81,13 +84,7 @@ void print(const gcode::Program& program) {
                gcode::severityName(diagnostic.severity), gcode::describe(diagnostic),
                name.empty() ? std::string() : fmt::format(" [--accept {}]", name));
   }
-  fmt::print(
-      "{}\n",
-      program.isStreamable() ? "The whole path is known: the program can be streamed."
-      : program.isUnderstood()
-          ? "The whole path is known, but it needs a transformation of the control: no method "
-            "streams it."
-          : "The path is not known everywhere: the program cannot be streamed.");
+  fmt::print("{}\n", gcode::describe(program.readiness()));
 }
 
 void printTable(const std::vector<Checked>& all) {
@@ -110,14 +107,11 @@ void printTable(const std::vector<Checked>& all) {
           program.diagnostics.begin(), program.diagnostics.end(),
           [severity](const gcode::Diagnostic& found) { return found.severity == severity; });
     };
-    understood += program.isUnderstood() ? 1U : 0U;
+    understood += checked.isUnderstood() ? 1U : 0U;
     fmt::print("{:<{}}  {:<10}  {:>8}  {:>8}  {:>6}  {:>8}  {}\n", checked.file, widest,
                gcode::dialectName(program.dialect), program.statistics.lines,
                program.statistics.points, count(gcode::Severity::Error),
-               count(gcode::Severity::Warning),
-               program.isStreamable()   ? "streamable"
-               : program.isUnderstood() ? "transformed"
-                                        : "not understood");
+               count(gcode::Severity::Warning), gcode::readinessName(checked.readiness));
   }
   fmt::print("{} of {} understood\n", understood, all.size());
 }
@@ -168,12 +162,13 @@ Exit check(const CheckOptions& options) {
     } else {
       print(*checked.program);
     }
-    exit = checked.isUnderstood() ? exit : Exit::Wrong;
     if (checked.program) {
+      checked.readiness = checked.program->readiness();
       // The table needs figures only; thousands of paths would fill the memory.
       checked.program->trajectory = {};
       checked.program->text = {};
     }
+    exit = checked.isUnderstood() ? exit : Exit::Wrong;
     all.push_back(std::move(checked));
   }
   if (files.empty()) {

@@ -66,6 +66,7 @@ struct BlockWords {
   bool machineMove = false;  ///< in machine coordinates
   bool ends = false;
   bool hasRotary = false;  ///< an axis beyond X, Y, Z
+  int latheKey = -1;       ///< G90 or G94, which are turning cycles where they stand with axes
   int motionKey = -1;
   int distanceKey = -1;
   int planeKey = -1;

@@ -775,6 +775,17 @@ bool Calculator::assign(std::string_view text) {
     m_problem = fmt::format("{} is not defined", key);
     return false;
   }
+  if (variable->isAxis) {
+    // A1=(X) and A1=X.
+    std::string name = base::toUpper(base::trim(parser.rest()));
+    name.erase(
+        std::remove_if(name.begin(), name.end(),
+                       [](char c) { return isBlank(c) || c == '=' || c == '(' || c == ')'; }),
+        name.end());
+    const Variable* const other = find(name);
+    variable->text = other != nullptr && other->isAxis ? other->text : name;
+    return true;
+  }
   if (variable->isString) {
     std::string_view rest = base::trim(parser.rest());
     const std::size_t open = rest.find('"');
@@ -880,6 +891,7 @@ bool Calculator::define(std::string_view text) {
       return false;
     }
     Variable variable;
+    variable.isAxis = type == "AXIS";
     variable.isString = isString || type == "AXIS" || type == "FRAME";
     variable.isInteger = type == "INT" || type == "BOOL" || type == "CHAR";
     double elements = 1.0;
@@ -922,7 +934,7 @@ bool Calculator::define(std::string_view text) {
       m_problem = fmt::format("\"{}\" is not understood", value);
       return false;
     }
-    if (!value.empty() && type != "AXIS" && type != "FRAME" &&
+    if (!value.empty() && type != "FRAME" &&
         !assign(key + (isArray ? zeros : "") + std::string(value))) {
       return false;
     }

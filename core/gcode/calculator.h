@@ -28,6 +28,7 @@ struct Variable {
   std::string text;            ///< of a string
   bool isInteger = false;
   bool isString = false;
+  bool isAxis = false;  ///< `text` is the name of an axis
 };
 
 /// What a program or subprogram calls its own.

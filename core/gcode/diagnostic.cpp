@@ -137,6 +137,10 @@ CodeText textOf(DiagnosticCode code) {
           "no-motion",
           "The program moves no axis: there is nothing to stream. Choose a program with G0, G1, "
           "G2 or G3 and X, Y or Z."};
+    case DiagnosticCode::LatheAssumed:
+      return {"lathe-assumed",
+              "{} is a turning cycle, so this is a program for a lathe: X is read as a diameter, U "
+              "and W as increments, the plane is Z X."};
     case DiagnosticCode::Accepted:
       return {"accepted",
               "{} is left out, as you have accepted: the path may differ from the "

@@ -55,6 +55,7 @@ enum class DiagnosticCode {
   NotAnyDialect,   ///< argument: what was found; the text is of no known dialect
   CentreReading,   ///< argument: the reading under which all arcs fit
   NoMotion,        ///< no argument: no axis moves
+  LatheAssumed,    ///< argument: the turning cycle; X is read as a diameter, the plane is Z X
   Accepted,        ///< accepted by the user: argument the name; the word is left out
   MoreFindings,    ///< the list was cut here: argument how many are not in it
 };

@@ -87,6 +87,10 @@ constexpr std::array kEvidence{
     Evidence{Dialect::Iso, ":####", 3, true},
 };
 
+/// An ending of the file's name counts like one strong word of the text.
+constexpr std::array kEndings{Evidence{Dialect::Sinumerik, ".MPF", 15},
+                              Evidence{Dialect::Sinumerik, ".SPF", 15}};
+
 using base::isDigit;
 
 bool startsWith(std::string_view text, std::string_view pattern) {
@@ -171,6 +175,24 @@ bool hasTellingG(std::string_view line) {
   return false;
 }
 
+/// G70 to G73 with the block numbers of a profile, or with the depth and retract of roughing; no
+/// mill has such a block. @param line  upper case
+std::string_view turningCycleOf(std::string_view line) {
+  static constexpr std::array<std::string_view, 4> kCycles{"G70", "G71", "G72", "G73"};
+  const auto has = [line](char address) { return line.find(address) != std::string_view::npos; };
+  if (has('X') || has('Y') || has('Z') || !((has('P') && has('Q')) || (has('U') && has('R')))) {
+    return {};
+  }
+  for (const std::string_view cycle : kCycles) {
+    const std::size_t at = line.find(cycle);
+    const std::string_view behind = at == std::string_view::npos ? "0" : line.substr(at + 3);
+    if (behind.empty() || (!isDigit(behind.front()) && behind.front() != '.')) {
+      return cycle;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string_view dialectName(Dialect dialect) {
@@ -196,9 +218,24 @@ std::optional<Dialect> dialectOfName(std::string_view name) {
   return found == kDialects.end() ? std::nullopt : std::optional(*found);
 }
 
-DialectGuess detectDialect(std::string_view text) {
+DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
   std::array<int, kDialects.size()> weight{};
   std::array<std::pair<int, std::string_view>, kDialects.size()> strongest{};
+  const auto count = [&](const Evidence& evidence) {
+    const auto index = static_cast<std::size_t>(evidence.dialect);
+    weight[index] += evidence.weight;
+    if (evidence.weight > strongest[index].first) {
+      strongest[index] = {evidence.weight, evidence.text};
+    }
+  };
+  const std::string file = base::toUpper(fileName);
+  for (const Evidence& ending : kEndings) {
+    if (file.size() >= ending.text.size() &&
+        file.compare(file.size() - ending.text.size(), std::string::npos, ending.text) == 0) {
+      count(ending);
+    }
+  }
+  std::string_view turningCycle;
   std::size_t lines = 0;
   while (!text.empty() && lines++ < kLinesLookedAt) {
     const std::size_t end = text.find_first_of("\r\n");
@@ -216,23 +253,22 @@ DialectGuess detectDialect(std::string_view text) {
     }
     for (const Evidence& evidence : kEvidence) {
       if (evidence.atStart ? startsWith(line, evidence.text) : contains(line, evidence.text)) {
-        const auto index = static_cast<std::size_t>(evidence.dialect);
-        weight[index] += evidence.weight;
-        if (evidence.weight > strongest[index].first) {
-          strongest[index] = {evidence.weight, evidence.text};
-        }
+        count(evidence);
       }
+    }
+    if (turningCycle.empty()) {
+      turningCycle = turningCycleOf(line);
     }
   }
   const auto* const best = std::max_element(weight.begin(), weight.end());
   if (*best < 3) {
-    return {};
+    return {Dialect::Iso, {}, std::string(turningCycle)};
   }
   const auto index = static_cast<std::size_t>(best - weight.begin());
   std::string shown(base::trim(strongest[index].second));
   std::replace(shown.begin(), shown.end(), '#',
                index == static_cast<std::size_t>(Dialect::LinuxCnc) ? '#' : 'n');
-  return {static_cast<Dialect>(index), std::move(shown)};
+  return {static_cast<Dialect>(index), std::move(shown), std::string(turningCycle)};
 }
 
 }  // namespace rivulet::gcode

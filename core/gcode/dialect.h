@@ -30,10 +30,13 @@ inline constexpr std::array kDialects{Dialect::Sinumerik, Dialect::Iso, Dialect:
 struct DialectGuess {
   Dialect dialect = Dialect::Iso;
   std::string evidence;  ///< the text that decided, "" if nothing did
+  /// The turning cycle (G70 to G73 with P and Q) that shows a program for a lathe; "": none.
+  std::string turningCycle;
 };
 
-/// Looks at the words of the first 2000 lines. Without evidence it is Iso, whose words mean the
-/// same in all dialects but Heidenhain's. @threadsafety pure.
-[[nodiscard]] DialectGuess detectDialect(std::string_view text);
+/// Looks at the words of the first 2000 lines and at the ending of the file's name. Without
+/// evidence it is Iso, whose words mean the same in all dialects but Heidenhain's.
+/// @threadsafety pure.
+[[nodiscard]] DialectGuess detectDialect(std::string_view text, std::string_view fileName = {});
 
 }  // namespace rivulet::gcode

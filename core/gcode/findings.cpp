@@ -37,6 +37,10 @@ void Findings::report(Severity severity, int column, DiagnosticCode code, std::s
   m_list.push_back(std::move(found));
 }
 
+void Findings::reportProgram(Severity severity, DiagnosticCode code, std::string argument) {
+  m_list.push_back({severity, base::LineNumber{1}, 1, code, std::move(argument)});
+}
+
 void Findings::error(const Token& token, DiagnosticCode code) {
   error(token, code, std::string(token.text));
 }

@@ -25,6 +25,9 @@ class Findings {
   void setLine(base::LineNumber line) { m_line = line; }
 
   void report(Severity severity, int column, DiagnosticCode code, std::string argument);
+  /// A finding about the whole program, listed however many others there are. It stands at the
+  /// first line.
+  void reportProgram(Severity severity, DiagnosticCode code, std::string argument);
   /// With the token's text, cut where it is long.
   void error(const Token& token, DiagnosticCode code);
   void error(const Token& token, DiagnosticCode code, std::string argument);

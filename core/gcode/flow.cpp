@@ -633,6 +633,9 @@ Flow::Outcome Flow::sinumerik(const std::string& word, std::string_view rest) {
   if (word == "ENDWHILE" || word == "ENDFOR" || word == "ENDLOOP" || word == "UNTIL") {
     return loopEnd(word, rest);
   }
+  if (word == "SETINT") {
+    return {Outcome::Kind::Ignored, DiagnosticCode::IgnoredCode, word};  // runs on an input only
+  }
   if (word == "MCALL") {
     return {Outcome::Kind::ModalCall, DiagnosticCode::CycleNotRun, takeName(rest)};
   }

@@ -31,6 +31,7 @@ class Flow {
     enum class Kind {
       Done,       ///< executed; the next block is where it led
       Fault,      ///< `code` and `argument` say why it was not
+      Ignored,    ///< no effect on the path; `argument` is the word
       ModalCall,  ///< MCALL: `argument` is called behind each motion from now on; "": no more
     };
     Kind kind = Kind::Done;

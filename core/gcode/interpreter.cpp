@@ -72,6 +72,13 @@ class Interpreter {
         m_calculator(guess.dialect, [this](std::string_view name) { return systemValue(name); }),
         m_flow(text, guess.dialect, m_calculator, options),
         m_path(options, m_out.trajectory, m_out.statistics) {
+    if (guess.dialect == Dialect::Iso && !guess.turningCycle.empty()) {
+      m_isLathe = true;
+      m_diameter = true;
+      m_diameterIncrements = true;
+      m_planeFirstAxis = 2;
+      m_findings.reportProgram(Severity::Warning, DiagnosticCode::LatheAssumed, guess.turningCycle);
+    }
     m_out.dialect = guess.dialect;
     m_out.dialectEvidence = std::move(guess.evidence);
   }
@@ -196,7 +203,7 @@ class Interpreter {
         readText(token);
         break;
       case TokenKind::IndexedWord:
-        m_findings.ignore(Severity::Note, token, std::string(token.text));
+        readIndexed(token, words);
         break;
       case TokenKind::Label:
         break;
@@ -233,6 +240,40 @@ class Interpreter {
         m_findings.error(token, DiagnosticCode::CommentNotClosed, {});
         break;
     }
+  }
+
+  /// M1=3, M[R1]=3 and S2=500 are the spindles'; G[6]=2 is a G function by group and number.
+  void readIndexed(const Token& token, BlockWords& words) {
+    if (token.address != 'G') {
+      m_findings.ignore(Severity::Note, token, std::string(token.text));
+      return;
+    }
+    const std::size_t close = token.text.find(']');
+    const std::size_t open = token.text.find('[');
+    const std::size_t equals = token.text.find('=', std::min(close, token.text.size()));
+    if (open > close || equals == std::string_view::npos) {
+      m_findings.error(token, DiagnosticCode::UnknownWord);
+      return;
+    }
+    const std::optional<double> group =
+        m_calculator.evaluate(token.text.substr(open + 1, close - open - 1));
+    const std::optional<double> number =
+        group ? m_calculator.evaluate(token.text.substr(equals + 1)) : std::nullopt;
+    if (!number) {
+      m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+      return;
+    }
+    const std::optional<int> key = gOfGroup(static_cast<int>(std::clamp(*group, 0.0, 1000.0)),
+                                            static_cast<int>(std::clamp(*number, 0.0, 1000.0)));
+    if (!key) {
+      m_findings.error(token, DiagnosticCode::UnsupportedGCode);
+      return;
+    }
+    Token named = token;
+    named.kind = TokenKind::Word;
+    named.value = static_cast<double>(*key) / 10.0;
+    m_calculated.push_back(named);
+    readG(m_calculated.back(), words);
   }
 
   void readText(const Token& token) {
@@ -292,6 +333,28 @@ class Interpreter {
     }
   }
 
+  /// AX[variable]=..., where the variable of type AXIS holds the name of the axis.
+  void readIndexedAxis(const Token& token, BlockWords& words) {
+    const std::size_t open = token.text.find('[');
+    const std::size_t close = token.text.find(']');
+    const std::size_t equals = token.text.find('=');
+    const std::string index =
+        open == std::string_view::npos || close == std::string_view::npos || close < open
+            ? std::string()
+            : base::toUpper(base::trim(token.text.substr(open + 1, close - open - 1)));
+    const Variable* const variable = m_calculator.find(index);
+    const std::string axis = variable == nullptr ? index : variable->text;
+    if (axis.size() != 1 || axisOf(axis[0]) >= kProgrammedAxisCount ||
+        equals == std::string_view::npos) {
+      m_findings.error(token, DiagnosticCode::UnsupportedExpression);
+      return;
+    }
+    Token named = token;
+    named.address = axis[0];
+    named.text = token.text.substr(equals);
+    readCalculated(named, words);
+  }
+
   static void markAbsolute(char address, BlockWords& words) {
     if (const std::size_t axis = axisOf(address); axis < kProgrammedAxisCount) {
       words.axes.isIncrement[axis] = false;
@@ -308,6 +371,10 @@ class Interpreter {
     }
     const std::string name = base::toUpper(tokenName(token));
     const bool isVariable = m_calculator.find(name) != nullptr;
+    if (name == "AX" && m_dialect == Dialect::Sinumerik) {
+      readIndexedAxis(token, words);
+      return;
+    }
     if (!isVariable && !name.empty()) {
       switch (nameEffect(m_dialect, name)) {
         case NameEffect::Value: {
@@ -455,6 +522,16 @@ class Interpreter {
   }
 
   void readFurtherAxis(const Token& token, BlockWords& words) {
+    if (m_isLathe && (token.address == 'U' || token.address == 'W')) {
+      // Increments of X and Z, whatever else holds.
+      Token increment = token;
+      increment.address = token.address == 'U' ? 'X' : 'Z';
+      increment.isIncrement = true;
+      m_calculated.push_back(increment);
+      setAxis(increment, words);
+      words.axisTokens[axisOf(increment.address)] = &m_calculated.back();
+      return;
+    }
     setAxis(token, words);
     words.hasRotary = true;
     if (token.address == 'U') {
@@ -530,6 +607,9 @@ class Interpreter {
         setModal(words.motionKey, key, token);
         break;
       case GEffect::Distance:
+        if (m_isLathe) {
+          words.latheKey = key;
+        }
         setModal(words.distanceKey, key, token);
         readDistance(key == 910, words);
         break;
@@ -544,9 +624,16 @@ class Interpreter {
         setModal(words.planeKey, key, token);
         break;
       case GEffect::Units:
+        if (m_isLathe && (key == 700 || key == 710)) {
+          readTurningCycle(token, words);
+          break;
+        }
         setModal(words.unitsKey, key, token);
         break;
       case GEffect::FeedMode:
+        if (m_isLathe && key == 940) {
+          words.latheKey = key;
+        }
         setFeedMode(key);
         m_findings.ignoreG(index, token);
         break;
@@ -624,6 +711,10 @@ class Interpreter {
         break;
       case GEffect::MotionMode:
       case GEffect::Cycle:
+        if (m_isLathe && (key == 720 || key == 730)) {
+          readTurningCycle(token, words);
+          break;
+        }
         m_findings.error(token,
                          m_g[index] == GEffect::Cycle ? DiagnosticCode::CycleNotRun
                                                       : DiagnosticCode::UnsupportedGCode,
@@ -645,6 +736,14 @@ class Interpreter {
         m_findings.error(token, DiagnosticCode::UnknownGCode, Findings::wordText(token));
         break;
     }
+  }
+
+  /// G70 to G73 of a lathe: the words of the block are the cycle's, and no state is changed.
+  void readTurningCycle(const Token& token, BlockWords& words) {
+    m_findings.error(token, DiagnosticCode::CycleNotRun, Findings::wordText(token));
+    words.taken = true;
+    m_facts.otherMotion();
+    m_facts.forget();
   }
 
   /// G90 and G91 hold for the whole block, also for the words in front of them.
@@ -737,6 +836,15 @@ class Interpreter {
           return;
         }
         break;
+      case 140:
+        if (m_dialect == Dialect::Heidenhain) {
+          // A retract along the tool, to where only the control knows.
+          m_findings.error(token, DiagnosticCode::UnsupportedGCode, "M140");
+          m_facts.otherMotion();
+          m_facts.forget();
+          return;
+        }
+        break;
       default:
         break;
     }
@@ -760,6 +868,10 @@ class Interpreter {
     }
     switch (nameEffect(m_dialect, name)) {
       case NameEffect::None:
+        m_findings.ignore(Severity::Note, token, name);
+        break;
+      case NameEffect::Query:
+        forgetArguments(token);
         m_findings.ignore(Severity::Note, token, name);
         break;
       case NameEffect::End:
@@ -812,6 +924,20 @@ class Interpreter {
       case NameEffect::Unknown:
         readUnknownName(token, name, words);
         break;
+    }
+  }
+
+  /// What a call has written to its variables only the control knows.
+  void forgetArguments(const Token& token) {
+    std::string_view rest = token.text.substr(std::min(token.text.find('('), token.text.size()));
+    while (!rest.empty()) {
+      rest.remove_prefix(1);
+      const std::size_t end = std::min(rest.find_first_of(",)"), rest.size());
+      if (Variable* const variable =
+              m_calculator.find(base::toUpper(base::trim(rest.substr(0, end))))) {
+        variable->values.assign(variable->values.size(), std::nan(""));
+      }
+      rest.remove_prefix(end);
     }
   }
 
@@ -874,7 +1000,21 @@ class Interpreter {
 
   [[nodiscard]] Vec3 programmed() const { return m_splineEnd ? *m_splineEnd : m_path.position(); }
 
+  /// G90 X Z and G94 X Z of a lathe go along a rectangle; with G0 to G3 they are what they are on
+  /// a mill.
+  void executeTurningCycle(BlockWords& words) {
+    m_findings.report(Severity::Error, words.motionColumn, DiagnosticCode::CycleNotRun,
+                      fmt::format("G{}", words.latheKey / 10));
+    m_facts.otherMotion();
+    m_facts.forget();
+    words.taken = true;
+  }
+
   void execute(BlockWords& words) {
+    if (words.latheKey >= 0 && words.latheKey != 910 && words.motionKey < 0 &&
+        words.movesLinear()) {
+      executeTurningCycle(words);
+    }
     setModes(words);
     if (words.rare) {
       executeRare(words);
@@ -1036,6 +1176,10 @@ class Interpreter {
       }
       return;
     }
+    if (outcome.kind == Flow::Outcome::Kind::Ignored) {
+      m_findings.ignore(Severity::Note, token, outcome.argument);
+      return;
+    }
     if (outcome.kind != Flow::Outcome::Kind::Fault) {
       return;
     }
@@ -1175,33 +1319,45 @@ class Interpreter {
     return !words.hasRotary;
   }
 
+  /// G92: where the axes stand gets these coordinates. Where that is for an axis that has not
+  /// moved yet, the operator has seen to: its offset is zero.
+  void setPosition(const BlockWords& words) {
+    const Vec3 position = m_path.position();
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (words.axes.given[axis] && std::isnan(position[axis])) {
+        m_path.place(axis, lengthMm(words, axis));
+      } else if (words.axes.given[axis]) {
+        m_setOffsetMm.set(axis, m_setOffsetMm[axis] + position[axis] - lengthMm(words, axis));
+      }
+      const std::size_t rotary = axis + base::kAxisCount;
+      if (words.axes.given[rotary] && std::isnan(m_path.rotary(axis))) {
+        m_path.placeRotary(axis, words.axes.value[rotary]);
+        m_rotaryFirst[axis] = words.axes.value[rotary];
+      } else if (words.axes.given[rotary]) {
+        m_rotaryOffset[axis] = m_path.rotary(axis) - words.axes.value[rotary];
+      }
+    }
+  }
+
   /// G92, G92.1 and G52.
   void setOffset(const BlockWords& words) {
     flushSpline();
     const RareWords& rare = *words.rare;
     m_facts.forget();
-    if (!knowsAllAxes(words, rare.localOffset ? "G52" : "G92")) {
+    constexpr std::size_t kFirstFurther = 6;  // U, V, W
+    const bool further = std::find(words.axes.given.begin() + kFirstFurther, words.axes.given.end(),
+                                   true) != words.axes.given.end();
+    if ((rare.localOffset || further) && !knowsAllAxes(words, rare.localOffset ? "G52" : "G92")) {
       return;
     }
     if (rare.setsPosition && !words.moves()) {
       return;  // G92 S: a limit of the spindle; G92 alone: nothing
     }
     if (rare.setsPosition) {
-      Vec3 offset;
-      const Vec3 position = m_path.position();
-      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (!words.axes.given[axis]) {
-          continue;
-        }
-        if (std::isnan(position[axis])) {
-          m_findings.error(*words.axisTokens[axis], DiagnosticCode::UnsupportedGCode, "G92");
-          return;
-        }
-        offset.set(axis, position[axis] - lengthMm(words, axis));
-      }
-      m_setOffsetMm = m_setOffsetMm + offset;
+      setPosition(words);
     } else if (rare.resetsPosition) {
       m_setOffsetMm = {};
+      m_rotaryOffset = {};
     } else {
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
         if (words.axes.given[axis]) {
@@ -1424,6 +1580,8 @@ class Interpreter {
             continue;
           }
           degrees += m_path.rotary(axis);
+        } else {
+          degrees += m_rotaryOffset[axis];
         }
         move.rotaryDegrees[axis] = degrees;
         noteRotary(axis, degrees, words.motionColumn);
@@ -1550,7 +1708,10 @@ class Interpreter {
         return;
       }
       if (arcWords.centre[axis]) {
-        *arcWords.centre[axis] *= m_lengthFactor;
+        // I=AC() is a diameter where X is one; an increment, and G90.1, is not.
+        const bool isDiameter =
+            m_diameter && axis == 0 && words.centreIsAbsolute[axis] && !m_centreIsAbsolute;
+        *arcWords.centre[axis] *= isDiameter ? m_lengthFactor / 2.0 : m_lengthFactor;
       }
     }
     if (arcWords.radius) {
@@ -1873,13 +2034,11 @@ class Interpreter {
     m_out.facts = m_facts.take();
     if (m_out.facts.centreReading != CentreReading::AsProgrammed &&
         m_options.centres == CentreReading::AsProgrammed) {
-      m_findings.setLine(base::LineNumber{1});
-      m_findings.report(Severity::Note, 1, DiagnosticCode::CentreReading,
-                        std::string(centreReadingName(m_out.facts.centreReading)));
+      m_findings.reportProgram(Severity::Note, DiagnosticCode::CentreReading,
+                               std::string(centreReadingName(m_out.facts.centreReading)));
     }
     if (m_out.trajectory.points.empty() && !m_out.cancelled) {
-      m_findings.setLine(base::LineNumber{1});
-      m_findings.report(Severity::Warning, 1, DiagnosticCode::NoMotion, {});
+      m_findings.reportProgram(Severity::Warning, DiagnosticCode::NoMotion, {});
     }
     m_out.diagnostics = m_findings.take();
     std::vector<double>& feeds = statistics.feedsMmPerMin;
@@ -1928,6 +2087,7 @@ class Interpreter {
   bool m_centreIsAbsolute = false;
   bool m_diameter = false;
   bool m_diameterIncrements = false;
+  bool m_isLathe = false;  ///< ISO: turning cycles, U and W as increments
   bool m_moved = false;
   bool m_pathBegun = false;  ///< X, Y or Z has moved
   int m_workOffset = -1;
@@ -1939,6 +2099,7 @@ class Interpreter {
   std::array<std::optional<double>, base::kAxisCount> m_incrementFrom;
   Vec3 m_setOffsetMm;
   Vec3 m_localOffsetMm;
+  std::array<double, base::kRotaryAxisCount> m_rotaryOffset{};  ///< G92, degrees
   Vec3 m_poleMm;
   bool m_polar = false;  ///< G16
   double m_polarRadiusMm = 0.0;
@@ -1973,11 +2134,15 @@ class Interpreter {
 
 }  // namespace
 
-Interpretation interpret(std::string_view text, const LoadOptions& options) {
+Interpretation interpret(std::string_view text, const LoadOptions& options,
+                         std::string_view fileName) {
   RIVULET_ASSERT(options.chordToleranceMm > 0.0);
-  const DialectGuess guess =
-      options.dialect ? DialectGuess{*options.dialect, {}} : detectDialect(text);
-  return Interpreter(text, options, guess).run();
+  DialectGuess guess = detectDialect(text, fileName);
+  if (options.dialect) {
+    guess.dialect = *options.dialect;
+    guess.evidence.clear();
+  }
+  return Interpreter(text, options, std::move(guess)).run();
 }
 
 }  // namespace rivulet::gcode

@@ -29,8 +29,9 @@ struct Interpretation {
   bool cancelled = false;  ///< `LoadOptions::progress` said so: the rest is not there
 };
 
-/// @param options chordToleranceMm > 0
+/// @param options chordToleranceMm > 0  @param fileName  its ending helps to find the dialect
 /// @threadsafety pure; O(text + points), and what the program repeats.
-[[nodiscard]] Interpretation interpret(std::string_view text, const LoadOptions& options);
+[[nodiscard]] Interpretation interpret(std::string_view text, const LoadOptions& options,
+                                       std::string_view fileName = {});
 
 }  // namespace rivulet::gcode

@@ -228,6 +228,11 @@ class LineReader {
         continue;
       }
       const std::optional<double> value = number();
+      if (word == "MB") {
+        skipBlanks();
+        m_at += upperRest().rfind("MAX", 0) == 0 ? 3U : 0U;
+        continue;  // how far M140 goes: nothing here knows where that is
+      }
       if (!value) {
         // X+Q5: a parameter.
         while (m_at < m_end && m_line[m_at] != ' ') {

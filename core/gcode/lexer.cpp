@@ -307,8 +307,9 @@ class LineReader {
       return;
     }
     if (isOneOf(c, "[#$<") && m_at != m_end) {
-      if (address == 'R' && c == '[') {
-        addCalculation(TokenKind::Assignment, from, address);
+      if (c == '[' && m_dialect == Dialect::Sinumerik && isOneOf(address, "RGMSTHD")) {
+        addCalculation(address == 'R' ? TokenKind::Assignment : TokenKind::IndexedWord, from,
+                       address);
       } else {
         addBracketValue(from, address);
       }
@@ -598,6 +599,10 @@ std::optional<std::string_view> Lexer::nextLine() {
   m_position = end;
   if (m_position != m_end && *m_position == '\r') {
     ++m_position;
+    // CR CR LF, as some transfers leave it, ends one line.
+    if (m_lineFeed - m_position == 1 && *m_position == '\r') {
+      ++m_position;
+    }
   }
   if (m_position != m_end && *m_position == '\n' && m_position == m_lineFeed) {
     ++m_position;

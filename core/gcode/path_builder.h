@@ -35,6 +35,9 @@ class PathBuilder {
   [[nodiscard]] base::Vec3 position() const { return m_programmedMm; }
   [[nodiscard]] double rotary(std::size_t axis) const { return m_rotary.degrees[axis]; }
   [[nodiscard]] const Frame& frame() const { return m_frame; }
+  /// The axis stands at this place, which no motion has said yet (G92).
+  void place(std::size_t axis, double programmedMm) { m_programmedMm.set(axis, programmedMm); }
+  void placeRotary(std::size_t axis, double degrees) { m_rotary.degrees[axis] = degrees; }
   /// The machine does not move; the same place gets other coordinates.
   void setFrame(const Frame& frame);
   /// Direction of the last move, programmed coordinates; zero if there was none.

@@ -61,27 +61,62 @@ std::optional<std::string> subprogramIn(const std::filesystem::path& folder,
   return std::nullopt;
 }
 
+struct ReadinessText {
+  std::string_view name;
+  std::string_view sentence;
+};
+
+ReadinessText textOf(Readiness readiness) {
+  static constexpr std::array<ReadinessText, 4> kTexts{{
+      {"streamable", "The whole path is known: the program can be streamed."},
+      {"not understood",
+       "The path is not known everywhere: the program cannot be streamed. Correct the errors "
+       "first."},
+      {"no motion", "The program moves no axis: there is nothing to stream."},
+      {"needs a transformation",
+       "The whole path is known, but it needs a transformation of the control: no method streams "
+       "it."},
+  }};
+  return kTexts[static_cast<std::size_t>(readiness)];
+}
+
 bool isError(const Diagnostic& diagnostic) {
   return diagnostic.severity == Severity::Error;
 }
 
 }  // namespace
 
+std::string_view readinessName(Readiness readiness) {
+  return textOf(readiness).name;
+}
+
+std::string_view describe(Readiness readiness) {
+  return textOf(readiness).sentence;
+}
+
 bool Program::isUnderstood() const {
   return std::none_of(diagnostics.begin(), diagnostics.end(), isError);
 }
 
-bool Program::isStreamable() const {
-  return isUnderstood() && !trajectory.points.empty() &&
-         std::none_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
-           return diagnostic.code == DiagnosticCode::ToolDirections ||
-                  diagnostic.code == DiagnosticCode::ToolTip;
-         });
+Readiness Program::readiness() const {
+  if (!isUnderstood()) {
+    return Readiness::NotUnderstood;
+  }
+  if (trajectory.points.empty()) {
+    return Readiness::NoMotion;
+  }
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& diagnostic) {
+                       return diagnostic.code == DiagnosticCode::ToolDirections ||
+                              diagnostic.code == DiagnosticCode::ToolTip;
+                     })
+             ? Readiness::NeedsTransformation
+             : Readiness::Streamable;
 }
 
 base::Result<Program> interpretProgram(std::string name, std::string text,
                                        const LoadOptions& options) {
-  Interpretation interpretation = interpret(text, options);
+  Interpretation interpretation = interpret(text, options, name);
   if (interpretation.cancelled) {
     return base::fail(GcodeError::Cancelled, "Loading the program was cancelled.", std::move(name));
   }

@@ -63,6 +63,20 @@ struct Statistics {
   std::vector<double> feedsMmPerMin;  ///< every F programmed, ascending, each once
 };
 
+/// What stands between a program and its stream.
+enum class Readiness {
+  Streamable,
+  NotUnderstood,  ///< a finding is an error: the path is not known everywhere
+  NoMotion,
+  /// It gives directions of the tool, or turns rotary axes while X, Y and Z are those of the tool's
+  /// tip: that needs a transformation of the control, which no method switches on.
+  NeedsTransformation,
+};
+/// "streamable", "not understood", "no motion", "needs a transformation".
+[[nodiscard]] std::string_view readinessName(Readiness readiness);
+/// One sentence for the user.
+[[nodiscard]] std::string_view describe(Readiness readiness);
+
 struct Program {
   std::string name;  ///< file name without folders
   std::string text;  ///< as read
@@ -78,10 +92,10 @@ struct Program {
 
   /// True if no finding is an error: the whole path is known.
   [[nodiscard]] bool isUnderstood() const;
-  /// True if it is understood and moves axes: a method can stream it, method window alone where
-  /// rotary axes turn on the path (`turnedAxes`). Directions of the tool, and
-  /// rotary axes that turn while X Y Z are those of the tool's tip, cannot be streamed.
-  [[nodiscard]] bool isStreamable() const;
+  [[nodiscard]] Readiness readiness() const;
+  /// True if a method can stream it; method window alone where rotary axes turn on the path
+  /// (`turnedAxes`).
+  [[nodiscard]] bool isStreamable() const { return readiness() == Readiness::Streamable; }
 };
 
 /// Interprets an NC text. @return error EmptyProgram or NoMotion; findings are in the program.

@@ -272,6 +272,8 @@ NameTable makeNames() {
        "SBLON",     "ACTBLOCNO",   "SETPIECE",  "SETAL",        "DELDTG",   "WAITM",   "WAITMC",
        "WAITE",     "WAITP",       "GETSELT",   "NEWCONF",      "EXTCLOSE", "WRITE",   "ENABLE",
        "DISABLE",   "SVC",         "DL",        "TLIFT",        "ISD"});
+  add(NameEffect::None, {"CLRINT", "PRIO", "BLSYNC"});
+  add(NameEffect::Query, {"GETT", "GETDNO", "DELETE", "READ", "ISFILE", "GETFREELOC"});
   add(NameEffect::End, {"RET"});
   // Another form of the path in a block that moves.
   add(NameEffect::Mode, {"RND",   "RNDM",   "FRC",     "FRCM",    "CHF",  "CHR", "ANG",  "ANG1",
@@ -314,6 +316,31 @@ const GTable& gTable(Dialect dialect) {
     return made;
   }();
   return tables[static_cast<std::size_t>(dialect)];
+}
+
+std::optional<int> gOfGroup(int group, int number) {
+  struct Group {
+    int group;
+    std::array<int, 6> keys;  ///< of the functions from number 1 on; -1: none
+  };
+  static constexpr std::array kGroups{
+      Group{1, {0, 10, 20, 30, -1, -1}},          Group{6, {170, 180, 190, -1, -1, -1}},
+      Group{8, {5000, 540, 550, 560, 570, 5050}}, Group{10, {600, 640, 6410, 6420, 6430, 6440}},
+      Group{13, {700, 710, 7000, 7100, -1, -1}},  Group{14, {900, 910, -1, -1, -1, -1}},
+      Group{15, {930, 940, 950, -1, -1, -1}},
+  };
+  // The settable frames go on: 7 is G506.
+  constexpr int kLastListed = 6;
+  if (group == 8 && number > kLastListed && number <= 100) {
+    return 5050 + 10 * (number - kLastListed);
+  }
+  const auto* const found = std::find_if(kGroups.begin(), kGroups.end(),
+                                         [group](const Group& g) { return g.group == group; });
+  if (found == kGroups.end() || number < 1 || number > kLastListed) {
+    return std::nullopt;
+  }
+  const int key = found->keys[static_cast<std::size_t>(number - 1)];
+  return key < 0 ? std::nullopt : std::optional(key);
 }
 
 NameEffect nameEffect(Dialect dialect, std::string_view name) {

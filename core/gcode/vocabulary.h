@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "gcode/dialect.h"
@@ -50,9 +51,14 @@ inline constexpr std::size_t kGKeys = 10000;
 using GTable = std::array<GEffect, kGKeys>;
 [[nodiscard]] const GTable& gTable(Dialect dialect);
 
+/// The G function a SINUMERIK means by G[group]=number, as a key; nothing: a group without effect
+/// on the path, or one that is not known here.
+[[nodiscard]] std::optional<int> gOfGroup(int group, int number);
+
 enum class NameEffect : unsigned char {
   Unknown,         ///< a variable or a subprogram
   None,            ///< no effect on the path, with or without a value or arguments
+  Query,           ///< no effect on the path; sets variables to what only the control knows
   End,             ///< returns or ends the program
   Mode,            ///< not supported; the block still moves
   Statement,       ///< not supported; takes the rest of its block

@@ -611,9 +611,9 @@ Result<void> writeNow(opcua::Link& link, std::span<const opcua::Assignment> assi
 
 Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                             const RunSettings& settings) {
-  if (!program.isStreamable()) {
-    return base::fail(StreamError::ProgramNotStreamable,
-                      "The program has findings that leave its path unknown. Correct them first.",
+  if (const gcode::Readiness readiness = program.readiness();
+      readiness != gcode::Readiness::Streamable) {
+    return base::fail(StreamError::ProgramNotStreamable, std::string(gcode::describe(readiness)),
                       program.name);
   }
   if (!(settings.feedMmPerS > 0.0) || !(settings.deltaMm > 0.0)) {

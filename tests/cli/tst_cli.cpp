@@ -97,6 +97,12 @@ class TestCli : public QObject {
     const Outcome table = run({QStringLiteral("check"), folder.path()});
     QCOMPARE(table.exit, 0);
     QVERIFY(table.output.contains(QStringLiteral("2 of 2 understood")));
+    QCOMPARE(table.output.count(QStringLiteral("  streamable\n")), 2);
+    put("d.nc", "M3 S500\n");
+    const Outcome still = run({QStringLiteral("check"), folder.path()});
+    QVERIFY(still.output.contains(QStringLiteral("  no motion\n")));
+    QVERIFY(!still.output.contains(QStringLiteral("transformation")));
+    QVERIFY(QFile::remove(folder.filePath(QStringLiteral("d.nc"))));
     put("c.tap", "G1 X1 G87\n");
     const Outcome all = run({QStringLiteral("check"), folder.path(), QStringLiteral("--json")});
     QCOMPARE(all.exit, 1);

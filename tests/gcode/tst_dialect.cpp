@@ -50,6 +50,19 @@ class TestDialect : public QObject {
     QCOMPARE(static_cast<int>(guess.dialect), expected);
     QCOMPARE(QByteArray::fromStdString(guess.evidence), evidence);
   }
+
+  /// What the name of the file says holds until the text says otherwise.
+  void fileNameDecides() {
+    const auto of = [](std::string_view text, std::string_view file) {
+      return gcode::detectDialect(text, file);
+    };
+    QVERIFY(of("G0 X1\n", "PART.MPF").dialect == Dialect::Sinumerik);
+    QCOMPARE(of("G0 X1\n", "part.spf").evidence, std::string(".SPF"));
+    QVERIFY(of("G0 X1\n", "part.nc").dialect == Dialect::Iso);
+    QVERIFY(of("0 BEGIN PGM A MM\n1 L X+0\n2 END PGM A MM", "A.MPF").dialect ==
+            Dialect::Heidenhain);
+    QVERIFY(of("O<part> sub\nO<part> endsub\n", "A.SPF").dialect == Dialect::LinuxCnc);
+  }
 };
 
 QTEST_APPLESS_MAIN(TestDialect)

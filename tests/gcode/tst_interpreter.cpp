@@ -139,6 +139,23 @@ class TestInterpreter : public QObject {
         "1 R X0 Y0 Z0 | 2 L X10 Y0 Z0 F60 | 3 L X20 Y0 Z0 F50");
     add("per revolution", "S1000 M3\nG95 G1 X1 F0.2", "2 L X1 Y? Z? F200");
     add("lathe diameter", "G7\nG0 X20\nG8 X20", "2 R X10 Y? Z? | 3 R X20 Y? Z?");
+    add("R in brackets is a radius", "#1=10\nG0 X0 Y10\nG2 X10 Y0 R[#1] F60",
+        "2 R X0 Y10 Z? | 3 A X10 Y0 Z? F60");
+    // Siemens, NC programming, "Diameter or radius programming": with DIAMON and DIAM90 the values
+    // of I programmed with AC() are diameters, increments of I are radii.
+    add("absolute centre on the diameter",
+        "DIAM90\nG18 G0 X20 Z0\nG2 X40 Z10 I=AC(20) K=AC(10) F60",
+        "2 R X10 Y? Z0 | "
+        "3 A X20 Y? Z10 F60");
+    add("centre as an increment is a radius", "DIAMON\nG18 G0 X20 Z0\nG3 X40 Z10 I10 K0 F60",
+        "2 R X10 Y? Z0 | 3 A X20 Y? Z10 F60");
+    add("G92 before any motion", "G92 X0 Y0 Z5\nG0 X1\nG1 Y2 F60",
+        "2 R X1 Y0 Z5 | 3 L X1 Y2 Z5 F60");
+    // SINUMERIK's indirect forms.
+    add("G function by its group", "G[6]=2\nSTOPRE\nG[1]=2 X0 Z10 F60\nG[1]=4 X10 Z0 K-10",
+        "3 L X0 Y? Z10 F60 | 4 A X10 Y? Z0 F60");
+    add("axis by a variable", "DEF AXIS A1=(X), A2\nG0 AX[A1]=5 Y1\nA2=Y\nAX[A2]=IC(2)",
+        "2 R X5 Y1 Z? | 4 R X5 Y3 Z?");
     add("lower case", "g0 x1\ng1 y2 f60", "1 R X1 Y? Z? | 2 L X1 Y2 Z? F60");
   }
 
@@ -185,11 +202,26 @@ class TestInterpreter : public QObject {
     add("G95", "1:1 note ignored-code G95");
     add("G90.1", "1:1 note ignored-code G90.1");
     add("G91.1", "1:1 note ignored-code G91.1");
-    add("G92 X0", "1:5 error unsupported-g-code G92");
     add("TRANS X10", "");
     add("TRANS X10 A5", "1:7 error unsupported-g-code TRANS");
     add("STOPRE\nAROT A5", "1:1 note ignored-code STOPRE | 2:6 error unsupported-g-code AROT");
-    add("G0 X1 A0\nG92 A5", "2:5 error unsupported-g-code G92");
+    add("G0 X1 A0\nG92 A5\nA5", "");
+    add("G0 X1 A0\nG92 A5\nA0", "3:1 warning rotary-axes A");
+    add("STOPRE\nM[1]=3 S[1]=500",
+        "1:1 note ignored-code STOPRE | 2:1 note ignored-code M[1]=3 | 2:8 note ignored-code "
+        "S[1]=500");
+    add("STOPRE\nG[7]=2", "1:1 note ignored-code STOPRE | 2:1 error unsupported-g-code G[7]=2");
+    add("STOPRE\nG[8]=2", "1:1 note ignored-code STOPRE | 2:1 note ignored-code G54");
+    add("STOPRE\nSETINT(1) PRIO=1 LIFT\nCLRINT(1)",
+        "1:1 note ignored-code STOPRE | 2:1 note ignored-code SETINT | 3:1 note ignored-code "
+        "CLRINT");
+    add("DEF INT E\nDELETE(E,\"A.MPF\")\nG0 X=E",
+        "2:1 note ignored-code DELETE | 3:4 error expression-fault a value it needs is not known");
+    add("MSG(\"part \"<<R1<<\" done\")", "1:1 note ignored-code MSG");
+    // The cycles of a lathe are no change of units.
+    add("G20 G0 X1 Z0\nG71 P10 Q20 U0.5 W0.1 F0.2\nN10 G1 X2\nN20 Z-1\nG70 P10 Q20",
+        "1:1 warning lathe-assumed G71 | 2:1 error cycle-not-run G71 | 5:1 error cycle-not-run "
+        "G70");
     add("G52 X1 U5", "1:5 error unsupported-g-code G52");
     add("G54.1 P1\nG0 X1\nG54.1 P1\nX2\nG54.1 P2\nX3",
         "1:1 note ignored-code G54.1 | 5:1 error unsupported-g-code G54.1");
@@ -274,6 +306,48 @@ class TestInterpreter : public QObject {
     QFETCH(const QByteArray, text);
     QFETCH(const QByteArray, expected);
     COMPARE_TEXT(::findings(text.toStdString()), expected);
+  }
+
+  /// An inch program stays one, X is a diameter, and U and W are increments of X and Z.
+  void lathesHaveTheirMode() {
+    gcode::LoadOptions options;
+    options.accepted = {"G70", "G71"};
+    options.chordToleranceMm = 1000.0;
+    const gcode::Interpretation result = gcode::interpret(
+        "G20 G0 X2 Z0\nG71 U0.1 R0.05\nG71 P10 Q20 U0.5 W0.1 F0.2\nN10 G1 X1 F10\nN20 U1 W-1\n"
+        "G2 X4 Z-2 I1 K0\nG70 P10 Q20\nG0 X4",
+        options);
+    COMPARE_TEXT(test::printPoints(result.trajectory),
+                 "1 R X25.4 Y? Z0 | 4 L X12.7 Y? Z0 F254 | 5 L X25.4 Y? Z-25.4 F254 | "
+                 "6 A X50.8 Y? Z-50.8 F254 | 8 R X50.8 Y? Z-50.8");
+  }
+
+  /// M140 goes along the tool to the end of the axis: the motions around it are still counted.
+  void retractToTheLimitOfHeidenhain() {
+    const gcode::Interpretation result = interpret(
+        "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+5 FMAX\n2 L X+10 F500\n3 M140 MB MAX\n"
+        "4 L X+20 Z+5 F500\n5 L X+30 M140 MB+50\n6 END PGM A MM");
+    COMPARE_TEXT(test::printProblems(result.diagnostics),
+                 "4:3 error unsupported-g-code M140 | 6:10 error unsupported-g-code M140");
+    QVERIFY(result.facts.complete);
+    QCOMPARE(result.facts.motions[1], std::size_t{3});
+    QCOMPARE(result.facts.otherMotions, std::size_t{2});
+  }
+
+  /// The one hint that helps must not drown in what it would mend.
+  void hintsAreNotAmongTheFindingsCut() {
+    std::string text = "G0 X0 Y0\n";
+    for (int i = 1; i <= 1500; ++i) {
+      // Centres written as places.
+      text += "G2 X" + std::to_string(10 * i) + " Y0 I" + std::to_string(10 * i - 5) + " J0 F60\n";
+    }
+    const gcode::Interpretation result = interpret(text);
+    QVERIFY(result.diagnostics.size() >= gcode::kDiagnosticsMax);
+    QVERIFY(std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
+                        [](const gcode::Diagnostic& diagnostic) {
+                          return diagnostic.code == gcode::DiagnosticCode::CentreReading &&
+                                 diagnostic.argument == "absolute";
+                        }));
   }
 
   void unsupportedMotionAddsNoPoint() {

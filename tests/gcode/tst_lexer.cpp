@@ -98,6 +98,7 @@ class TestLexer : public QObject {
     add("assigned", "X=10 Y = -2.5", "1: X10@1 Y-2.5@6");
     add("line ends", "X1\nY2\r\nZ3\rX4\n\nX5",
         "1: X1@1 | 2: Y2@1 | 3: Z3@1 | 4: X4@1 | 5: | 6: X5@1");
+    add("doubled carriage returns", "X1\r\r\nX2\r\r\nX3", "1: X1@1 | 2: X2@1 | 3: X3@1");
     add("mixed ends", "X1\rX2\r\nX3\n", "1: X1@1 | 2: X2@1 | 3: X3@1");
     add("comments", "(a) G1 (b X9) X1 ; Y2", "1: G1@5 X1@15");
     add("nested comment", "(a (b) X9) X1", "1: X1@12");
@@ -113,6 +114,8 @@ class TestLexer : public QObject {
     add("label", "START: X1", "1: label<START:>@1 X1@8");
     add("tool name", "T=\"MILL 10\" D1", "1: text<T=\"MILL 10\">@1 D1@13");
     add("indexed", "M1=3 S2=500 M30", "1: indexed<M1=3>@1 indexed<S2=500>@6 M30@13");
+    add("indexed by a value", "STOPRE\nM[1]=3 S[R1]=R2*2 Z1",
+        "1: name<STOPRE>@1 | 2: indexed<M[1]=3>@1 indexed<S[R1]=R2*2>@8 Z1@19");
     add("R assignment", "R1=5 R2=R1+2", "1: assignment<R1=5>@1 assignment<R2=R1+2>@6");
     add("axis expression", "G1 X=R1+2 Y=AC(10) Z3",
         "1: G1@1 expression<X=R1+2>@4 expression<Y=AC(10)>@11 Z3@20");
