@@ -8,7 +8,7 @@
         <translation>Zugriff angenommen wie in [P1]: %1 je Zelle. Siehe Kalibrierung.</translation>
     </message>
     <message>
-        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 is of another version of the server and not used.</source>
+        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
         <translation>Zugriff angenommen wie in [P1]: %1 je Zelle. Die Kalibrierung vom %2 gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
     </message>
     <message>
@@ -20,7 +20,7 @@
         <translation>99 % der Schreibzugriffe auf %1 Zellen enden innerhalb von %2.</translation>
     </message>
     <message>
-        <source>Measured were up to %1 cells.</source>
+        <source>Up to %1 cells were measured.</source>
         <translation>Gemessen wurden bis zu %1 Zellen.</translation>
     </message>
     <message>
@@ -274,8 +274,8 @@
         <translation>Die Datei kann nicht geschrieben werden. Einen anderen Ordner wählen.</translation>
     </message>
     <message>
-        <source>This file is not a recording of Rivulet.</source>
-        <translation>Diese Datei ist keine Aufzeichnung von Rivulet.</translation>
+        <source>This file is not a Rivulet recording.</source>
+        <translation>Diese Datei ist keine Rivulet-Aufzeichnung.</translation>
     </message>
     <message>
         <source>The recording was written by a newer Rivulet. Update this program to read it.</source>
@@ -306,12 +306,12 @@
         <translation>Die Steuerung hat nicht rechtzeitig geantwortet. Netzwerk und Auslastung prüfen.</translation>
     </message>
     <message>
-        <source>The control does not have a variable Rivulet needs. Check the server&apos;s setup.</source>
-        <translation>Der Steuerung fehlt eine Variable, die Rivulet braucht. Die Einrichtung des Servers prüfen.</translation>
+        <source>The control does not have a variable that Rivulet needs. Check the configuration of the server.</source>
+        <translation>Der Steuerung fehlt eine Variable, die Rivulet braucht. Die Konfiguration des Servers prüfen.</translation>
     </message>
     <message>
-        <source>A variable may not be written. Give this user write access on the control.</source>
-        <translation>Eine Variable darf nicht geschrieben werden. Diesem Benutzer auf der Steuerung Schreibrecht geben.</translation>
+        <source>A variable is write-protected. Give this user write access on the control.</source>
+        <translation>Eine Variable ist schreibgeschützt. Diesem Benutzer an der Steuerung Schreibrecht geben.</translation>
     </message>
     <message>
         <source>A value cannot be used; nothing was sent.</source>
@@ -322,7 +322,7 @@
         <translation>Die Steuerung hat die Anfrage abgelehnt.</translation>
     </message>
     <message>
-        <source>The server is no SINUMERIK (no SinumerikVarProvider). Check the endpoint.</source>
+        <source>The server is not a SINUMERIK (no SinumerikVarProvider). Check the endpoint.</source>
         <translation>Der Server ist keine SINUMERIK (kein SinumerikVarProvider). Den Endpunkt prüfen.</translation>
     </message>
     <message>
@@ -331,7 +331,7 @@
     </message>
     <message>
         <source>There is no such program on the control. Send the template first.</source>
-        <translation>Dieses Programm gibt es auf der Steuerung nicht. Zuerst die Vorlage senden.</translation>
+        <translation>Dieses Programm gibt es auf der Steuerung nicht. Zuerst die Vorlage übertragen.</translation>
     </message>
     <message>
         <source>The channel is not in reset. Press reset at the control, then try again.</source>
@@ -342,7 +342,7 @@
         <translation>Ein Programm dieses Namens liegt schon auf der Steuerung.</translation>
     </message>
     <message>
-        <source>The request is larger than the server takes. Choose a smaller N.</source>
+        <source>The request is larger than the server accepts. Choose a smaller N.</source>
         <translation>Die Anfrage ist größer, als der Server annimmt. Ein kleineres N wählen.</translation>
     </message>
     <message>
@@ -350,20 +350,20 @@
         <translation>Dieses Programm kann nicht gestreamt werden. Siehe die Liste der Befunde.</translation>
     </message>
     <message>
-        <source>The control does not run the expected template. Select and start the template of these settings.</source>
-        <translation>Auf der Steuerung läuft nicht die erwartete Vorlage. Die Vorlage dieser Einstellungen anwählen und starten.</translation>
+        <source>The control does not run the expected template. Select and start the template for these settings.</source>
+        <translation>Auf der Steuerung läuft nicht die erwartete Vorlage. Die Vorlage zu diesen Einstellungen anwählen und starten.</translation>
     </message>
     <message>
-        <source>Another program runs on the control. Wait for its end or reset the channel.</source>
-        <translation>Auf der Steuerung läuft ein anderes Programm. Sein Ende abwarten oder den Kanal zurücksetzen.</translation>
+        <source>Another program is running on the control. Wait until it has ended, or reset the channel.</source>
+        <translation>Auf der Steuerung läuft ein anderes Programm. Das Programmende abwarten oder den Kanal zurücksetzen.</translation>
     </message>
     <message>
-        <source>Cycle start was not pressed in time. Arm the run again.</source>
+        <source>Cycle start was not pressed in time. Start the run again.</source>
         <translation>NC-Start wurde nicht rechtzeitig gedrückt. Den Lauf erneut starten.</translation>
     </message>
     <message>
-        <source>The control runs, but the stream shows no progress. Check feed override and feed hold at the control.</source>
-        <translation>Die Steuerung läuft, aber der Strom kommt nicht voran. Vorschub-Override und Vorschub-Halt an der Steuerung prüfen.</translation>
+        <source>The control is running, but the stream makes no progress. Check feed override and feed hold at the control.</source>
+        <translation>Die Steuerung läuft, aber das Streaming kommt nicht voran. Vorschub-Override und Vorschub-Halt an der Steuerung prüfen.</translation>
     </message>
     <message>
         <source>The control did not confirm the stop in time. Check the machine.</source>
@@ -378,96 +378,96 @@
         <translation>Das Programm auf der Steuerung endete, bevor alle Punkte gesendet waren.</translation>
     </message>
     <message>
-        <source>The cells of method window are out of range. See base, stride and windows.</source>
-        <translation>Die Zellen der Methode Fenster liegen außerhalb des Bereichs. Siehe Anfang, Schrittweite und Fensterzahl.</translation>
+        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>Die Zellen des Verfahrens Fenster liegen außerhalb des Bereichs. Basis, Schrittweite und Anzahl der Fenster prüfen.</translation>
     </message>
     <message>
-        <source>Another client uses the program on the control. Nothing more is written: let it finish, or reset the control.</source>
-        <translation>Ein anderer Client benutzt das Programm auf der Steuerung. Es wird nichts mehr geschrieben: Lassen Sie ihn fertig werden, oder setzen Sie die Steuerung zurück.</translation>
+        <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
+        <translation>Ein anderer Client benutzt das Programm auf der Steuerung. Rivulet schreibt nichts mehr: warten, bis der andere Client fertig ist, oder an der Steuerung Reset drücken.</translation>
     </message>
     <message>
-        <source>The program on the control was started anew in the middle of the run. Reset the control, then resume.</source>
-        <translation>Das Programm auf der Steuerung wurde mitten im Lauf neu gestartet. Setzen Sie die Steuerung zurück, dann den Lauf fort.</translation>
+        <source>The program on the control was restarted during the run. Reset the control, then resume.</source>
+        <translation>Das Programm auf der Steuerung wurde während des Laufs neu gestartet. An der Steuerung Reset drücken, dann fortsetzen.</translation>
     </message>
     <message>
-        <source>The control refused a window that did not fit its check number and did not execute it. Something else writes these R-parameters: find it, then resume.</source>
-        <translation>Die Steuerung hat ein Fenster abgelehnt, das nicht zu seiner Prüfzahl passte, und es nicht ausgeführt. Etwas anderes schreibt diese R-Parameter: Finden Sie es, dann setzen Sie den Lauf fort.</translation>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
+        <translation>Die Steuerung hat ein Fenster abgelehnt, das nicht zu seiner Prüfzahl passte, und es nicht ausgeführt. Etwas anderes schreibt diese R-Parameter: Ursache suchen, dann fortsetzen.</translation>
     </message>
     <message>
-        <source>The control ended its program because nothing came from here for too long. Check the network, then resume.</source>
-        <translation>Die Steuerung hat ihr Programm beendet, weil von hier zu lange nichts kam. Prüfen Sie das Netzwerk, dann setzen Sie den Lauf fort.</translation>
+        <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>
+        <translation>Die Steuerung hat ihr Programm beendet, weil sie zu lange nichts von Rivulet empfangen hat. Das Netzwerk prüfen, dann fortsetzen.</translation>
     </message>
     <message>
         <source>Loading was cancelled.</source>
         <translation>Das Laden wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Where the run was left is not known for certain. Start from the beginning.</source>
-        <translation>Wo der Lauf abgebrochen wurde, ist nicht sicher bekannt. Beginnen Sie von vorn.</translation>
+        <source>It is not known for certain where the run was left. Start from the beginning.</source>
+        <translation>Die Unterbrechungsstelle ist nicht sicher bekannt. Von vorn beginnen.</translation>
     </message>
     <message>
-        <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or bring the template there by hand.</source>
-        <translation>Die Steuerung lässt Rivulet keine Teileprogramme schreiben und lesen. Geben Sie dem OPC-UA-Benutzer diese Rechte, oder bringen Sie das Programm von Hand dorthin.</translation>
+        <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
+        <translation>Die Steuerung lässt Rivulet keine Teileprogramme schreiben und lesen. Dem OPC-UA-Benutzer diese Rechte geben oder die Vorlage von Hand übertragen.</translation>
     </message>
     <message>
         <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
-        <translation>Diese Zellen sind nicht verwendbar. Wählen Sie R-Parameter, die es gibt (MD28050).</translation>
+        <translation>Diese Zellen sind nicht verwendbar. R-Parameter wählen, die es gibt (MD28050).</translation>
     </message>
     <message>
-        <source>A program runs on the control: nothing more was measured. The cells are as they were.</source>
-        <translation>Auf der Steuerung läuft ein Programm: Es wurde nicht weiter gemessen. Die Zellen sind, wie sie waren.</translation>
+        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
+        <translation>Auf der Steuerung läuft ein Programm: Die Messung wurde beendet. Die Zellen haben ihre alten Werte.</translation>
     </message>
     <message>
-        <source>The calibration was cancelled. The cells are as they were.</source>
-        <translation>Die Kalibrierung wurde abgebrochen. Die Zellen sind, wie sie waren.</translation>
+        <source>The calibration was cancelled. The cells have their old values.</source>
+        <translation>Die Kalibrierung wurde abgebrochen. Die Zellen haben ihre alten Werte.</translation>
     </message>
     <message>
-        <source>The cells could not be put back and may hold test values. Set them at the control.</source>
-        <translation>Die Zellen konnten nicht zurückgesetzt werden und enthalten vielleicht Testwerte. Setzen Sie sie an der Steuerung.</translation>
+        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
+        <translation>Die Zellen konnten nicht wiederhergestellt werden und enthalten vielleicht Testwerte. An der Steuerung setzen.</translation>
     </message>
     <message>
         <source>Only method window streams rotary axes. Choose it.</source>
-        <translation>Nur die Methode window streamt Rundachsen. Diese wählen.</translation>
+        <translation>Nur das Verfahren Fenster streamt Rundachsen. Dieses wählen.</translation>
     </message>
     <message>
         <source>Too many axes. Choose at most five.</source>
         <translation>Zu viele Achsen. Höchstens fünf wählen.</translation>
     </message>
     <message>
-        <source>These are no axes. Choose from X, Y, Z, A, B and C.</source>
+        <source>These are not axes. Choose from X, Y, Z, A, B and C.</source>
         <translation>Das sind keine Achsen. Aus X, Y, Z, A, B und C wählen.</translation>
     </message>
     <message>
-        <source>The program needs an axis that is not streamed. Bring it to where the program wants it, or choose it.</source>
-        <translation>Das Programm braucht eine Achse, die nicht gestreamt wird. Sie dorthin bringen, wo das Programm sie haben will, oder sie wählen.</translation>
+        <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
+        <translation>Das Programm braucht eine Achse, die nicht gestreamt wird. Die Achse auf die Position im Programm fahren oder mitstreamen.</translation>
     </message>
     <message>
-        <source>The control lacks an axis the program turns. Use a program for its axes.</source>
-        <translation>Der Steuerung fehlt eine Achse, die das Programm dreht. Ein Programm für ihre Achsen verwenden.</translation>
+        <source>The control lacks an axis that the program moves. Use a program for the axes of this machine.</source>
+        <translation>Der Steuerung fehlt eine Achse, die das Programm bewegt. Ein Programm für die Achsen dieser Maschine verwenden.</translation>
     </message>
     <message>
-        <source>Nothing can be said of this method beforehand.</source>
-        <translation>Über dieses Verfahren lässt sich vorher nichts sagen.</translation>
+        <source>No prediction is possible for this method.</source>
+        <translation>Für dieses Verfahren ist keine Vorhersage möglich.</translation>
     </message>
     <message>
-        <source>The test was broken off. Reset the control if its program still runs.</source>
-        <translation>Der Test wurde abgebrochen. Setzen Sie die Steuerung zurück, falls ihr Programm noch läuft.</translation>
+        <source>The test was aborted. Reset the control if its program is still running.</source>
+        <translation>Der Test wurde abgebrochen. Falls sein Programm noch läuft, an der Steuerung Reset drücken.</translation>
     </message>
     <message>
         <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
-        <translation>Die Methode Kredit ist experimentell und startet nur an einer Steuerung, die ihren Test bestanden hat. Führen Sie rivulet-cli commission für diese Steuerung aus, oder wählen Sie die Methode Fenster.</translation>
+        <translation>Das Verfahren Kredit ist experimentell und startet nur an einer Steuerung, die seinen Test bestanden hat. Für diese Steuerung rivulet-cli commission ausführen oder das Verfahren Fenster wählen.</translation>
     </message>
     <message>
-        <source>The online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
-        <translation>Die Online-Korrektur ist mit der Methode Fenster möglich, für X, Y und Z, bis 1 mm.</translation>
+        <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
+        <translation>Die Online-Korrektur ist mit dem Verfahren Fenster möglich, für X, Y und Z, bis 1 mm.</translation>
     </message>
     <message>
-        <source>Something is laid over the axes already. Take it back at the control: reset it, wait, and see that $AA_OFF is 0.</source>
-        <translation>Den Achsen ist bereits etwas überlagert. Nehmen Sie es an der Steuerung zurück: Reset, warten, und prüfen, dass $AA_OFF 0 ist.</translation>
+        <source>An overlay is already active on the axes. Remove it at the control: press reset, wait, and check that $AA_OFF is 0.</source>
+        <translation>Auf den Achsen ist bereits eine Überlagerung aktiv. An der Steuerung aufheben: Reset drücken, warten und prüfen, ob $AA_OFF 0 ist.</translation>
     </message>
     <message>
-        <source>The control adds up what is laid over its axes (MD36750 bit 0). Set the bit to 0, or do without online correction.</source>
-        <translation>Die Steuerung summiert auf, was ihren Achsen überlagert wird (MD36750 Bit 0). Setzen Sie das Bit auf 0, oder verzichten Sie auf die Online-Korrektur.</translation>
+        <source>The control adds up overlaid values (MD36750 bit 0). Set the bit to 0, or do without online correction.</source>
+        <translation>Die Steuerung summiert überlagerte Werte auf (MD36750 Bit 0). Das Bit auf 0 setzen oder auf die Online-Korrektur verzichten.</translation>
     </message>
 </context>
 <context>
@@ -565,15 +565,15 @@
     </message>
     <message>
         <source>Rivulet %1
-Streams a CNC machine&apos;s trajectory over OPC UA while it moves.
+Streams a tool path to a CNC machine over OPC UA while the machine moves.
 
-Stop ends the program at the end of its loop. It is no emergency stop.
+Stop ends the program at the end of its loop. It is not an emergency stop.
 
 GPL-3.0-or-later</source>
         <translation>Rivulet %1
-Streamt die Bahn einer CNC-Maschine über OPC UA, während sie fährt.
+Streamt die Bahn einer CNC-Maschine über OPC UA, während die Maschine fährt.
 
-Stopp beendet das Programm am Ende seiner Schleife. Er ist kein Not-Halt.
+Stopp beendet das Programm am Ende seiner Schleife. Das ist kein Not-Halt.
 
 GPL-3.0-or-later</translation>
     </message>
@@ -654,16 +654,16 @@ GPL-3.0-or-later</translation>
         <translation>&amp;Über Rivulet</translation>
     </message>
     <message>
-        <source>A run lasts. Open another program when it has ended.</source>
-        <translation>Ein Lauf ist im Gang. Ein anderes Programm erst nach seinem Ende öffnen.</translation>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Ein Lauf ist aktiv. Ein anderes Programm erst nach dem Ende des Laufs öffnen.</translation>
     </message>
     <message>
         <source>Opened %1 (%2), %3 points.</source>
         <translation>%1 geöffnet (%2), %3 Punkte.</translation>
     </message>
     <message>
-        <source>The path of %1 is not known everywhere: see the findings. It cannot be streamed.</source>
-        <translation>Die Bahn von %1 ist nicht überall bekannt: siehe die Befunde. Das Programm ist nicht streambar.</translation>
+        <source>Parts of the path of %1 are not known: see the findings. The program cannot be streamed.</source>
+        <translation>Die Bahn von %1 ist nicht vollständig bekannt: siehe Befunde. Das Programm ist nicht streambar.</translation>
     </message>
     <message>
         <source>Connected to the virtual machine at %1.</source>
@@ -682,8 +682,8 @@ GPL-3.0-or-later</translation>
         <translation>Das Programm hat weniger als zwei Punkte.</translation>
     </message>
     <message>
-        <source>A run lasts.</source>
-        <translation>Ein Lauf ist im Gang.</translation>
+        <source>A run is in progress.</source>
+        <translation>Ein Lauf ist aktiv.</translation>
     </message>
     <message>
         <source>Connect to a control first.</source>
@@ -694,15 +694,15 @@ GPL-3.0-or-later</translation>
         <translation>Zuerst ein Programm öffnen.</translation>
     </message>
     <message>
-        <source>The path of the program is not known everywhere: see the findings.</source>
-        <translation>Die Bahn des Programms ist nicht überall bekannt: siehe die Befunde.</translation>
+        <source>Parts of the program&apos;s path are not known: see the findings.</source>
+        <translation>Die Bahn des Programms ist nicht vollständig bekannt: siehe Befunde.</translation>
     </message>
     <message>
         <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
         <translation>Nicht machbar: Die Steuerung würde Punkte wiederholen. F, N oder δ ändern.</translation>
     </message>
     <message>
-        <source>A program runs on the control.</source>
+        <source>A program is running on the control.</source>
         <translation>Auf der Steuerung läuft ein Programm.</translation>
     </message>
     <message>
@@ -714,7 +714,7 @@ GPL-3.0-or-later</translation>
         <translation>Start. Das Werkzeug fährt zuerst %1 geradlinig zum ersten Punkt.</translation>
     </message>
     <message>
-        <source>Stop ordered.</source>
+        <source>Stop requested.</source>
         <translation>Stopp angefordert.</translation>
     </message>
     <message>
@@ -734,12 +734,12 @@ GPL-3.0-or-later</translation>
         <translation>%1 gespeichert.</translation>
     </message>
     <message>
-        <source>The run is not recorded: the folder %1 cannot be made.</source>
+        <source>The run is not recorded: the folder %1 cannot be created.</source>
         <translation>Der Lauf wird nicht aufgezeichnet: Der Ordner %1 kann nicht angelegt werden.</translation>
     </message>
     <message>
-        <source>A run lasts. Press Stop and wait for its end, then close.</source>
-        <translation>Ein Lauf ist im Gang. Stopp drücken, sein Ende abwarten, dann schließen.</translation>
+        <source>A run is in progress. Press Stop, wait until the run has ended, then close.</source>
+        <translation>Ein Lauf ist aktiv. Stopp drücken, das Ende des Laufs abwarten, dann schließen.</translation>
     </message>
     <message>
         <source>Reading %1 was cancelled.</source>
@@ -774,76 +774,76 @@ GPL-3.0-or-later</translation>
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>A calibration lasts.</source>
+        <source>A calibration is in progress.</source>
         <translation>Eine Kalibrierung läuft.</translation>
     </message>
     <message>
-        <source>Calibration on R%1 to R%2 began.</source>
-        <translation>Kalibrierung auf R%1 bis R%2 begonnen.</translation>
+        <source>Calibration on R%1 to R%2 started.</source>
+        <translation>Kalibrierung auf R%1 bis R%2 gestartet.</translation>
     </message>
     <message>
         <source>Calibrated. Saved %1.</source>
         <translation>Kalibriert. %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The calibration is of another version of the server and not used.</source>
+        <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
     </message>
     <message>
-        <source>%1 needs a transformation of the control. No method streams it.</source>
-        <translation>%1 braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+        <source>%1 needs a transformation of the control. No method can stream it.</source>
+        <translation>%1 braucht eine Transformation der Steuerung. Kein Verfahren kann das Programm streamen.</translation>
     </message>
     <message>
-        <source>The program needs a transformation of the control. No method streams it.</source>
-        <translation>Das Programm braucht eine Transformation der Steuerung. Keine Methode streamt das.</translation>
+        <source>The program needs a transformation of the control. No method can stream it.</source>
+        <translation>Das Programm braucht eine Transformation der Steuerung. Kein Verfahren kann es streamen.</translation>
     </message>
     <message>
-        <source>The program turns rotary axes: choose method window.</source>
-        <translation>Das Programm dreht Rundachsen: Methode window wählen.</translation>
+        <source>The program moves rotary axes: choose method window.</source>
+        <translation>Das Programm bewegt Rundachsen: Verfahren Fenster wählen.</translation>
     </message>
     <message>
-        <source>The program turns %1, and the control does not have all of these axes.</source>
-        <translation>Das Programm dreht %1, und die Steuerung hat nicht alle diese Achsen.</translation>
+        <source>The program moves %1, but the control does not have all of these axes.</source>
+        <translation>Das Programm bewegt %1, aber die Steuerung hat nicht alle diese Achsen.</translation>
     </message>
     <message>
-        <source>No run of method window was left.</source>
-        <translation>Kein Lauf des Verfahrens Fenster ist unterbrochen.</translation>
+        <source>There is no interrupted run of method window.</source>
+        <translation>Es gibt keinen unterbrochenen Lauf des Verfahrens Fenster.</translation>
     </message>
     <message>
-        <source>Only method window goes on where a run was left.</source>
+        <source>Only method window can resume an interrupted run.</source>
         <translation>Nur das Verfahren Fenster kann einen unterbrochenen Lauf fortsetzen.</translation>
     </message>
     <message>
-        <source>The control is asked where the run was left.</source>
+        <source>Asking the control where the run was left.</source>
         <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde.</translation>
     </message>
     <message>
-        <source>Hold ordered.</source>
-        <translation>Halt angewiesen.</translation>
+        <source>Hold requested.</source>
+        <translation>Halt angefordert.</translation>
     </message>
     <message>
-        <source>Continue ordered.</source>
-        <translation>Weiter angewiesen.</translation>
+        <source>Continue requested.</source>
+        <translation>Weiter angefordert.</translation>
     </message>
     <message>
-        <source>The run was left in front of point %1 of %2.</source>
+        <source>The run was left before point %1 of %2.</source>
         <translation>Der Lauf wurde vor Punkt %1 von %2 unterbrochen.</translation>
     </message>
     <message>
-        <source>Resume first asks the control.</source>
-        <translation>Fortsetzen fragt zuerst die Steuerung.</translation>
+        <source>Press Resume first: it asks the control where the run was left.</source>
+        <translation>Zuerst Fortsetzen drücken: Dann wird die Steuerung gefragt, wo der Lauf unterbrochen wurde.</translation>
     </message>
     <message>
-        <source>The run goes on at point %1.</source>
-        <translation>Der Lauf geht bei Punkt %1 weiter.</translation>
+        <source>The run resumes at point %1.</source>
+        <translation>Der Lauf wird bei Punkt %1 fortgesetzt.</translation>
     </message>
     <message>
         <source>Access: %1.</source>
         <translation>Zugriff: %1.</translation>
     </message>
     <message>
-        <source>Save the template on its page as %1, copy it to the part programs of the control, select it in channel 1 and press cycle start. The axes move only once it has shown its layout number %2.</source>
-        <translation>Speichern Sie das Programm auf seiner Seite als %1, kopieren Sie es zu den Teileprogrammen der Steuerung, wählen Sie es im Kanal 1 an und drücken Sie NC-Start. Die Achsen fahren erst, wenn es seine Layoutnummer %2 gezeigt hat.</translation>
+        <source>Save the template on its page as %1, copy it to the part programs of the control, select it in channel 1 and press cycle start. The axes move only after the template has shown its layout number %2.</source>
+        <translation>Die Vorlage auf ihrer Seite als %1 speichern, zu den Teileprogrammen der Steuerung kopieren, im Kanal 1 anwählen und NC-Start drücken. Die Achsen fahren erst, wenn die Vorlage ihre Layoutnummer %2 gezeigt hat.</translation>
     </message>
 </context>
 <context>
@@ -865,12 +865,12 @@ GPL-3.0-or-later</translation>
         <translation>Höchstens</translation>
     </message>
     <message>
-        <source>any</source>
-        <translation>beliebig</translation>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
     </message>
     <message>
-        <source>Arrays too: to prove them, other values are in the cells for a moment</source>
-        <translation>Auch Felder: Zum Nachweis stehen einen Moment andere Werte in den Zellen</translation>
+        <source>Arrays too: for the test, the cells hold other values for a moment</source>
+        <translation>Auch Felder: Für den Test stehen kurz andere Werte in den Zellen</translation>
     </message>
     <message>
         <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
@@ -897,23 +897,23 @@ GPL-3.0-or-later</translation>
         <translation>noch %1</translation>
     </message>
     <message>
-        <source>Which forms of access work …</source>
-        <translation>Welche Zugriffsarten gehen …</translation>
+        <source>Testing the forms of access …</source>
+        <translation>Zugriffsarten werden geprüft …</translation>
     </message>
     <message>
-        <source>A first look at each kind …</source>
-        <translation>Ein erster Blick auf jede Art …</translation>
+        <source>First request of each kind …</source>
+        <translation>Erste Messung jeder Art …</translation>
     </message>
     <message>
         <source>%1 of %2 shots, %3</source>
         <translation>%1 von %2 Messungen, %3</translation>
     </message>
     <message>
-        <source>Putting the cells back …</source>
-        <translation>Zellen werden zurückgesetzt …</translation>
+        <source>Restoring the cells …</source>
+        <translation>Zellen werden wiederhergestellt …</translation>
     </message>
     <message>
-        <source>The last cell lies before the first.</source>
+        <source>The last cell is before the first.</source>
         <translation>Die letzte Zelle liegt vor der ersten.</translation>
     </message>
     <message>
@@ -922,14 +922,14 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Confirm the cells to begin.</source>
-        <translation>Bestätigen Sie die Zellen, um zu beginnen.</translation>
+        <translation>Zum Beginnen die Zellen bestätigen.</translation>
     </message>
     <message>
         <source>%1, %2, R%3 to R%4, took %5</source>
         <translation>%1, %2, R%3 bis R%4, Dauer %5</translation>
     </message>
     <message>
-        <source>Outdated, not used: the server is another version now. %1</source>
+        <source>Outdated, not used: the server now has another version. %1</source>
         <translation>Veraltet, nicht verwendet: Der Server hat jetzt eine andere Version. %1</translation>
     </message>
     <message>
@@ -937,12 +937,12 @@ GPL-3.0-or-later</translation>
         <translation>Kalibriert: %1.</translation>
     </message>
     <message>
-        <source>Not all shots fitted the time: fewer are bold in the table.</source>
-        <translation>Nicht alle Messungen passten in die Zeit: Weniger stehen fett in der Tabelle.</translation>
+        <source>There was not enough time for all shots: reduced numbers are bold in the table.</source>
+        <translation>Die Zeit reichte nicht für alle Messungen: Verringerte Anzahlen stehen fett in der Tabelle.</translation>
     </message>
     <message>
         <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
-        <translation>Diese Maschine ist nicht kalibriert: Angenommen sind %1 je Zelle wie in [P1].</translation>
+        <translation>Diese Maschine ist nicht kalibriert: Angenommen werden %1 je Zelle wie in [P1].</translation>
     </message>
 </context>
 <context>
@@ -1175,11 +1175,11 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::CorrectionPanel</name>
     <message>
         <source>UDP port %1 cannot be opened: choose another.</source>
-        <translation>UDP-Port %1 lässt sich nicht öffnen: Wählen Sie einen anderen.</translation>
+        <translation>UDP-Port %1 lässt sich nicht öffnen: einen anderen wählen.</translation>
     </message>
     <message>
-        <source>Up to ±%1 per axis, while a run lasts.</source>
-        <translation>Bis ±%1 je Achse, solange ein Lauf dauert.</translation>
+        <source>Up to ±%1 per axis, during a run.</source>
+        <translation>Bis ±%1 je Achse, während eines Laufs.</translation>
     </message>
     <message>
         <source>By hand, up to ±%1 per axis.</source>
@@ -1187,19 +1187,19 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The source is silent: its last value is held.</source>
-        <translation>Die Quelle schweigt: Ihr letzter Wert wird gehalten.</translation>
+        <translation>Die Quelle sendet nicht: Ihr letzter Wert wird gehalten.</translation>
     </message>
     <message>
-        <source>Nothing has come from the source yet.</source>
-        <translation>Von der Quelle ist noch nichts gekommen.</translation>
+        <source>Nothing has been received from the source yet.</source>
+        <translation>Von der Quelle wurde noch nichts empfangen.</translation>
     </message>
     <message>
-        <source>The source is heard. Lines that are no correction: %1</source>
-        <translation>Die Quelle ist zu hören. Zeilen, die keine Korrektur sind: %1</translation>
+        <source>Receiving from the source. Lines that are not corrections: %1</source>
+        <translation>Die Quelle wird empfangen. Zeilen, die keine Korrektur sind: %1</translation>
     </message>
     <message>
-        <source>The source is heard.</source>
-        <translation>Die Quelle ist zu hören.</translation>
+        <source>Receiving from the source.</source>
+        <translation>Die Quelle wird empfangen.</translation>
     </message>
     <message>
         <source>Online correction</source>
@@ -1214,8 +1214,8 @@ GPL-3.0-or-later</translation>
         <translation>Null</translation>
     </message>
     <message>
-        <source>Take the correction of all axes back, and set it by hand from then on</source>
-        <translation>Die Korrektur aller Achsen zurücknehmen und von da an von Hand einstellen</translation>
+        <source>Set the correction of all axes to zero, then continue by hand</source>
+        <translation>Korrektur aller Achsen auf null setzen, dann von Hand einstellen</translation>
     </message>
     <message>
         <source>Source</source>
@@ -1230,7 +1230,7 @@ GPL-3.0-or-later</translation>
         <translation>UDP auf diesem Rechner</translation>
     </message>
     <message>
-        <source>Datagrams to 127.0.0.1 with lines as X 0.01 Y -0.02, in mm</source>
+        <source>Datagrams to 127.0.0.1 with lines like X 0.01 Y -0.02, in mm</source>
         <translation>Datagramme an 127.0.0.1 mit Zeilen wie X 0.01 Y -0.02, in mm</translation>
     </message>
     <message>
@@ -1367,20 +1367,20 @@ GPL-3.0-or-later</translation>
         <translation>Läuft</translation>
     </message>
     <message>
-        <source>Fails sometimes</source>
-        <translation>Misslingt manchmal</translation>
+        <source>Sometimes fails</source>
+        <translation>Schlägt manchmal fehl</translation>
     </message>
     <message>
-        <source>Fails always</source>
-        <translation>Misslingt immer</translation>
+        <source>Always fails</source>
+        <translation>Schlägt immer fehl</translation>
     </message>
     <message>
         <source>Model: 0.1 % to 50 % fail</source>
-        <translation>Modell: 0,1 % bis 50 % misslingen</translation>
+        <translation>Modell: 0,1 % bis 50 % schlagen fehl</translation>
     </message>
     <message>
-        <source>This method does not use δ: the borders do not depend on it.</source>
-        <translation>Diese Methode benutzt δ nicht: Die Grenzen hängen nicht davon ab.</translation>
+        <source>This method does not use δ: the limits do not depend on it.</source>
+        <translation>Dieses Verfahren benutzt δ nicht: Die Grenzen hängen nicht davon ab.</translation>
     </message>
     <message>
         <source>Without waiting</source>
@@ -1453,7 +1453,7 @@ GPL-3.0-or-later</translation>
         <translation>± je Zelle</translation>
     </message>
     <message>
-        <source>Off the line</source>
+        <source>Residual</source>
         <translation>Abweichung</translation>
     </message>
 </context>
@@ -1481,7 +1481,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>%1 beyond, the longest %2</source>
-        <translation>%1 jenseits, die längste %2</translation>
+        <translation>%1 darüber, die längste %2</translation>
     </message>
 </context>
 <context>
@@ -1622,8 +1622,8 @@ GPL-3.0-or-later</translation>
         <translation>Nicht beurteilt</translation>
     </message>
     <message>
-        <source>Load a program to have it judged.</source>
-        <translation>Ein Programm laden, um es beurteilen zu lassen.</translation>
+        <source>Load a program to get a verdict.</source>
+        <translation>Ein Programm laden, um ein Urteil zu erhalten.</translation>
     </message>
     <message>
         <source>Feasible</source>
@@ -1691,11 +1691,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>This method does not use δ: it watches a cell, not the tool</source>
-        <translation>Diese Methode benutzt δ nicht: Sie beobachtet eine Zelle, nicht das Werkzeug</translation>
+        <translation>Dieses Verfahren benutzt δ nicht: Es beobachtet eine Zelle, nicht das Werkzeug</translation>
     </message>
     <message>
-        <source>Reach: the next window must be written while the tool works off another.</source>
-        <translation>Reichweite: Das nächste Fenster muss geschrieben sein, während das Werkzeug ein anderes abarbeitet.</translation>
+        <source>Reach: the next window must be written while the tool executes the current one.</source>
+        <translation>Reichweite: Das nächste Fenster muss geschrieben sein, während das Werkzeug das aktuelle abarbeitet.</translation>
     </message>
     <message>
         <source>Largest feed without waiting</source>
@@ -1718,8 +1718,8 @@ GPL-3.0-or-later</translation>
         <translation>Kredit (experimentell)</translation>
     </message>
     <message>
-        <source>Window: the machine waits when the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: as window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
-        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm sagt, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test von rivulet-cli commission bestanden hat.</translation>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
+        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm meldet, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test von rivulet-cli commission bestanden hat.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>
@@ -1754,20 +1754,20 @@ GPL-3.0-or-later</translation>
         <translation>Geplant</translation>
     </message>
     <message>
-        <source>Places where the axes will stand for a moment. Off the cut is behind a rapid or a retract, or at a sharp corner; the path shows them.</source>
-        <translation>Stellen, an denen die Achsen kurz stehen werden. Außerhalb des Schnitts heißt: hinter einem Eilgang oder Rückzug oder an einer scharfen Ecke; die Bahn zeigt sie.</translation>
+        <source>Places where the axes will stop for a moment. Off the cut means after a rapid or a retract, or at a sharp corner; the path shows the places.</source>
+        <translation>Stellen, an denen die Achsen kurz anhalten. Außerhalb des Schnitts heißt: nach einem Eilgang oder Rückzug oder an einer scharfen Ecke; die Bahn zeigt die Stellen.</translation>
     </message>
     <message>
-        <source>They cost</source>
-        <translation>Sie kosten</translation>
+        <source>Cost</source>
+        <translation>Zeitverlust</translation>
     </message>
     <message>
-        <source>Standing, braking and accelerating, computed with the axes of the virtual machine</source>
-        <translation>Stehen, Bremsen und Beschleunigen, berechnet mit den Achsen der virtuellen Maschine</translation>
+        <source>Standstill, braking and acceleration, computed with the axes of the virtual machine</source>
+        <translation>Stillstand, Bremsen und Beschleunigen, berechnet mit den Achsen der virtuellen Maschine</translation>
     </message>
     <message>
-        <source>Automatic: before anything moves, the best form of access is proved on the control and used. The report names it.</source>
-        <translation>Automatisch: Bevor sich etwas bewegt, wird die beste Form des Zugriffs an der Steuerung erprobt und verwendet. Der Bericht nennt sie.</translation>
+        <source>Automatic: before anything moves, the forms of access are tested on the control and the best one is used. The report names it.</source>
+        <translation>Automatisch: Bevor sich etwas bewegt, werden die Zugriffsformen an der Steuerung geprüft, und die beste wird verwendet. Der Bericht nennt sie.</translation>
     </message>
     <message>
         <source>Automatic: lists, as this method was published. Arrays need the contiguous layout.</source>
@@ -1782,7 +1782,7 @@ GPL-3.0-or-later</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>being computed …</source>
+        <source>computing …</source>
         <translation>wird berechnet …</translation>
     </message>
     <message>
@@ -1794,20 +1794,20 @@ GPL-3.0-or-later</translation>
         <translation>keine</translation>
     </message>
     <message>
-        <source>What may be laid over each axis while the run lasts. The control must not add it up (MD36750 bit 0), and its own limit (SD43350) should be no larger.</source>
-        <translation>Was jeder Achse während des Laufs überlagert werden darf. Die Steuerung darf es nicht aufsummieren (MD36750 Bit 0), und ihre eigene Grenze (SD43350) soll nicht größer sein.</translation>
+        <source>Largest correction of each axis during the run. The control must not add corrections up (MD36750 bit 0), and its own limit (SD43350) should not be larger.</source>
+        <translation>Größte Korrektur jeder Achse während des Laufs. Die Steuerung darf Korrekturen nicht aufsummieren (MD36750 Bit 0), und ihre eigene Grenze (SD43350) soll nicht größer sein.</translation>
     </message>
     <message>
         <source>Template</source>
         <translation>Vorlage</translation>
     </message>
     <message>
-        <source>brought by hand</source>
-        <translation>von Hand gebracht</translation>
+        <source>copied by hand</source>
+        <translation>von Hand übertragen</translation>
     </message>
     <message>
-        <source>For a control that gives no right to its part programs: you store the template there, select it and press cycle start. The run waits for that.</source>
-        <translation>Für eine Steuerung, die kein Recht an ihren Teileprogrammen gibt: Sie legen das Programm dort ab, wählen es an und drücken NC-Start. Der Lauf wartet darauf.</translation>
+        <source>For a control that gives no right to its part programs: store the template there, select it and press cycle start. The run waits until this is done.</source>
+        <translation>Für eine Steuerung, die kein Recht an ihren Teileprogrammen gibt: die Vorlage dort ablegen, anwählen und NC-Start drücken. Der Lauf wartet so lange.</translation>
     </message>
 </context>
 <context>
@@ -1913,7 +1913,7 @@ GPL-3.0-or-later</translation>
         <translation>Punkt %1 von %2, Zeile %3</translation>
     </message>
     <message>
-        <source>being computed …</source>
+        <source>computing …</source>
         <translation>wird berechnet …</translation>
     </message>
     <message>
@@ -1926,15 +1926,15 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Mark where the run will pause</source>
-        <translation>Zeigt, wo der Lauf Pausen machen wird</translation>
+        <translation>Zeigt, wo der Lauf pausieren wird</translation>
     </message>
     <message>
-        <source>Pause off the cut, behind point %1, line %2</source>
-        <translation>Pause außerhalb des Schnitts, hinter Punkt %1, Zeile %2</translation>
+        <source>Pause off the cut, after point %1, line %2</source>
+        <translation>Pause außerhalb des Schnitts, nach Punkt %1, Zeile %2</translation>
     </message>
     <message>
-        <source>Pause in the cut, behind point %1, line %2</source>
-        <translation>Pause im Schnitt, hinter Punkt %1, Zeile %2</translation>
+        <source>Pause in the cut, after point %1, line %2</source>
+        <translation>Pause im Schnitt, nach Punkt %1, Zeile %2</translation>
     </message>
     <message>
         <source>%1 pauses off the cut</source>
@@ -2079,7 +2079,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Accept…</source>
-        <translation>Hinnehmen…</translation>
+        <translation>Akzeptieren…</translation>
     </message>
     <message>
         <source>The program is read again with this word left out</source>
@@ -2166,12 +2166,12 @@ GPL-3.0-or-later</translation>
         <translation>wie erkannt</translation>
     </message>
     <message>
-        <source>Read as %1, as ordered.</source>
-        <translation>Gelesen als %1, wie vorgegeben.</translation>
+        <source>Read as %1, as selected.</source>
+        <translation>Gelesen als %1, wie gewählt.</translation>
     </message>
     <message>
-        <source>Read as %1: nothing in the text decides.</source>
-        <translation>Gelesen als %1: Im Text entscheidet nichts.</translation>
+        <source>Read as %1: the text gives no evidence of its dialect.</source>
+        <translation>Gelesen als %1: Der Text lässt keinen Dialekt erkennen.</translation>
     </message>
     <message>
         <source>Read as %1 because of &quot;%2&quot;.</source>
@@ -2179,7 +2179,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation>Hingenommen: %1</translation>
+        <translation>Akzeptiert: %1</translation>
     </message>
     <message>
         <source>Take back</source>
@@ -2191,7 +2191,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Accept %1</source>
-        <translation>%1 hinnehmen</translation>
+        <translation>%1 akzeptieren</translation>
     </message>
     <message>
         <source>Rivulet does not understand %1. If you accept it, it is left out wherever the program has it, and the path is taken as if it were not there.
@@ -2203,10 +2203,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Accept and read again</source>
-        <translation>Hinnehmen und neu lesen</translation>
+        <translation>Akzeptieren und neu lesen</translation>
     </message>
     <message>
-        <source>being computed …</source>
+        <source>computing …</source>
         <translation>wird berechnet …</translation>
     </message>
     <message>
@@ -2235,7 +2235,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Cannot be streamed: it needs a transformation of the control.</source>
-        <translation>Kann nicht gestreamt werden: braucht eine Transformation der Steuerung.</translation>
+        <translation>Nicht streambar: Das Programm braucht eine Transformation der Steuerung.</translation>
     </message>
     <message>
         <source>%1 with %2 pauses, which cost %3</source>
@@ -2446,20 +2446,20 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>The control is asked where the run was left …</source>
+        <source>Asking the control where the run was left …</source>
         <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde …</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run goes on at point %1 of %2, line %3: %4.</source>
-        <translation>Noch bewegt sich nichts. Der Lauf geht bei Punkt %1 von %2 weiter, Zeile %3: %4.</translation>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 fortgesetzt, Zeile %3: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
         <translation>Das Werkzeug fährt zuerst %1 geradeaus zu diesem Punkt.</translation>
     </message>
     <message>
-        <source>Go on at point %1</source>
-        <translation>Weiter bei Punkt %1</translation>
+        <source>Resume at point %1</source>
+        <translation>Bei Punkt %1 fortsetzen</translation>
     </message>
     <message>
         <source>The run cannot be resumed: %1</source>
@@ -2501,8 +2501,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Reserve</translation>
     </message>
     <message>
-        <source>Time until the control needs the next point, less the 99th percentile of access time</source>
-        <translation>Zeit, bis die Steuerung den nächsten Punkt braucht, weniger das 99. Perzentil der Zugriffszeit</translation>
+        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Zeit, bis die Steuerung den nächsten Punkt braucht, minus 99. Perzentil der Zugriffszeit</translation>
     </message>
     <message>
         <source>Waiting for</source>
@@ -2554,19 +2554,19 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>selection of the template and cycle start at the control</source>
-        <translation>Anwahl des Programms und NC-Start an der Steuerung</translation>
+        <translation>Anwahl der Vorlage und NC-Start an der Steuerung</translation>
     </message>
     <message>
         <source>Resume …</source>
         <translation>Fortsetzen …</translation>
     </message>
     <message>
-        <source>Continue; it stands in front of the next window</source>
-        <translation>Weiter; sie steht vor dem nächsten Fenster</translation>
+        <source>Continue; the machine is waiting before the next window</source>
+        <translation>Weiter; die Maschine wartet vor dem nächsten Fenster</translation>
     </message>
     <message>
-        <source>proof of the template on the virtual machine</source>
-        <translation>Erprobung der Vorlage an der virtuellen Maschine</translation>
+        <source>test of the template on the virtual machine</source>
+        <translation>Test der Vorlage an der virtuellen Maschine</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -2577,8 +2577,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Halt</translation>
     </message>
     <message>
-        <source>The machine stands in front of the next window until Continue.</source>
-        <translation>Die Maschine steht vor dem nächsten Fenster, bis Weiter gedrückt wird.</translation>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>Die Maschine wartet vor dem nächsten Fenster, bis Weiter gedrückt wird.</translation>
     </message>
     <message>
         <source>Only method window can hold.</source>
@@ -2596,8 +2596,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Die Steuerung hat Felder dieser Größe abgelehnt.</translation>
     </message>
     <message>
-        <source>%1 were ordered; more did not fit the time.</source>
-        <translation>%1 waren bestellt; mehr passten nicht in die Zeit.</translation>
+        <source>%1 were requested; there was no time for more.</source>
+        <translation>%1 waren verlangt; für mehr reichte die Zeit nicht.</translation>
     </message>
     <message>
         <source>write</source>

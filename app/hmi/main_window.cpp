@@ -235,9 +235,9 @@ void MainWindow::buildMenus() {
   m_helpMenu = menuBar()->addMenu(QString());
   m_aboutAction = m_helpMenu->addAction(QString(), this, [this] {
     QMessageBox::about(this, tr("About Rivulet"),
-                       tr("Rivulet %1\nStreams a CNC machine's trajectory over OPC UA while it "
-                          "moves.\n\nStop ends the program at the end of its loop. It is no "
-                          "emergency stop.\n\nGPL-3.0-or-later")
+                       tr("Rivulet %1\nStreams a tool path to a CNC machine over OPC UA while the "
+                          "machine moves.\n\nStop ends the program at the end of its loop. It is "
+                          "not an emergency stop.\n\nGPL-3.0-or-later")
                            .arg(QStringLiteral(RIVULET_VERSION)));
   });
 }
@@ -466,7 +466,7 @@ void MainWindow::setStreamSettings(const widgets::StreamSettings& settings) {
 void MainWindow::openProgram(const QString& path) {
   if (m_session.isRunning()) {
     m_messages->showMessage(Severity::Warning,
-                            tr("A run lasts. Open another program when it has ended."));
+                            tr("A run is in progress. Open another program after it has ended."));
     return;
   }
   readProgram(path, {});
@@ -514,12 +514,11 @@ void MainWindow::showProgram(const session::LoadedProgram& loaded) {
         Severity::Error,
         points().empty()
             ? tr("%1 moves no axis: there is nothing to stream.").arg(name)
-            : tr("%1 needs a transformation of the control. No method streams it.").arg(name));
+            : tr("%1 needs a transformation of the control. No method can stream it.").arg(name));
   } else if (!m_program->isStreamable()) {
-    m_messages->showMessage(Severity::Error,
-                            tr("The path of %1 is not known everywhere: see the findings. It "
-                               "cannot be streamed.")
-                                .arg(name));
+    m_messages->showMessage(Severity::Error, tr("Parts of the path of %1 are not known: see the "
+                                                "findings. The program cannot be streamed.")
+                                                 .arg(name));
   }
   m_timer.cancel();
   m_reckonedFor.reset();
@@ -734,17 +733,17 @@ templates::TemplateParameters MainWindow::parameters() const {
 QString MainWindow::startBlockedReason() const {
   const QString blocked = blockedReason();
   if (blocked.isEmpty() && m_machine.channelStatus.value_or(0) != 0) {
-    return tr("A program runs on the control.");
+    return tr("A program is running on the control.");
   }
   return blocked;
 }
 
 QString MainWindow::resumeBlockedReason() const {
   if (!m_left) {
-    return tr("No run of method window was left.");
+    return tr("There is no interrupted run of method window.");
   }
   if (!base::hasWindows(m_settings.stream.parameters.method)) {
-    return tr("Only method window goes on where a run was left.");
+    return tr("Only method window can resume an interrupted run.");
   }
   // A program that waits for the rest of the run is ended first, when the control is asked.
   return blockedReason();
@@ -752,13 +751,13 @@ QString MainWindow::resumeBlockedReason() const {
 
 QString MainWindow::blockedReason() const {
   if (m_session.isRunning()) {
-    return tr("A run lasts.");
+    return tr("A run is in progress.");
   }
   if (m_session.isAsking()) {
-    return tr("The control is asked where the run was left.");
+    return tr("Asking the control where the run was left.");
   }
   if (m_session.isCalibrating()) {
-    return tr("A calibration lasts.");
+    return tr("A calibration is in progress.");
   }
   if (m_link.state != session::LinkState::Connected) {
     return tr("Connect to a control first.");
@@ -769,17 +768,17 @@ QString MainWindow::blockedReason() const {
   if (m_program->isUnderstood() && !m_program->isStreamable()) {
     return points().empty()
                ? tr("The program moves no axis.")
-               : tr("The program needs a transformation of the control. No method streams it.");
+               : tr("The program needs a transformation of the control. No method can stream it.");
   }
   if (!m_program->isStreamable()) {
-    return tr("The path of the program is not known everywhere: see the findings.");
+    return tr("Parts of the program's path are not known: see the findings.");
   }
   const base::RotarySet turned = m_view->turnedAxes;
   if (base::any(turned) && !base::streamsRotary(m_settings.stream.parameters.method)) {
-    return tr("The program turns rotary axes: choose method window.");
+    return tr("The program moves rotary axes: choose method window.");
   }
   if (!base::contains(m_machine.rotaryAxes, turned)) {
-    return tr("The program turns %1, and the control does not have all of these axes.")
+    return tr("The program moves %1, but the control does not have all of these axes.")
         .arg(QString::fromStdString(base::rotaryNames(turned)));
   }
   if (m_problem) {
@@ -901,7 +900,7 @@ streaming::RunSettings MainWindow::runSettings() const {
 
 void MainWindow::hold(bool hold) {
   m_session.hold(hold);
-  log(Severity::Note, hold ? tr("Hold ordered.") : tr("Continue ordered."));
+  log(Severity::Note, hold ? tr("Hold requested.") : tr("Continue requested."));
 }
 
 void MainWindow::askResume() {
@@ -942,7 +941,7 @@ void MainWindow::showResume(const session::ResumeFound& found) {
   m_resumeBar->showPlace(place);
   m_path->markPoint(m_resume->point);
   log(Severity::Note,
-      tr("The run was left in front of point %1 of %2.")
+      tr("The run was left before point %1 of %2.")
           .arg(widgets::countText(place.point + 1), widgets::countText(place.points)));
   refreshStart();
 }
@@ -954,7 +953,9 @@ void MainWindow::forgetResume() {
 }
 
 bool MainWindow::resume() {
-  const QString blocked = m_resume ? resumeBlockedReason() : tr("Resume first asks the control.");
+  const QString blocked =
+      m_resume ? resumeBlockedReason()
+               : tr("Press Resume first: it asks the control where the run was left.");
   if (!blocked.isEmpty()) {
     m_messages->showMessage(Severity::Warning, blocked);
     return false;
@@ -979,7 +980,7 @@ bool MainWindow::startRun(std::optional<streaming::Resume> resume) {
   m_messages->clear();
   if (resume) {
     log(Severity::Note,
-        tr("The run goes on at point %1.").arg(widgets::countText(m_firstPoint + 1)));
+        tr("The run resumes at point %1.").arg(widgets::countText(m_firstPoint + 1)));
   } else if (m_machine.positionMm && !points().empty()) {
     log(Severity::Note, tr("Start. The tool first moves %1 in a straight line to the first point.")
                             .arg(widgets::lengthText(base::distance(*m_machine.positionMm,
@@ -989,8 +990,8 @@ bool MainWindow::startRun(std::optional<streaming::Resume> resume) {
     m_messages->showMessage(
         Severity::Note,
         tr("Save the template on its page as %1, copy it to the part programs of the control, "
-           "select it in channel 1 and press cycle start. The axes move only once it has shown its "
-           "layout number %2.")
+           "select it in channel 1 and press cycle start. The axes move only after the template "
+           "has shown its layout number %2.")
             .arg(QString::fromStdString(templates::templateFileName(settings.parameters)))
             .arg(templates::layoutNumber(settings.parameters)));
   }
@@ -1007,7 +1008,7 @@ bool MainWindow::startRun(std::optional<streaming::Resume> resume) {
 
 void MainWindow::stop() {
   m_session.stop();
-  log(Severity::Note, tr("Stop ordered."));
+  log(Severity::Note, tr("Stop requested."));
 }
 
 void MainWindow::showUpdate(const streaming::LiveUpdate& update) {
@@ -1113,13 +1114,13 @@ void MainWindow::showFinished(const session::RunFinished& finished) {
 
 QString MainWindow::calibrationBlockedReason() const {
   if (m_session.isRunning()) {
-    return tr("A run lasts.");
+    return tr("A run is in progress.");
   }
   if (m_link.state != session::LinkState::Connected) {
     return tr("Connect to a control first.");
   }
   if (m_machine.channelStatus.value_or(0) != 0) {
-    return tr("A program runs on the control.");
+    return tr("A program is running on the control.");
   }
   return {};
 }
@@ -1133,7 +1134,7 @@ void MainWindow::calibrate(const streaming::CalibrationPlan& plan) {
   m_messages->clear();
   m_session.calibrate(plan);
   m_calibration->setProgress(streaming::CalibrationProgress{});
-  log(Severity::Note, tr("Calibration on R%1 to R%2 began.")
+  log(Severity::Note, tr("Calibration on R%1 to R%2 started.")
                           .arg(QString::number(plan.firstCell), QString::number(plan.lastCell)));
   refreshStart();
 }
@@ -1173,7 +1174,7 @@ void MainWindow::loadCalibration() {
     m_access.record = std::make_shared<const streaming::CalibrationRecord>(std::move(**found));
     if (m_access.isOutdated) {
       log(Severity::Warning,
-          tr("The calibration is of another version of the server and not used."));
+          tr("The calibration belongs to another version of the server and is not used."));
     }
   }
   m_calibration->setRecord(m_access.record, m_access.isOutdated);
@@ -1224,7 +1225,7 @@ QString MainWindow::newRecordingPath() {
                     QStringLiteral("/runs"));
   if (!folder.mkpath(QStringLiteral("."))) {
     log(Severity::Warning,
-        tr("The run is not recorded: the folder %1 cannot be made.").arg(folder.path()));
+        tr("The run is not recorded: the folder %1 cannot be created.").arg(folder.path()));
     return {};
   }
   return folder.filePath(
@@ -1235,8 +1236,9 @@ QString MainWindow::newRecordingPath() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (m_session.isRunning()) {
     // Closing must neither leave the machine alone nor stop it by surprise.
-    m_messages->showMessage(Severity::Warning,
-                            tr("A run lasts. Press Stop and wait for its end, then close."));
+    m_messages->showMessage(
+        Severity::Warning,
+        tr("A run is in progress. Press Stop, wait until the run has ended, then close."));
     event->ignore();
     return;
   }

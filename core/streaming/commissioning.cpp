@@ -90,7 +90,7 @@ class Test {
   Result<void> proceed(CommissioningStep step) {
     if (m_progress && !m_progress(step)) {
       return base::fail(StreamError::Cancelled,
-                        "The test was broken off. Reset the control if its program still runs.");
+                        "The test was aborted. Reset the control if its program is still running.");
     }
     return {};
   }

@@ -443,8 +443,8 @@ class Job {
            "these R-parameters. The window was not executed. Find the other writer, then resume.");
     } else if (state == templates::WindowState::Abandoned) {
       fail(StreamError::ClientSilent,
-           "The control ended its program because nothing came from here for too long. Check the "
-           "network, then resume.");
+           "The control ended its program because it received nothing from Rivulet for too long. "
+           "Check the network, then resume.");
     } else if (m_report.outcome == Outcome::Completed && state != templates::WindowState::Done) {
       fail(StreamError::EndedEarly,
            "The program on the control ended before every point was executed.");

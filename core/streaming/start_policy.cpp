@@ -140,7 +140,7 @@ std::string sentence(const Blocked& blocked) {
     case BlockReason::NoMotion:
       return "The program moves no axis: choose one with G0, G1, G2 or G3 and X, Y or Z.";
     case BlockReason::NeedsTransformation:
-      return "The program needs a transformation of the control. No method streams it.";
+      return "The program needs a transformation of the control. No method can stream it.";
     case BlockReason::PathUnknown:
       return "The program has findings that leave its path unknown. Correct them first.";
     case BlockReason::RotaryNotStreamed:

@@ -456,7 +456,7 @@ class TestMainWindow : public QObject {
     auto* bar = m_window->findChild<widgets::ResumeBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(bar->place().has_value(), kSoonMs);
     QCOMPARE(bar->place()->point, first->integrity.executed);
-    QVERIFY(shows(bar, QStringLiteral("Nothing has moved yet. The run goes on at point %1 of 270")
+    QVERIFY(shows(bar, QStringLiteral("Nothing has moved yet. The run will resume at point %1 of 270")
                            .arg(first->integrity.executed + 1)));
     QVERIFY(!m_window->isRunning());
     picturePages(*m_window, QStringLiteral("resume-light-en"));
@@ -468,7 +468,7 @@ class TestMainWindow : public QObject {
     m_window->setTheme(widgets::Theme::Light);
     QTRY_COMPARE(m_window->pages()->tabText(0), QStringLiteral("Program"));
     finished.clear();
-    QTest::mouseClick(button(QStringLiteral("Go on at point %1").arg(bar->place()->point + 1)),
+    QTest::mouseClick(button(QStringLiteral("Resume at point %1").arg(bar->place()->point + 1)),
                       Qt::LeftButton);
     QVERIFY(m_window->isRunning());
     QVERIFY(!bar->isVisible());

@@ -41,8 +41,8 @@ AccessSourceText accessSourceText(const AccessSource& source, base::Duration acc
   const QString date = dateText(source.record->measuredAtUtc);
   if (source.isOutdated) {
     return {Status::Attention,
-            AccessTexts::tr("Access assumed as in [P1]: %1 per cell. The calibration of %2 is of "
-                            "another version of the server and not used.")
+            AccessTexts::tr("Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs "
+                            "to another version of the server and is not used.")
                 .arg(time, date)};
   }
   const streaming::Calibration& calibration = source.record->calibration;
@@ -61,7 +61,7 @@ AccessSourceText accessSourceText(const AccessSource& source, base::Duration acc
   }
   if (source.cellsMax > measured) {
     text += QLatin1Char(' ') +
-            AccessTexts::tr("Measured were up to %1 cells.").arg(QString::number(measured));
+            AccessTexts::tr("Up to %1 cells were measured.").arg(QString::number(measured));
   }
   return {Status::Plain, text};
 }

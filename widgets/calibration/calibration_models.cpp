@@ -75,7 +75,7 @@ SeriesModel::SeriesModel(QObject* parent)
                 return bold();
               }
               return series.refused ? tr("The control refused arrays of this size.")
-                                    : tr("%1 were ordered; more did not fit the time.")
+                                    : tr("%1 were requested; there was no time for more.")
                                           .arg(QString::number(m_shots));
             }},
            timeColumn([] { return tr("Mean"); },
@@ -106,7 +106,7 @@ FitModel::FitModel(QObject* parent)
             [](const AccessFit& fit) { return millisecondsText(fit.nodeMs, 3); }, true},
            {[] { return tr("± per cell"); },
             [](const AccessFit& fit) { return millisecondsText(fit.nodeDeviationMs, 2); }, true},
-           {[] { return tr("Off the line"); },
+           {[] { return tr("Residual"); },
             [](const AccessFit& fit) {
               return tr("%1 %").arg(numberText(100.0 * fit.residualShare, 1));
             },

@@ -231,8 +231,8 @@ void CalibrationPage::retranslate() {
   m_shotsName->setText(tr("Shots of each kind"));
   m_budgetName->setText(tr("At most"));
   m_budget->setSuffix(QStringLiteral(" min"));
-  m_budget->setSpecialValueText(tr("any"));
-  m_arrays->setText(tr("Arrays too: to prove them, other values are in the cells for a moment"));
+  m_budget->setSpecialValueText(tr("no limit"));
+  m_arrays->setText(tr("Arrays too: for the test, the cells hold other values for a moment"));
   m_confirm->setText(
       tr("No program, cycle or other client uses R%1 to R%2: they may be written")
           .arg(QString::number(m_firstCell->value()), QString::number(m_lastCell->value())));
@@ -282,10 +282,10 @@ void CalibrationPage::refresh() {
     const QString left = tr("%1 left").arg(durationText(base::toSeconds(progress.left)));
     switch (progress.phase) {
       case Phase::Forms:
-        m_hint->setStatus(Status::Busy, tr("Which forms of access work …"));
+        m_hint->setStatus(Status::Busy, tr("Testing the forms of access …"));
         break;
       case Phase::First:
-        m_hint->setStatus(Status::Busy, tr("A first look at each kind …"));
+        m_hint->setStatus(Status::Busy, tr("First request of each kind …"));
         break;
       case Phase::Shots:
         m_hint->setStatus(
@@ -295,7 +295,7 @@ void CalibrationPage::refresh() {
                      countText(static_cast<std::size_t>(progress.shotsPlanned)), left));
         break;
       case Phase::Restore:
-        m_hint->setStatus(Status::Busy, tr("Putting the cells back …"));
+        m_hint->setStatus(Status::Busy, tr("Restoring the cells …"));
         break;
     }
     return;
@@ -303,7 +303,7 @@ void CalibrationPage::refresh() {
   if (!m_blocked.isEmpty()) {
     m_hint->setStatus(Status::Attention, m_blocked);
   } else if (!range) {
-    m_hint->setStatus(Status::Attention, tr("The last cell lies before the first."));
+    m_hint->setStatus(Status::Attention, tr("The last cell is before the first."));
   } else {
     const base::Duration expected =
         streaming::expectedDuration(plan(), m_record ? &m_record->calibration : nullptr);
@@ -331,12 +331,13 @@ void CalibrationPage::showState() {
                                 durationText(base::toSeconds(calibration.took)));
   if (m_outdated) {
     m_state->setStatus(Status::Attention,
-                       tr("Outdated, not used: the server is another version now. %1").arg(what));
+                       tr("Outdated, not used: the server now has another version. %1").arg(what));
     return;
   }
   QString text = tr("Calibrated: %1.").arg(what);
   if (calibration.isCut()) {
-    text += QLatin1Char(' ') + tr("Not all shots fitted the time: fewer are bold in the table.");
+    text += QLatin1Char(' ') +
+            tr("There was not enough time for all shots: reduced numbers are bold in the table.");
   }
   m_state->setStatus(Status::Good, text);
 }

@@ -55,7 +55,7 @@ struct ErrorTexts {
       case FeasibilityError::DeltaNotPositive:
         return tr("The distance δ must be greater than zero.");
       case FeasibilityError::NothingKnown:
-        return tr("Nothing can be said of this method beforehand.");
+        return tr("No prediction is possible for this method.");
       case FeasibilityError::TooFewPointsPerLoop:
         return tr("N is too small. Choose at least 2 points per loop.");
     }
@@ -74,18 +74,19 @@ struct ErrorTexts {
       case TemplateError::NoAxis:
         return tr("No axis is chosen. Choose at least one axis.");
       case TemplateError::BadCells:
-        return tr("The cells of method window are out of range. See base, stride and windows.");
+        return tr(
+            "The cells of method window are out of range. Check base, stride and number of "
+            "windows.");
       case TemplateError::FileNotWritable:
         return tr("The file cannot be written. Choose another folder.");
       case TemplateError::BadCorrection:
-        return tr(
-            "The online correction is possible with method window, for X, Y and Z, up to 1 mm.");
+        return tr("Online correction is possible with method window, for X, Y and Z, up to 1 mm.");
       case TemplateError::RotaryNeedsWindow:
         return tr("Only method window streams rotary axes. Choose it.");
       case TemplateError::TooManyAxes:
         return tr("Too many axes. Choose at most five.");
       case TemplateError::BadAxes:
-        return tr("These are no axes. Choose from X, Y, Z, A, B and C.");
+        return tr("These are not axes. Choose from X, Y, Z, A, B and C.");
     }
     return {};
   }
@@ -94,7 +95,7 @@ struct ErrorTexts {
     using trace::TraceError;
     switch (code) {
       case TraceError::NotATrace:
-        return tr("This file is not a recording of Rivulet.");
+        return tr("This file is not a Rivulet recording.");
       case TraceError::NewerVersion:
         return tr("The recording was written by a newer Rivulet. Update this program to read it.");
       case TraceError::Damaged:
@@ -117,15 +118,17 @@ struct ErrorTexts {
       case LinkError::DeadlineExceeded:
         return tr("The control did not answer in time. Check the network and its load.");
       case LinkError::VariableMissing:
-        return tr("The control does not have a variable Rivulet needs. Check the server's setup.");
+        return tr(
+            "The control does not have a variable that Rivulet needs. Check the configuration of "
+            "the server.");
       case LinkError::NotWritable:
-        return tr("A variable may not be written. Give this user write access on the control.");
+        return tr("A variable is write-protected. Give this user write access on the control.");
       case LinkError::BadValue:
         return tr("A value cannot be used; nothing was sent.");
       case LinkError::Rejected:
         return tr("The control rejected the request.");
       case LinkError::NamespaceMissing:
-        return tr("The server is no SINUMERIK (no SinumerikVarProvider). Check the endpoint.");
+        return tr("The server is not a SINUMERIK (no SinumerikVarProvider). Check the endpoint.");
       case LinkError::MethodMissing:
         return tr("The server does not offer this function.");
       case LinkError::ProgramMissing:
@@ -135,7 +138,7 @@ struct ErrorTexts {
       case LinkError::FileExists:
         return tr("A program of this name is already on the control.");
       case LinkError::TooManyItems:
-        return tr("The request is larger than the server takes. Choose a smaller N.");
+        return tr("The request is larger than the server accepts. Choose a smaller N.");
     }
     return {};
   }
@@ -147,13 +150,13 @@ struct ErrorTexts {
         return tr("These cells cannot be used. Choose R-parameters that exist (MD28050).");
       case CalibrationError::ChannelBusy:
         return tr(
-            "A program runs on the control: nothing more was measured. The cells are as they "
-            "were.");
+            "A program is running on the control: the measurement has ended. The cells have their "
+            "old values.");
       case CalibrationError::Cancelled:
-        return tr("The calibration was cancelled. The cells are as they were.");
+        return tr("The calibration was cancelled. The cells have their old values.");
       case CalibrationError::NotRestored:
         return tr(
-            "The cells could not be put back and may hold test values. Set them at the control.");
+            "The cells could not be restored and may hold test values. Set them at the control.");
     }
     return {};
   }
@@ -165,15 +168,17 @@ struct ErrorTexts {
         return tr("This program cannot be streamed. See the list of findings.");
       case StreamError::WrongProgram:
         return tr(
-            "The control does not run the expected template. Select and start the template "
-            "of these settings.");
+            "The control does not run the expected template. Select and start the template for "
+            "these settings.");
       case StreamError::ChannelBusy:
-        return tr("Another program runs on the control. Wait for its end or reset the channel.");
+        return tr(
+            "Another program is running on the control. Wait until it has ended, or reset the "
+            "channel.");
       case StreamError::NotStarted:
-        return tr("Cycle start was not pressed in time. Arm the run again.");
+        return tr("Cycle start was not pressed in time. Start the run again.");
       case StreamError::StreamStalled:
         return tr(
-            "The control runs, but the stream shows no progress. Check feed override and "
+            "The control is running, but the stream makes no progress. Check feed override and "
             "feed hold at the control.");
       case StreamError::StopNotConfirmed:
         return tr("The control did not confirm the stop in time. Check the machine.");
@@ -183,46 +188,49 @@ struct ErrorTexts {
         return tr("The program on the control ended before all points were sent.");
       case StreamError::OtherClient:
         return tr(
-            "Another client uses the program on the control. Nothing more is written: let it "
-            "finish, or reset the control.");
+            "Another client is using the program on the control. Rivulet writes nothing more: wait "
+            "until the other client has finished, or reset the control.");
       case StreamError::Restarted:
         return tr(
-            "The program on the control was started anew in the middle of the run. Reset the "
-            "control, then resume.");
+            "The program on the control was restarted during the run. Reset the control, then "
+            "resume.");
       case StreamError::WindowDamaged:
         return tr(
-            "The control refused a window that did not fit its check number and did not execute "
-            "it. Something else writes these R-parameters: find it, then resume.");
+            "The control rejected a window that did not match its check number, and did not "
+            "execute it. Something else writes these R-parameters: find out what it is, then "
+            "resume.");
       case StreamError::ClientSilent:
         return tr(
-            "The control ended its program because nothing came from here for too long. Check "
-            "the network, then resume.");
+            "The control ended its program because it received nothing from Rivulet for too long. "
+            "Check the network, then resume.");
       case StreamError::TransferRefused:
         return tr(
             "The control does not let Rivulet write and read part programs. Grant the OPC UA user "
-            "these rights, or bring the template there by hand.");
+            "these rights, or copy the template to the control by hand.");
       case StreamError::OverlayLeft:
         return tr(
-            "Something is laid over the axes already. Take it back at the control: reset it, wait, "
-            "and see that $AA_OFF is 0.");
+            "An overlay is already active on the axes. Remove it at the control: press reset, "
+            "wait, and check that $AA_OFF is 0.");
       case StreamError::OverlayIntegrates:
         return tr(
-            "The control adds up what is laid over its axes (MD36750 bit 0). Set the bit to 0, or "
-            "do without online correction.");
+            "The control adds up overlaid values (MD36750 bit 0). Set the bit to 0, or do without "
+            "online correction.");
       case StreamError::Cancelled:
-        return tr("The test was broken off. Reset the control if its program still runs.");
+        return tr("The test was aborted. Reset the control if its program is still running.");
       case StreamError::NotCommissioned:
         return tr(
             "Method credit is experimental and starts only on a control that has passed its test. "
             "Run rivulet-cli commission for this control, or choose method window.");
       case StreamError::CannotResume:
-        return tr("Where the run was left is not known for certain. Start from the beginning.");
+        return tr("It is not known for certain where the run was left. Start from the beginning.");
       case StreamError::AxesNotChosen:
         return tr(
-            "The program needs an axis that is not streamed. Bring it to where the program wants "
-            "it, or choose it.");
+            "The program needs an axis that is not streamed. Move it to the position in the "
+            "program, or stream it too.");
       case StreamError::AxisMissing:
-        return tr("The control lacks an axis the program turns. Use a program for its axes.");
+        return tr(
+            "The control lacks an axis that the program moves. Use a program for the axes of this "
+            "machine.");
     }
     return {};
   }

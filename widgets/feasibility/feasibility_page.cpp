@@ -205,7 +205,7 @@ void FeasibilityPage::showHint() {
                     : tr("Drag the ring to change N and the feed.");
   } else if (m_tabs->currentIndex() == 2) {
     text = position ? tr("Drag the ring to change δ and the feed.")
-                    : tr("This method does not use δ: the borders do not depend on it.");
+                    : tr("This method does not use δ: the limits do not depend on it.");
   }
   const auto* shown = static_cast<RegionChart*>(m_tabs->currentWidget());
   if (shown->region()) {
@@ -267,9 +267,9 @@ void FeasibilityPage::showLegend() {
     const std::array<QColor, 3> simulated = RegionChart::pointColors(palette());
     entries.push_back({LegendEntry::Symbol::Dot, QPen(Qt::NoPen), simulated[0], tr("Runs")});
     entries.push_back(
-        {LegendEntry::Symbol::Triangle, QPen(Qt::NoPen), simulated[1], tr("Fails sometimes")});
+        {LegendEntry::Symbol::Triangle, QPen(Qt::NoPen), simulated[1], tr("Sometimes fails")});
     entries.push_back(
-        {LegendEntry::Symbol::Square, QPen(Qt::NoPen), simulated[2], tr("Fails always")});
+        {LegendEntry::Symbol::Square, QPen(Qt::NoPen), simulated[2], tr("Always fails")});
     entries.push_back({LegendEntry::Symbol::Fill, QPen(colors.line, 1),
                        RegionChart::bandBrush(palette()), tr("Model: 0.1 % to 50 % fail")});
   }

@@ -234,8 +234,8 @@ void PathView::retranslate() {
   m_showPauses->setText(tr("Pauses"));
   m_showPauses->setToolTip(tr("Mark where the run will pause"));
   m_canvas->setTexts({tr("No program is loaded"), tr("Start"), tr("Tool"),
-                      tr("Pause off the cut, behind point %1, line %2"),
-                      tr("Pause in the cut, behind point %1, line %2")});
+                      tr("Pause off the cut, after point %1, line %2"),
+                      tr("Pause in the cut, after point %1, line %2")});
   showLegend();
   showPlace();
 }
@@ -369,7 +369,7 @@ void PathView::showLegend() {
   std::vector<LegendEntry> entries;
   if (m_program) {
     if (m_classes.colouring == PathColouring::Time && !m_times) {
-      entries.push_back({LegendEntry::Symbol::Line, penOf(0), {}, tr("being computed …")});
+      entries.push_back({LegendEntry::Symbol::Line, penOf(0), {}, tr("computing …")});
     } else {
       for (std::size_t one = 0; one < m_classes.count; ++one) {
         if (m_present[one]) {

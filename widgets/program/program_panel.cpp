@@ -441,7 +441,7 @@ void ProgramPanel::showDistances() {
 
 void ProgramPanel::showTimes() {
   const QString unknown =
-      m_program && m_program->points.points.size() > 1 ? tr("being computed …") : noValue();
+      m_program && m_program->points.points.size() > 1 ? tr("computing …") : noValue();
   m_figureValues[ProgrammedTime]->setText(
       m_times ? tr("%1 without pauses").arg(durationText(m_times->programmedS)) : unknown);
   m_figureValues[StreamedTime]->setText(m_times && m_times->run
@@ -490,10 +490,11 @@ void ProgramPanel::showDialect() {
   if (m_program) {
     const QString dialect = nameOf(m_program->program->dialect);
     const QString evidence = QString::fromStdString(m_program->program->dialectEvidence);
-    m_evidence->setText(m_ordered ? tr("Read as %1, as ordered.").arg(dialect)
-                        : evidence.isEmpty()
-                            ? tr("Read as %1: nothing in the text decides.").arg(dialect)
-                            : tr("Read as %1 because of \"%2\".").arg(dialect, evidence));
+    m_evidence->setText(
+        m_ordered ? tr("Read as %1, as selected.").arg(dialect)
+        : evidence.isEmpty()
+            ? tr("Read as %1: the text gives no evidence of its dialect.").arg(dialect)
+            : tr("Read as %1 because of \"%2\".").arg(dialect, evidence));
   }
 }
 

@@ -228,19 +228,19 @@ void CorrectionPanel::showStatus() {
         Status::Fault,
         tr("UDP port %1 cannot be opened: choose another.").arg(QString::number(m_input.port)));
   } else if (!m_isRunning) {
-    m_status->setStatus(Status::Unknown, tr("Up to ±%1 per axis, while a run lasts.").arg(limit));
+    m_status->setStatus(Status::Unknown, tr("Up to ±%1 per axis, during a run.").arg(limit));
   } else if (!m_input.isLive) {
     m_status->setStatus(Status::Plain, tr("By hand, up to ±%1 per axis.").arg(limit));
   } else if (m_live.isSilent && m_live.hasValue) {
     m_status->setStatus(Status::Attention, tr("The source is silent: its last value is held."));
   } else if (!m_live.hasValue) {
-    m_status->setStatus(Status::Busy, tr("Nothing has come from the source yet."));
+    m_status->setStatus(Status::Busy, tr("Nothing has been received from the source yet."));
   } else if (m_live.unknown > 0) {
-    m_status->setStatus(
-        Status::Attention,
-        tr("The source is heard. Lines that are no correction: %1").arg(countText(m_live.unknown)));
+    m_status->setStatus(Status::Attention,
+                        tr("Receiving from the source. Lines that are not corrections: %1")
+                            .arg(countText(m_live.unknown)));
   } else {
-    m_status->setStatus(Status::Good, tr("The source is heard."));
+    m_status->setStatus(Status::Good, tr("Receiving from the source."));
   }
 }
 
@@ -248,13 +248,13 @@ void CorrectionPanel::retranslate() {
   m_group->setTitle(tr("Online correction"));
   m_confirmedName->setText(tr("confirmed by the control"));
   m_zero->setText(tr("Zero"));
-  m_zero->setToolTip(tr("Take the correction of all axes back, and set it by hand from then on"));
+  m_zero->setToolTip(tr("Set the correction of all axes to zero, then continue by hand"));
   m_sourceName->setText(tr("Source"));
   const bool wasShowing = std::exchange(m_isShowing, true);
   m_source->setItemText(0, tr("By hand"));
   m_source->setItemText(1, tr("UDP on this computer"));
   m_isShowing = wasShowing;
-  m_source->setToolTip(tr("Datagrams to 127.0.0.1 with lines as X 0.01 Y -0.02, in mm"));
+  m_source->setToolTip(tr("Datagrams to 127.0.0.1 with lines like X 0.01 Y -0.02, in mm"));
   m_portName->setText(tr("Port"));
   m_silenceName->setText(tr("Silent after"));
   for (const Axis& axis : m_axes) {

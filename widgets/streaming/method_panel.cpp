@@ -218,20 +218,19 @@ void MethodPanel::retranslate() {
   m_method->setItemText(2, tr("Signal"));
   m_method->setItemText(3, tr("Credit (experimental)"));
   m_method->setToolTip(
-      tr("Window: the machine waits when the client is late; it never executes a point twice. "
-         "Position: the client watches the tool and replaces points it has "
-         "passed. Signal: the client watches a cell in which the program says "
-         "which half of the loop may be replaced. Credit: as window, without a stop between "
-         "windows; it starts only on a control that has passed the test of rivulet-cli "
-         "commission."));
+      tr("Window: the machine waits if the client is late; it never executes a point twice. "
+         "Position: the client watches the tool and replaces points it has passed. Signal: the "
+         "client watches a cell in which the program says which half of the loop may be replaced. "
+         "Credit: like window, without a stop between windows; it starts only on a control that "
+         "has passed the test of rivulet-cli commission."));
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
   m_correctionLabel->setText(tr("Correction up to"));
   m_correction->setSpecialValueText(tr("none"));
   m_correction->setToolTip(
-      tr("What may be laid over each axis while the run lasts. The control must not add it up "
-         "(MD36750 bit 0), and its own limit (SD43350) should be no larger."));
+      tr("Largest correction of each axis during the run. The control must not add corrections up "
+         "(MD36750 bit 0), and its own limit (SD43350) should not be larger."));
   m_correctionLabel->setToolTip(m_correction->toolTip());
   m_layout->setItemText(0, tr("Paper (R11, R21 …)"));
   m_layout->setItemText(1, tr("Contiguous (R10 …)"));
@@ -241,19 +240,19 @@ void MethodPanel::retranslate() {
   m_access->setItemText(2, tr("Lists"));
   m_access->setItemText(3, tr("One by one"));
   m_transferLabel->setText(tr("Template"));
-  m_byHand->setText(tr("brought by hand"));
+  m_byHand->setText(tr("copied by hand"));
   m_byHand->setToolTip(
-      tr("For a control that gives no right to its part programs: you store the template there, "
-         "select it and press cycle start. The run waits for that."));
+      tr("For a control that gives no right to its part programs: store the template there, select "
+         "it and press cycle start. The run waits until this is done."));
   m_isShowing = wasShowing;
   m_pausesGroup->setTitle(tr("Pauses"));
   m_plannedLabel->setText(tr("Planned"));
   m_plannedLabel->setToolTip(
-      tr("Places where the axes will stand for a moment. Off the cut is behind a rapid or a "
-         "retract, or at a sharp corner; the path shows them."));
-  m_costLabel->setText(tr("They cost"));
+      tr("Places where the axes will stop for a moment. Off the cut means after a rapid or a "
+         "retract, or at a sharp corner; the path shows the places."));
+  m_costLabel->setText(tr("Cost"));
   m_costLabel->setToolTip(
-      tr("Standing, braking and accelerating, computed with the axes of the virtual machine"));
+      tr("Standstill, braking and acceleration, computed with the axes of the virtual machine"));
   m_verdictGroup->setTitle(tr("Verdict"));
   m_marginLabel->setText(tr("Margin"));
   m_limitLabel->setText(tr("Largest feed"));
@@ -299,8 +298,8 @@ void MethodPanel::showSettings() {
   m_layout->setEnabled(m_editable && !window);
   m_layout->setToolTip(window ? tr("Windows have a layout of their own") : QString());
   m_access->setToolTip(
-      window ? tr("Automatic: before anything moves, the best form of access is proved on the "
-                  "control and used. The report names it.")
+      window ? tr("Automatic: before anything moves, the forms of access are tested on the control "
+                  "and the best one is used. The report names it.")
              : tr("Automatic: lists, as this method was published. Arrays need the contiguous "
                   "layout."));
   m_correction->setValue(m_settings.parameters.correctionLimitMm);
@@ -348,7 +347,7 @@ QString MethodPanel::equationText(feasibility::Equation equation) const {
           "Equation (3) with the real path: half a loop must be written before the tool has "
           "used it up.");
     case feasibility::Equation::Reach:
-      return tr("Reach: the next window must be written while the tool works off another.");
+      return tr("Reach: the next window must be written while the tool executes the current one.");
   }
   return {};
 }
@@ -361,7 +360,7 @@ void MethodPanel::showPauses() {
     m_cost->setText(
         tr("%1 of %2").arg(secondsText(*m_pauses->costS), durationText(*m_pauses->totalS)));
   } else {
-    m_cost->setText(m_pauses ? tr("being computed …") : noValue());
+    m_cost->setText(m_pauses ? tr("computing …") : noValue());
   }
 }
 
@@ -375,7 +374,7 @@ void MethodPanel::showVerdict() {
   if (!judged) {
     const bool isProblem = m_problem && !m_problem->isEmpty();
     m_headline->setStatus(isProblem ? Status::Attention : Status::Unknown, tr("Not judged"));
-    m_reason->setText(isProblem ? *m_problem : tr("Load a program to have it judged."));
+    m_reason->setText(isProblem ? *m_problem : tr("Load a program to get a verdict."));
     return;
   }
 

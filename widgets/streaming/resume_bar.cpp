@@ -76,22 +76,23 @@ void ResumeBar::retranslate() {
       m_text->clear();
       break;
     case State::Asking:
-      m_text->setText(tr("The control is asked where the run was left …"));
+      m_text->setText(tr("Asking the control where the run was left …"));
       break;
     case State::Place: {
-      QString text = tr("Nothing has moved yet. The run goes on at point %1 of %2, line %3: %4.")
-                         .arg(countText(m_place->point + 1), countText(m_place->points),
-                              countText(m_place->line.value),
-                              QStringLiteral("X %1 Y %2 Z %3")
-                                  .arg(numberText(m_place->positionMm.x, 3),
-                                       numberText(m_place->positionMm.y, 3),
-                                       lengthText(m_place->positionMm.z, 3)));
+      QString text =
+          tr("Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.")
+              .arg(countText(m_place->point + 1), countText(m_place->points),
+                   countText(m_place->line.value),
+                   QStringLiteral("X %1 Y %2 Z %3")
+                       .arg(numberText(m_place->positionMm.x, 3),
+                            numberText(m_place->positionMm.y, 3),
+                            lengthText(m_place->positionMm.z, 3)));
       if (m_place->approachMm) {
         text += QLatin1Char(' ') + tr("The tool first moves %1 in a straight line to that point.")
                                        .arg(lengthText(*m_place->approachMm));
       }
       m_text->setText(text);
-      m_goOn->setText(tr("Go on at point %1").arg(countText(m_place->point + 1)));
+      m_goOn->setText(tr("Resume at point %1").arg(countText(m_place->point + 1)));
       break;
     }
     case State::Refusal:

@@ -175,8 +175,8 @@ void RunPanel::retranslate() {
   m_counterNames[1]->setText(tr("Accepted"));
   m_counterNames[2]->setText(tr("Executed"));
   m_marginName->setText(tr("Margin"));
-  m_marginName->setToolTip(
-      tr("Time until the control needs the next point, less the 99th percentile of access time"));
+  m_marginName->setToolTip(tr(
+      "Time until the control needs the next point, minus the 99th percentile of the access time"));
   m_waitingName->setText(tr("Waiting for"));
   showAll();
 }
@@ -204,10 +204,10 @@ QString RunPanel::waitingText() const {
   // The stream names its reasons by key; one without a sentence here is shown as it is.
   const QString key = QString::fromStdString(m_update.waitingFor);
   if (key.isEmpty() && m_update.state == RunState::Holding) {
-    return tr("Continue; it stands in front of the next window");
+    return tr("Continue; the machine is waiting before the next window");
   }
   if (key == QStringLiteral("proof")) {
-    return tr("proof of the template on the virtual machine");
+    return tr("test of the template on the virtual machine");
   }
   if (key.isEmpty()) {
     return noValue();
@@ -246,7 +246,7 @@ void RunPanel::showAll() {
   showHoldIcon();
   m_hold->setEnabled(m_canHold && (isHolding || m_update.state == RunState::Running));
   m_hold->setToolTip(m_canHold
-                         ? tr("The machine stands in front of the next window until Continue.")
+                         ? tr("The machine waits before the next window until you press Continue.")
                          : tr("Only method window can hold."));
   m_resume->setEnabled(!active && m_resumeBlocked.isEmpty());
   m_resume->setToolTip(m_resumeBlocked.isEmpty()

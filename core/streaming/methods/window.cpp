@@ -340,9 +340,10 @@ void WindowMethod::look(const Answer& answer, Instant now) {
 std::optional<base::Error> WindowMethod::failure() const {
   switch (m_trouble) {
     case Trouble::OtherClient:
-      return base::makeError(StreamError::OtherClient,
-                             "Another client uses the program on the control. Nothing more is "
-                             "written: let it finish, or reset the control.");
+      return base::makeError(
+          StreamError::OtherClient,
+          "Another client is using the program on the control. Rivulet writes nothing more: wait "
+          "until the other client has finished, or reset the control.");
     case Trouble::Restarted:
       return base::makeError(StreamError::Restarted,
                              "The program on the control has been started anew. It waits; reset "

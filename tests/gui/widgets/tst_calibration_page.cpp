@@ -136,7 +136,7 @@ class TestCalibrationPage : public QObject {
     page.setRecord(record, false);
     QVERIFY(test::visibleText(page).contains("Calibrated:"));
     QVERIFY(test::visibleText(page).contains("SINUMERIK OPC UA 3.2 SP1 117"));
-    QVERIFY(test::visibleText(page).contains("fewer are bold"));
+    QVERIFY(test::visibleText(page).contains("reduced numbers are bold"));
     auto* series = page.findChild<SeriesModel*>();
     auto* fits = page.findChild<FitModel*>();
     QCOMPARE(series->rowCount(), static_cast<int>(record->calibration.series.size()));
@@ -202,9 +202,9 @@ class TestCalibrationPage : public QObject {
     QVERIFY(textOf(0.35).text.contains("calibrated on"));
     QVERIFY(textOf(0.35).text.contains("array, by count"));
     QVERIFY(textOf(0.35).text.contains("writes of 24 cells"));
-    QVERIFY(!textOf(0.35).text.contains("Measured were up to"));
+    QVERIFY(!textOf(0.35).text.contains("cells were measured"));
     source.cellsMax = 63;
-    QVERIFY(textOf(0.35).text.contains("Measured were up to 50 cells"));
+    QVERIFY(textOf(0.35).text.contains("Up to 50 cells were measured"));
     source.isOutdated = true;
     QVERIFY(textOf(4.3).status == Status::Attention);
     QVERIFY(textOf(4.3).text.contains("not used"));

@@ -228,7 +228,7 @@ class TestProgramPanel : public QObject {
     }
     QCOMPARE(asked, combo->count() - 1);  // as it is needs no order
     panel.setReading(gcode::Dialect::Sinumerik, {});
-    QVERIFY(test::visibleText(panel).contains("as ordered"));
+    QVERIFY(test::visibleText(panel).contains("as selected"));
     QCOMPARE(combo->currentIndex(), 1);
   }
 
@@ -237,7 +237,7 @@ class TestProgramPanel : public QObject {
     ProgramPanel panel;
     const auto view = test::viewOf(test::pocket());
     panel.setProgram(view);
-    QVERIFY(test::visibleText(panel).contains("being computed"));
+    QVERIFY(test::visibleText(panel).contains("computing"));
     auto times = std::make_shared<ProgramTimes>(*test::timesOf(*view));
     times->programmedS = 125.4;
     times->run->totalS = 3725.0;
@@ -245,7 +245,7 @@ class TestProgramPanel : public QObject {
     QVERIFY(test::visibleText(panel).contains(QString("2:05") + QChar(0x00A0) + "min"));
     QVERIFY(test::visibleText(panel).contains(QString("1:02:05") + QChar(0x00A0) + "h with 39"));
     panel.setProgram(view);
-    QVERIFY(test::visibleText(panel).contains("being computed"));
+    QVERIFY(test::visibleText(panel).contains("computing"));
   }
 
   void asksForRecentAndDroppedFiles() {
