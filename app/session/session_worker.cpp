@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "opcua/await.h"
 #include "report/machine_profile.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -185,7 +186,7 @@ void SessionWorker::watch() {
       watched.push_back({VariableKind::ActualPosition, axis});
     }
   }
-  const auto readings = streaming::readNow(*m_connection.link, watched, kWatchDeadline);
+  const auto readings = opcua::readNow(*m_connection.link, watched, kWatchDeadline);
   if (!readings) {
     if (readings.error().code == opcua::LinkError::ConnectionLost) {
       m_connection = {};

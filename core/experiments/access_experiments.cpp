@@ -13,7 +13,7 @@
 #include "experiments/figures.h"
 #include "machine/machine.h"
 #include "machine/subscription_model.h"
-#include "streaming/job.h"
+#include "opcua/await.h"
 #include "streaming/simulation/simulated_link.h"
 
 namespace rivulet::experiments {
@@ -67,7 +67,7 @@ Result<std::vector<double>> measure(opcua::Link& link, const Table1Cell& cell, s
   for (std::size_t shot = 0; shot < shots; ++shot) {
     const base::RequestId id = cell.write ? link.write(assignments, kDeadline, cell.grouping)
                                           : link.read(variables, kDeadline, cell.grouping);
-    const Result<opcua::Event> event = streaming::awaitAnswer(link, id, kDeadline);
+    const Result<opcua::Event> event = opcua::awaitAnswer(link, id, kDeadline);
     if (!event) {
       return base::fail(event.error());
     }
@@ -204,7 +204,7 @@ Result<std::vector<Step>> holdValuesOn(const Endpoint& endpoint) {
   for (int cell = 20; cell < 20 + 2 * static_cast<int>(kFigure2Values.size()); ++cell) {
     clear.push_back({opcua::rParameter(cell), -1.0});
   }
-  for (const auto& done : {streaming::writeNow(endpoint.link, clear, kDeadline),
+  for (const auto& done : {opcua::writeNow(endpoint.link, clear, kDeadline),
                            endpoint.control.uploadProgram(name, kWatcher, true),
                            endpoint.control.selectProgram(name), endpoint.control.cycleStart()}) {
     if (!done) {
@@ -213,7 +213,7 @@ Result<std::vector<Step>> holdValuesOn(const Endpoint& endpoint) {
   }
   for (const double value : kFigure2Values) {
     const std::array write{opcua::Assignment{opcua::rParameter(kFigure2Cell), value}};
-    if (const auto done = streaming::writeNow(endpoint.link, write, kDeadline); !done) {
+    if (const auto done = opcua::writeNow(endpoint.link, write, kDeadline); !done) {
       return base::fail(done.error());
     }
   }
@@ -221,7 +221,7 @@ Result<std::vector<Step>> holdValuesOn(const Endpoint& endpoint) {
   for (std::size_t i = 1; i < clear.size(); ++i) {
     variables.push_back(clear[i].variable);
   }
-  const auto readings = streaming::readNow(endpoint.link, variables, kDeadline);
+  const auto readings = opcua::readNow(endpoint.link, variables, kDeadline);
   const auto ended = endpoint.control.reset();
   if (!readings || !ended) {
     return base::fail(!readings ? readings.error() : ended.error());

@@ -75,6 +75,12 @@ enum class SelectStatus {
   Rejected = 4
 };
 
+/// What a control lets a client do beside variables and programs.
+struct Abilities {
+  bool startsOnRequest = false;  ///< `cycleStart` and `reset`; else the operator presses the keys
+  bool keepsTrace = false;       ///< `fetchTrace`: what it executed, and where the axes were
+};
+
 /// Commands outside the stream. Each call blocks up to its deadline and must not be made while
 /// a stream runs (except `reset`).
 class Control {
@@ -92,9 +98,10 @@ class Control {
   /// Which server this is; empty where there is none, as in virtual time.
   virtual base::Result<ServerIdentity> identity() { return ServerIdentity{}; }
 
-  /// True for a virtual machine: it alone can be started, reset and asked for its trace here.
-  /// On a real control the operator presses cycle start.
+  /// Nothing moves that could do harm. For what the user is told and has to confirm; a run asks for
+  /// the abilities instead.
   [[nodiscard]] virtual bool isVirtualMachine() const = 0;
+  [[nodiscard]] virtual Abilities abilities() const = 0;
   virtual base::Result<void> cycleStart() = 0;
   virtual base::Result<void> reset() = 0;
   /// The control's own trace of the last run.

@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <array>
 
-#include "streaming/job.h"
+#include "opcua/await.h"
+#include "streaming/run.h"
 
 namespace rivulet::streaming {
 
@@ -82,7 +83,7 @@ class Probe {
   /// Looks whether the cells may be used, and keeps what stands in them.
   Result<void> begin() {
     const std::array<opcua::Variable, 1> channel{{{opcua::VariableKind::ChannelStatus, 0}}};
-    const auto status = readNow(m_link, channel, m_deadline);
+    const auto status = opcua::readNow(m_link, channel, m_deadline);
     if (!status) {
       return base::fail(status.error());
     }
@@ -92,7 +93,7 @@ class Probe {
                         "the forms of access are tried.");
     }
     const Result<opcua::Event> before =
-        awaitAnswer(m_link, m_link.read(m_cells, m_deadline, Grouping::Single), m_deadline);
+        opcua::awaitAnswer(m_link, m_link.read(m_cells, m_deadline, Grouping::Single), m_deadline);
     if (!before) {
       return base::fail(before.error());
     }
@@ -123,7 +124,7 @@ class Probe {
   Result<void> proveSingle() {
     const std::vector<opcua::Assignment> items = pattern();
     const Result<opcua::Event> written =
-        awaitAnswer(m_link, m_link.write(items, m_deadline, Grouping::Single), m_deadline);
+        opcua::awaitAnswer(m_link, m_link.write(items, m_deadline, Grouping::Single), m_deadline);
     if (!written) {
       return base::fail(written.error());
     }
@@ -149,7 +150,7 @@ class Probe {
   Result<void> prove(FormProof& proof) {
     const std::vector<opcua::Assignment> items = pattern();
     const Result<opcua::Event> written =
-        awaitAnswer(m_link, m_link.write(items, m_deadline, proof.form), m_deadline);
+        opcua::awaitAnswer(m_link, m_link.write(items, m_deadline, proof.form), m_deadline);
     proof.writes = false;
     if (!written) {
       if (isFinal(written.error())) {
@@ -224,7 +225,7 @@ class Probe {
       const std::span<const opcua::Variable> asked =
           isSingle ? std::span<const opcua::Variable>(m_cells) : inner();
       const Result<opcua::Event> answer =
-          awaitAnswer(m_link, m_link.read(asked, m_deadline, form), m_deadline);
+          opcua::awaitAnswer(m_link, m_link.read(asked, m_deadline, form), m_deadline);
       if (!answer) {
         return base::fail(answer.error());
       }
@@ -255,8 +256,8 @@ class Probe {
   }
 
   Result<void> restore() {
-    const Result<opcua::Event> written =
-        awaitAnswer(m_link, m_link.write(m_before, m_deadline, Grouping::Single), m_deadline);
+    const Result<opcua::Event> written = opcua::awaitAnswer(
+        m_link, m_link.write(m_before, m_deadline, Grouping::Single), m_deadline);
     if (!written) {
       return base::fail(written.error());
     }

@@ -13,8 +13,8 @@
 
 #include "base/contract.h"
 #include "base/random.h"
+#include "opcua/await.h"
 #include "streaming/access_probe.h"
-#include "streaming/job.h"
 
 namespace rivulet::streaming {
 
@@ -247,7 +247,7 @@ AccessSeries seriesOf(Kind kind) {
 
 Result<void> requireReset(opcua::Link& link, Duration deadline) {
   const std::array<opcua::Variable, 1> channel{{{opcua::VariableKind::ChannelStatus, 0}}};
-  const auto status = readNow(link, channel, deadline);
+  const auto status = opcua::readNow(link, channel, deadline);
   if (!status) {
     return base::fail(status.error());
   }
@@ -266,7 +266,7 @@ Result<void> restore(opcua::Link& link, const std::vector<opcua::Assignment>& be
                       "The scratch cells could not be put back and may hold test values: " + why);
   };
   const Duration all = deadlineOf(deadline, before.size());
-  const auto written = awaitAnswer(link, link.write(before, all, Grouping::Single), all);
+  const auto written = opcua::awaitAnswer(link, link.write(before, all, Grouping::Single), all);
   if (!written) {
     return failed(written.error().text());
   }
@@ -276,7 +276,7 @@ Result<void> restore(opcua::Link& link, const std::vector<opcua::Assignment>& be
   }
   std::string problem;
   for (int attempt = 0; attempt < kReadBackTries; ++attempt) {
-    const auto read = awaitAnswer(link, link.read(variables, all, Grouping::Single), all);
+    const auto read = opcua::awaitAnswer(link, link.read(variables, all, Grouping::Single), all);
     if (!read) {
       return failed(read.error().text());
     }
@@ -470,7 +470,7 @@ class Measurement {
     const base::RequestId id =
         kind.write ? m_link.write(std::span(m_before).first(cells), deadline, kind.grouping)
                    : m_link.read(std::span(m_variables).first(cells), deadline, kind.grouping);
-    const Result<opcua::Event> event = awaitAnswer(m_link, id, deadline);
+    const Result<opcua::Event> event = opcua::awaitAnswer(m_link, id, deadline);
     if (!event) {
       return base::fail(event.error());
     }
@@ -674,7 +674,8 @@ Result<std::vector<opcua::Assignment>> readScratchCells(opcua::Link& link,
   for (int cell = plan.firstCell; cell <= plan.lastCell; ++cell) {
     variables.push_back(opcua::rParameter(cell));
   }
-  const auto readings = readNow(link, variables, deadlineOf(plan.deadline, variables.size()));
+  const auto readings =
+      opcua::readNow(link, variables, deadlineOf(plan.deadline, variables.size()));
   if (!readings) {
     return base::fail(readings.error());
   }

@@ -10,8 +10,9 @@
 #include <utility>
 
 #include "base/contract.h"
-#include "streaming/job.h"
+#include "opcua/await.h"
 #include "streaming/program_transfer.h"
+#include "streaming/run.h"
 
 namespace rivulet::streaming {
 
@@ -84,7 +85,7 @@ class Test {
 
   Result<void> set(Cell which, double value) {
     const opcua::Assignment assignment{cell(which), value};
-    return writeNow(m_link, {&assignment, 1}, m_plan.requestDeadline);
+    return opcua::writeNow(m_link, {&assignment, 1}, m_plan.requestDeadline);
   }
 
   Result<void> proceed(CommissioningStep step) {
@@ -96,7 +97,7 @@ class Test {
   }
 
   Result<std::vector<double>> numbers(std::span<const Variable> variables) {
-    return readNumbers(m_link, variables, m_plan.requestDeadline);
+    return opcua::readNumbers(m_link, variables, m_plan.requestDeadline);
   }
 
   void pause() {
@@ -140,7 +141,7 @@ class Test {
   }
 
   Result<void> awaitStart() {
-    if (m_control.isVirtualMachine()) {
+    if (m_control.abilities().startsOnRequest) {
       if (Result<void> done = m_control.cycleStart(); !done) {
         return done;
       }

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "base/contract.h"
-#include "streaming/job.h"
+#include "opcua/await.h"
+#include "streaming/run.h"
 
 namespace rivulet::streaming {
 
@@ -59,7 +60,7 @@ Result<ControlAxes> readControlAxes(opcua::Link& link, base::Duration deadline) 
   for (std::size_t i = 0; i < base::kRotaryAxisCount; ++i) {
     names.push_back({VariableKind::AxisName, static_cast<int>(base::kAxisCount + i)});
   }
-  const auto readings = readNow(link, names, deadline);
+  const auto readings = opcua::readNow(link, names, deadline);
   if (!readings) {
     return base::fail(readings.error());
   }
@@ -92,7 +93,7 @@ Result<base::RotaryDeg> readAngles(opcua::Link& link, const ControlAxes& axes,
       order.push_back(axis);
     }
   }
-  const auto numbers = readNumbers(link, positions, deadline);
+  const auto numbers = opcua::readNumbers(link, positions, deadline);
   if (!numbers) {
     return base::fail(numbers.error());
   }

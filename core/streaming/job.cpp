@@ -12,8 +12,10 @@
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "opcua/await.h"
 #include "streaming/access_probe.h"
 #include "streaming/pause_placement.h"
+#include "streaming/start_policy.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
 #include "trace/analysis/pauses.h"
@@ -135,10 +137,8 @@ class Job {
   }
 
   [[nodiscard]] Result<void> mayStart() const {
-    if (isCredit() && !m_settings.isCommissioned) {
-      return base::fail(StreamError::NotCommissioned,
-                        "Method credit is experimental and starts only on a control that has "
-                        "passed its test. Run rivulet-cli commission, or choose method window.");
+    if (base::needsCommissioning(m_settings.parameters.method) && !m_settings.isCommissioned) {
+      return base::fail(blockedError({BlockReason::NotCommissioned, {}, std::nullopt}));
     }
     return {};
   }
@@ -266,12 +266,12 @@ class Job {
                                                   {opcua::rParameter(m_cells.stop), 0.0}}};
     const std::size_t cells = isWindow() ? 2 : 3;  // there the run cell is the stop cell too
     if (Result<void> done =
-            writeNow(m_link, std::span(clear).first(cells), m_settings.requestDeadline);
+            opcua::writeNow(m_link, std::span(clear).first(cells), m_settings.requestDeadline);
         !done) {
       return done;
     }
     publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
-    if (m_control.isVirtualMachine()) {
+    if (m_control.abilities().startsOnRequest) {
       if (Result<void> done = m_control.cycleStart(); !done) {
         return done;
       }
@@ -294,7 +294,7 @@ class Job {
       if (m_orders.stopRequested(m_link.now())) {
         return cancel();
       }
-      const auto numbers = readNumbers(m_link, watched, m_settings.requestDeadline);
+      const auto numbers = opcua::readNumbers(m_link, watched, m_settings.requestDeadline);
       if (!numbers) {
         return base::fail(numbers.error());
       }
@@ -350,7 +350,7 @@ class Job {
     m_cancelled = true;
     m_report.outcome = Outcome::Stopped;
     const Instant asked = m_link.now();
-    if (m_control.isVirtualMachine()) {
+    if (m_control.abilities().startsOnRequest) {
       if (Result<void> done = m_control.reset(); !done) {
         return done;
       }
@@ -410,7 +410,7 @@ class Job {
     const std::array<Variable, 3> watched{opcua::rParameter(m_cells.state),
                                           opcua::rParameter(m_cells.executed),
                                           opcua::rParameter(m_cells.owner)};
-    const auto readings = readNow(m_link, watched, m_settings.requestDeadline);
+    const auto readings = opcua::readNow(m_link, watched, m_settings.requestDeadline);
     if (!readings || (*readings)[0].status || (*readings)[1].status || (*readings)[2].status) {
       m_ledger.note({m_link.now(), "how the program ended could not be read"});
       if (m_report.outcome == Outcome::Completed) {
@@ -480,7 +480,8 @@ class Job {
 
   /// The control's own trace takes the place of what the client believes.
   void judge() {
-    if (!m_control.isVirtualMachine() || m_report.error.code == opcua::LinkError::ConnectionLost) {
+    if (!m_control.abilities().keepsTrace ||
+        m_report.error.code == opcua::LinkError::ConnectionLost) {
       return;
     }
     publish(m_report.outcome == Outcome::Stopped ? RunState::Stopping : RunState::Running, "trace");
@@ -541,74 +542,6 @@ class Job {
 
 }  // namespace
 
-Result<opcua::Event> awaitAnswer(opcua::Link& link, base::RequestId id, Duration deadline) {
-  // The link reports its own deadline; twice that is a bug of the link, not of the control.
-  const Instant until = link.now() + 2 * deadline;
-  while (link.now() < until) {
-    std::optional<opcua::Event> event = link.wait(until);
-    if (!event) {
-      continue;
-    }
-    if (event->kind == opcua::EventKind::ConnectionLost) {
-      return base::fail(event->error);
-    }
-    if (event->request != id) {
-      continue;
-    }
-    if (event->kind == opcua::EventKind::RequestFailed) {
-      return base::fail(event->error);
-    }
-    return std::move(*event);
-  }
-  return base::fail(opcua::LinkError::DeadlineExceeded,
-                    "The control did not answer in time. Check the network.");
-}
-
-Result<std::vector<opcua::Reading>> readNow(opcua::Link& link, std::span<const Variable> variables,
-                                            Duration deadline) {
-  Result<opcua::Event> event =
-      awaitAnswer(link, link.read(variables, deadline, opcua::Grouping::List), deadline);
-  if (!event) {
-    return base::fail(event.error());
-  }
-  return std::move(event->readings);
-}
-
-Result<std::vector<double>> readNumbers(opcua::Link& link, std::span<const Variable> variables,
-                                        Duration deadline) {
-  const auto readings = readNow(link, variables, deadline);
-  if (!readings) {
-    return base::fail(readings.error());
-  }
-  std::vector<double> numbers;
-  for (const opcua::Reading& reading : *readings) {
-    if (reading.status) {
-      return base::fail(reading.status,
-                        "A variable of the control cannot be read. Check the access rights.");
-    }
-    numbers.push_back(reading.number);
-  }
-  return numbers;
-}
-
-Result<void> writeNow(opcua::Link& link, std::span<const opcua::Assignment> assignments,
-                      Duration deadline) {
-  const Result<opcua::Event> event =
-      awaitAnswer(link, link.write(assignments, deadline, opcua::Grouping::List), deadline);
-  if (!event) {
-    return base::fail(event.error());
-  }
-  for (std::size_t i = 0; i < event->statuses.size(); ++i) {
-    if (event->statuses[i]) {
-      return base::fail(event->statuses[i],
-                        fmt::format("R{} of the control cannot be written. Check the access rights "
-                                    "and the number of R-parameters (MD28050).",
-                                    assignments[i].variable.index));
-    }
-  }
-  return {};
-}
-
 Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                             const RunSettings& settings) {
   if (const gcode::Readiness readiness = program.readiness();
@@ -625,7 +558,7 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                          {VariableKind::ActualPosition, 1},
                                          {VariableKind::ActualPosition, 2},
                                          {VariableKind::Alarm, 0}}};
-  const auto numbers = readNumbers(link, watched, settings.requestDeadline);
+  const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
   }

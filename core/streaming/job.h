@@ -34,24 +34,6 @@ struct Preflight {
 [[nodiscard]] base::Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                                 const RunSettings& settings);
 
-/// Waits for the answer to one request, whatever else arrives. For use outside a stream.
-/// @return the error of the request or of the link; DeadlineExceeded after twice the deadline
-[[nodiscard]] base::Result<opcua::Event> awaitAnswer(opcua::Link& link, base::RequestId id,
-                                                     base::Duration deadline);
-
-/// Reads some variables and waits for the answer. For use outside a stream.
-[[nodiscard]] base::Result<std::vector<opcua::Reading>> readNow(
-    opcua::Link& link, std::span<const opcua::Variable> variables, base::Duration deadline);
-
-/// The same for variables that are numbers; any that cannot be read is an error.
-[[nodiscard]] base::Result<std::vector<double>> readNumbers(
-    opcua::Link& link, std::span<const opcua::Variable> variables, base::Duration deadline);
-
-/// Writes some cells and waits for the answer; any item that fails is an error.
-[[nodiscard]] base::Result<void> writeNow(opcua::Link& link,
-                                          std::span<const opcua::Assignment> assignments,
-                                          base::Duration deadline);
-
 /// Where a job writes its recording; may be null.
 struct JobRecorder {
   trace::RecordingWriter* writer = nullptr;

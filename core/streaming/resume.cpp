@@ -9,8 +9,8 @@
 #include <span>
 
 #include "base/contract.h"
+#include "opcua/await.h"
 #include "streaming/control_axes.h"
-#include "streaming/job.h"
 #include "streaming/pause_placement.h"
 
 namespace rivulet::streaming {
@@ -118,7 +118,7 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
   const Instant until = link.now() + settings.stopDeadline;
   const int layout = templates::layoutNumber(settings.parameters);
   for (bool told = false;; told = true) {
-    const auto numbers = readNumbers(link, watched, settings.requestDeadline);
+    const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
     }
@@ -136,7 +136,7 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
     }
     if (!told) {
       const opcua::Assignment end{opcua::rParameter(cells.run), kEnd};
-      if (Result<void> done = writeNow(link, {&end, 1}, settings.requestDeadline); !done) {
+      if (Result<void> done = opcua::writeNow(link, {&end, 1}, settings.requestDeadline); !done) {
         return done;
       }
     }
@@ -231,7 +231,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
       watched.push_back(opcua::rParameter(cell));
     }
   }
-  const auto numbers = readNumbers(link, watched, settings.requestDeadline);
+  const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
   }

@@ -151,6 +151,23 @@ class TestJob : public QObject {
     QVERIFY(!report.isFaultless());
   }
 
+  /// What the control's trace does not cover cannot be judged, and is not called faultless.
+  void aRunLongerThanTheTraceIsNotJudged() {
+    World world("dmu75");
+    machine::MachineConfig config = world.machine.config();
+    config.traceLimit = std::chrono::seconds{1};
+    machine::Machine forgetful(config, 1);
+    streaming::SimulatedLink link(forgetful);
+    const RunReport report =
+        streaming::runJob(link, link, scorpion(), settings(MethodKind::Window, 9, 0.75, 1000.0),
+                          world.recorder, world.recorder);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QVERIFY(report.controlTrace && report.controlTrace->truncated);
+    QVERIFY(!report.integrity.judged);
+    QVERIFY(!report.isFaultless());
+    QVERIFY(report.finding() == streaming::RunFinding::NotJudged);
+  }
+
   /// The display reads only where the stream has slack: with and without it nothing changes for
   /// the points, and it does see something.
   void displayCostsTheStreamNothing() {
@@ -223,6 +240,7 @@ class TestJob : public QObject {
         return done ? m_link.selectProgram(name) : done;
       }
       bool isVirtualMachine() const override { return true; }
+      opcua::Abilities abilities() const override { return m_link.abilities(); }
       base::Result<void> cycleStart() override { return m_link.cycleStart(); }
       base::Result<void> reset() override { return m_link.reset(); }
       base::Result<trace::ControlTrace> fetchTrace() override { return m_link.fetchTrace(); }

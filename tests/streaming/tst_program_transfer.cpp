@@ -48,6 +48,7 @@ class ScriptedControl final : public opcua::Control {
     return {};
   }
   [[nodiscard]] bool isVirtualMachine() const override { return false; }
+  [[nodiscard]] opcua::Abilities abilities() const override { return {}; }
   base::Result<void> cycleStart() override { return base::fail(LinkError::MethodMissing, "no"); }
   base::Result<void> reset() override { return base::fail(LinkError::MethodMissing, "no"); }
   base::Result<trace::ControlTrace> fetchTrace() override {

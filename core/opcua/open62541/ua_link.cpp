@@ -1110,6 +1110,11 @@ bool UaLink::isVirtualMachine() const {
   return m_impl->isVirtual();
 }
 
+Abilities UaLink::abilities() const {
+  // The methods lie in the namespace by which the virtual machine is recognised.
+  return {m_impl->isVirtual(), m_impl->isVirtual()};
+}
+
 base::Result<void> UaLink::cycleStart() {
   const auto answer = m_impl->callVirtual(kCycleStart, {});
   if (!answer) {

@@ -52,6 +52,7 @@ class UaLink final : public Link, public Control {
   base::Result<void> selectProgram(const std::string& name) override;
   base::Result<ServerIdentity> identity() override;
   [[nodiscard]] bool isVirtualMachine() const override;
+  [[nodiscard]] Abilities abilities() const override;
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
   base::Result<trace::ControlTrace> fetchTrace() override;

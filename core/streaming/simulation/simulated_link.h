@@ -48,6 +48,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   base::Result<std::string> downloadProgram(const std::string& name) override;
   base::Result<void> selectProgram(const std::string& name) override;
   [[nodiscard]] bool isVirtualMachine() const override { return true; }
+  [[nodiscard]] opcua::Abilities abilities() const override { return {true, true}; }
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
   base::Result<trace::ControlTrace> fetchTrace() override;
