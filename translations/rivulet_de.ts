@@ -2363,6 +2363,18 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Abgeschlossen</translation>
     </message>
     <message>
+        <source>Completed, not judged</source>
+        <translation>Abgeschlossen, nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Gestoppt, nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: longer than the trace of the control)</source>
+        <translation>%1 von %2 (nicht beurteilt: länger als die Aufzeichnung der Steuerung)</translation>
+    </message>
+    <message>
         <source>Stopped, with wrong motion</source>
         <translation>Gestoppt, mit falscher Bewegung</translation>
     </message>

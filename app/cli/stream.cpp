@@ -210,7 +210,8 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
     fmt::print(", {} repeated, {} skipped, {} foreign", report.integrity.repeated,
                report.integrity.skipped, report.integrity.foreign);
   } else {
-    fmt::print(" (not judged: no trace of the control)");
+    fmt::print(" (not judged: {})",
+               report.controlTrace ? "longer than the control's trace" : "no trace of the control");
   }
   base::Duration paused{};
   for (const trace::Pause& pause : report.pauses) {
@@ -434,7 +435,7 @@ Exit stream(const StreamOptions& options) {
   if (report.error.code && exitFor(report.error) == Exit::Connection) {
     return Exit::Connection;
   }
-  return report.isFaultless() && recorded ? Exit::Done : Exit::Wrong;
+  return report.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
 }
 
 }  // namespace rivulet::cli

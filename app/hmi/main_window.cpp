@@ -1091,7 +1091,7 @@ void MainWindow::showFinished(const session::RunFinished& finished) {
     const QString text = widgets::errorText(m_report->error);
     m_messages->showMessage(Severity::Error, text);
     log(Severity::Error, text);
-  } else if (!m_report->isFaultless()) {
+  } else if (m_report->finding() == streaming::RunFinding::Faulty) {
     const QString text =
         tr("Wrong motion: the control's trace shows repeated or skipped points. See the report.");
     m_messages->showMessage(Severity::Error, text);

@@ -106,6 +106,7 @@ ordered_json runJson(const streaming::RunReport& report) {
   ordered_json json{
       {"outcome", streaming::outcomeName(report.outcome)},
       {"faultless", report.isFaultless()},
+      {"finding", streaming::runFindingName(report.finding())},
       {"program", report.programName},
       {"method", base::methodName(report.settings.parameters.method)},
       {"points", report.counters.total},

@@ -42,11 +42,27 @@ std::string_view outcomeName(Outcome outcome) {
   return "";
 }
 
-bool RunReport::isFaultless() const {
-  if (outcome == Outcome::Failed || (integrity.judged && !integrity.isFaultless())) {
-    return false;
+std::string_view runFindingName(RunFinding finding) {
+  switch (finding) {
+    case RunFinding::Faultless:
+      return "faultless";
+    case RunFinding::NotJudged:
+      return "not judged";
+    case RunFinding::Faulty:
+      return "faulty";
   }
-  return outcome == Outcome::Stopped || !integrity.judged || integrity.executed == counters.total;
+  return "";
+}
+
+RunFinding RunReport::finding() const {
+  if (outcome == Outcome::Failed) {
+    return RunFinding::Faulty;
+  }
+  if (!integrity.judged) {
+    return RunFinding::NotJudged;
+  }
+  const bool isWhole = outcome == Outcome::Stopped || integrity.executed == counters.total;
+  return isWhole && integrity.isFaultless() ? RunFinding::Faultless : RunFinding::Faulty;
 }
 
 }  // namespace rivulet::streaming

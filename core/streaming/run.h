@@ -161,6 +161,16 @@ enum class Outcome { Completed, Stopped, Failed };
 /// "completed", "stopped", "failed".
 [[nodiscard]] std::string_view outcomeName(Outcome outcome);
 
+/// What is known of the motion of a run.
+enum class RunFinding {
+  Faultless,  ///< judged by the control's trace: each point once, in order
+  NotJudged,  ///< the control keeps no trace, or the run was longer than its trace
+  Faulty,     ///< the run failed, or the trace shows points repeated, skipped or foreign
+};
+
+/// "faultless", "not judged", "faulty".
+[[nodiscard]] std::string_view runFindingName(RunFinding finding);
+
 struct RunReport {
   Outcome outcome = Outcome::Failed;
   base::Error error;  ///< why, for Failed; code clear otherwise
@@ -179,8 +189,9 @@ struct RunReport {
   std::optional<ProgramTransfer> transfer;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
 
-  /// True if the run did what was ordered: completed (or stopped), nothing repeated or skipped.
-  [[nodiscard]] bool isFaultless() const;
+  /// A run that was stopped is judged by the points up to the stop.
+  [[nodiscard]] RunFinding finding() const;
+  [[nodiscard]] bool isFaultless() const { return finding() == RunFinding::Faultless; }
 };
 
 }  // namespace rivulet::streaming

@@ -141,22 +141,25 @@ void ReportPanel::showReport() {
   }
   const streaming::RunReport& report = *m_report;
   const trace::Integrity& integrity = report.integrity;
-  const bool wrongMotion =
-      integrity.judged && integrity.repeated + integrity.skipped + integrity.foreign > 0;
-  switch (report.outcome) {
-    case streaming::Outcome::Completed:
-      m_outcome->setStatus(wrongMotion ? Status::Fault : Status::Good,
-                           wrongMotion ? tr("Completed with wrong motion") : tr("Completed"));
-      break;
-    case streaming::Outcome::Stopped:
-      m_outcome->setStatus(wrongMotion ? Status::Fault : Status::Good,
-                           wrongMotion ? tr("Stopped, with wrong motion") : tr("Stopped"));
-      break;
-    case streaming::Outcome::Failed:
-      m_outcome->setStatus(Status::Fault, tr("Failed"));
-      m_detail->setText(errorText(report.error));
-      m_detail->setVisible(!m_detail->text().isEmpty());
-      break;
+  const bool isStopped = report.outcome == streaming::Outcome::Stopped;
+  if (report.outcome == streaming::Outcome::Failed) {
+    m_outcome->setStatus(Status::Fault, tr("Failed"));
+    m_detail->setText(errorText(report.error));
+    m_detail->setVisible(!m_detail->text().isEmpty());
+  } else {
+    switch (report.finding()) {
+      case streaming::RunFinding::Faultless:
+        m_outcome->setStatus(Status::Good, isStopped ? tr("Stopped") : tr("Completed"));
+        break;
+      case streaming::RunFinding::NotJudged:
+        m_outcome->setStatus(Status::Unknown,
+                             isStopped ? tr("Stopped, not judged") : tr("Completed, not judged"));
+        break;
+      case streaming::RunFinding::Faulty:
+        m_outcome->setStatus(Status::Fault, isStopped ? tr("Stopped, with wrong motion")
+                                                      : tr("Completed with wrong motion"));
+        break;
+    }
   }
 
   // Figures carry no icon of their own unless they are abnormal.
@@ -200,9 +203,10 @@ void ReportPanel::showReport() {
     show(Skipped, countText(integrity.skipped), fault(integrity.skipped));
     show(Foreign, countText(integrity.foreign), fault(integrity.foreign));
   } else {
-    show(Executed,
-         tr("%1 of %2 (not judged: no trace of the control)")
-             .arg(countText(report.counters.executed), countText(report.counters.total)),
+    const QString text = report.controlTrace
+                             ? tr("%1 of %2 (not judged: longer than the trace of the control)")
+                             : tr("%1 of %2 (not judged: no trace of the control)");
+    show(Executed, text.arg(countText(report.counters.executed), countText(report.counters.total)),
          Status::Unknown);
     for (const Row row : {Repeated, Skipped, Foreign}) {
       show(row, tr("not judged"), Status::Unknown);

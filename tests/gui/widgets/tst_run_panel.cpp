@@ -188,7 +188,7 @@ class TestRunPanel : public QObject {
     report.outcome = streaming::Outcome::Stopped;
     panel.setReport(report);
     text = test::visibleText(panel);
-    QVERIFY(text.contains("not judged"));
+    QVERIFY(text.contains("Stopped, not judged"));
     QVERIFY(text.contains("NOT confirmed: check the machine"));
     report.outcome = streaming::Outcome::Failed;
     report.error = base::makeError(make_error_code(streaming::StreamError::ControlAlarm),
