@@ -138,11 +138,11 @@ std::string sentence(const Blocked& blocked) {
     case BlockReason::NoProgram:
       return "No program is loaded. Open one first.";
     case BlockReason::NoMotion:
-      return "The program moves no axis: choose one with G0, G1, G2 or G3 and X, Y or Z.";
+      return std::string(gcode::describe(gcode::Readiness::NoMotion));
     case BlockReason::NeedsTransformation:
-      return "The program needs a transformation of the control. No method can stream it.";
+      return std::string(gcode::describe(gcode::Readiness::NeedsTransformation));
     case BlockReason::PathUnknown:
-      return "The program has findings that leave its path unknown. Correct them first.";
+      return std::string(gcode::describe(gcode::Readiness::NotUnderstood));
     case BlockReason::RotaryNotStreamed:
       return fmt::format(
           "The program turns {}, and the method moves X, Y and Z only. Choose method window.",
@@ -175,14 +175,17 @@ std::string sentence(const Blocked& blocked) {
 }  // namespace
 
 Reason programBlocked(const gcode::Program& program) {
-  if (program.isStreamable()) {
-    return std::nullopt;
+  switch (program.readiness()) {
+    case gcode::Readiness::NotUnderstood:
+      return because(BlockReason::PathUnknown);
+    case gcode::Readiness::NoMotion:
+      return because(BlockReason::NoMotion);
+    case gcode::Readiness::NeedsTransformation:
+      return because(BlockReason::NeedsTransformation);
+    case gcode::Readiness::Streamable:
+      break;
   }
-  if (!program.isUnderstood()) {
-    return because(BlockReason::PathUnknown);
-  }
-  return because(program.trajectory.points.empty() ? BlockReason::NoMotion
-                                                   : BlockReason::NeedsTransformation);
+  return std::nullopt;
 }
 
 Reason startBlocked(const StartFacts& facts) {
