@@ -81,7 +81,7 @@ Exit analyse(const AnalyseOptions& options) {
              recording->start.pointsPerLoop,
              recording->end ? recording->end->outcome : std::string("cut off before its end"));
   if (recording->unreadableLines > 0) {
-    fmt::print("  {} lines could not be read and were left out\n", recording->unreadableLines);
+    fmt::print("  {} lines could not be read and were ignored\n", recording->unreadableLines);
   }
   if (integrity.judged) {
     fmt::print("  executed {} of {} points, repeated {}, skipped {}, foreign {}, out of order {}\n",

@@ -29,7 +29,7 @@ void print(const streaming::Calibration& calibration) {
   for (const streaming::AccessSeries& series : calibration.series) {
     const char* access = series.write ? "write" : "read";
     if (series.refused) {
-      fmt::print("  {:<6} {:<11} {:>5}  refused by the control\n", access,
+      fmt::print("  {:<6} {:<11} {:>5}  rejected by the control\n", access,
                  opcua::groupingName(series.grouping), series.nodes);
       continue;
     }
@@ -41,19 +41,16 @@ void print(const streaming::Calibration& calibration) {
         percentileText(series, 999), base::toMilliseconds(series.max));
   }
   for (const streaming::AccessFit& fit : calibration.fits) {
-    fmt::print(
-        "{:<5} {:<11} {:6.2f} ms + n * {:6.3f} ms, {:.2f} ms apart from the line, at most {:.1f} "
-        "%\n",
-        fit.write ? "write" : "read", opcua::groupingName(fit.grouping), fit.overheadMs, fit.nodeMs,
-        fit.residualMs, 100.0 * fit.residualShare);
+    fmt::print("{:<5} {:<11} {:6.2f} ms + n * {:6.3f} ms, residual {:.2f} ms, at most {:.1f} %\n",
+               fit.write ? "write" : "read", opcua::groupingName(fit.grouping), fit.overheadMs,
+               fit.nodeMs, fit.residualMs, 100.0 * fit.residualShare);
   }
   if (calibration.forms) {
     fmt::print("best form: {}\n", accessText(calibration.best(), calibration.forms));
   }
   if (calibration.isCut()) {
     fmt::print(
-        "{} shots of each kind did not fit the time of {:.0f} s: see the column of shots. --budget "
-        "0 "
+        "{} shots of each kind did not fit into {:.0f} s: see the column of shots. --budget 0 "
         "makes all of them.\n",
         calibration.plan.shots, base::toSeconds(calibration.plan.budget));
   }
@@ -81,9 +78,8 @@ std::optional<base::Error> unconfirmed(const CalibrateOptions& options,
   return base::makeError(
       streaming::CalibrationError::NoCells,
       fmt::format(
-          "R{} to R{} of a real control will be written to, again and again with the values "
-          "that stand there, and for a moment with others. {} If no program and no cycle "
-          "uses them, give --yes.",
+          "R{} to R{} of a real control will be written: repeatedly with their present values, and "
+          "for a moment with other values. {} If no program and no cycle uses them, give --yes.",
           plan.firstCell, plan.lastCell,
           text.empty() ? "All of them are 0 now."
                        : "Now: " + text + (shown > kShown ? ", and more." : ".")));

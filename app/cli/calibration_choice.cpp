@@ -58,7 +58,8 @@ std::string accessSourceText(const CalibrationChoice& choice, opcua::Grouping fo
                                    published ? "assumed ([P1])" : "as given", t);
     if (choice.outdated) {
       text += fmt::format(
-          "\n  OUTDATED, not used: the calibration of {} was of {}; now it is {}. Calibrate again.",
+          "\n  OUTDATED, not used: the calibration of {} was made with {}; now it is {}. Calibrate "
+          "again.",
           choice.record->measuredAtUtc, versionText(choice.record->server), choice.otherServer);
     } else if (!choice.unreadable.empty()) {
       text += "\n  The calibration of this machine is not used: " + choice.unreadable;

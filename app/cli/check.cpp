@@ -172,7 +172,7 @@ Exit check(const CheckOptions& options) {
     all.push_back(std::move(checked));
   }
   if (files.empty()) {
-    fmt::print(stderr, "No NC program was found there.\n");
+    fmt::print(stderr, "No NC program was found.\n");
     return Exit::BadInput;
   }
   if (options.json) {

@@ -30,15 +30,14 @@ bool isByHand(const CommissionOptions& options) {
 
 /// What the operator has to do and to know, in front of a real control.
 void printSteps(const CommissionOptions& options) {
-  fmt::print(stderr,
-             "The test moves no axis. It writes R{} to R{} and takes some seconds.\n"
-             "  1. Bring the channel to reset, in AUTO.\n"
-             "  2. {} {}.\n"
-             "  3. Press cycle start. Ctrl-C breaks the test off.\n",
-             options.baseCell, options.baseCell + 9,
-             isByHand(options) ? "Store what --print writes as a part program, and select it:"
-                               : "This program is transferred and selected:",
-             streaming::commissioningFileName());
+  fmt::print(
+      stderr,
+      "The test moves no axis. It writes R{} to R{} and takes a few seconds.\n  1. Bring the "
+      "channel to reset, in AUTO.\n  2. {} {}.\n  3. Press cycle start. Ctrl-C aborts the test.\n",
+      options.baseCell, options.baseCell + 9,
+      isByHand(options) ? "Store what --print writes as a part program, and select it:"
+                        : "This program is transferred and selected:",
+      streaming::commissioningFileName());
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ base::Vec3 CorrectionSource::valueMm() {
   if (!m_hasTold && m_lines.firstUnknown() > 0) {
     m_hasTold = true;
     fmt::print(stderr,
-               "rivulet-cli: {}: line {} is no correction (X 0.01 Y -0.02, or the same as JSON) "
-               "and is ignored, as all others of its kind will be.\n",
+               "rivulet-cli: {}: line {} is not a correction (X 0.01 Y -0.02, or the same as "
+               "JSON). It is ignored, and so are all others like it.\n",
                m_name, m_lines.firstUnknown());
   }
   return m_lines.valueMm();

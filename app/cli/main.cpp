@@ -56,18 +56,17 @@ void addDelta(CLI::App* command, OperatingOptions& point) {
 void addLayout(CLI::App* command, OperatingOptions& point) {
   command
       ->add_option("--layout", point.layout,
-                   "How slots lie in the R-parameters (methods position and signal)")
+                   "Layout of the slots in the R-parameters (methods position and signal)")
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
   command
-      ->add_option(
-          "--axes", point.axes,
-          "Axes to move, of XYZABC; rotary ones in degrees (method window). Without it XYZ "
-          "and, in a run, the rotary axes the program turns")
+      ->add_option("--axes", point.axes,
+                   "Axes to move, out of XYZABC; rotary axes in degrees (method window). Default: "
+                   "XYZ and, in a run, the rotary axes that the program moves")
       ->check(kAxes);
   command
       ->add_option("--correction-limit", point.correctionLimitMm,
-                   "Online correction of each linear axis, at most, mm (methods window and credit)")
+                   "Largest online correction of each linear axis, mm (methods window and credit)")
       ->check(CLI::Range(0.001, rivulet::templates::kCorrectionLimitMmMax));
   command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
@@ -76,11 +75,11 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
       ->capture_default_str();
   command
       ->add_option("--windows-ahead", point.windowsAhead,
-                   "Method credit: windows copied and not executed, at most")
+                   "Method credit: most windows that are copied but not executed")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
   command->add_flag("--no-slow-down", point.noSlowDown,
-                    "Method credit: full feed until nothing is left, then stand");
+                    "Method credit: full feed until nothing is left, then stop");
 }
 
 void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
@@ -96,11 +95,12 @@ void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
   command->add_option("--dialect", loading.dialect, "Language of the program")
       ->check(CLI::IsMember(names))
       ->capture_default_str();
-  command->add_option("--accept", loading.accepted,
-                      "Leave out what is not understood, by the name check gives (repeatable)");
+  command->add_option(
+      "--accept", loading.accepted,
+      "Leave out a word that is not understood, by the name check prints (repeatable)");
   command
       ->add_option("--arc-centres", loading.centres,
-                   "What I, J and K of arcs are, where a post-processor differs from the dialect")
+                   "Meaning of I, J and K of arcs, if a post-processor differs from the dialect")
       ->check(CLI::IsMember({"as-programmed", "absolute", "start-minus-centre"}))
       ->capture_default_str();
   command->add_flag("--block-skip", loading.blockSkip, "Leave out blocks that begin with /");
@@ -122,14 +122,17 @@ void addJson(CLI::App* command, bool& json) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Streams a CNC machine's trajectory over OPC UA while it moves.", "rivulet-cli");
+  CLI::App app("Streams a tool path to a CNC machine over OPC UA while the machine moves.",
+               "rivulet-cli");
   app.set_version_flag("--version", RIVULET_VERSION);
   app.require_subcommand(1);
   Exit exit = Exit::Done;
 
   rivulet::cli::CheckOptions check;
-  CLI::App* checkCommand = app.add_subcommand("check", "Read NC programs and say what is in them");
-  checkCommand->add_option("FILE", check.files, "NC programs, or folders with some")->required();
+  CLI::App* checkCommand =
+      app.add_subcommand("check", "Read NC programs and print their facts and findings");
+  checkCommand->add_option("FILE", check.files, "NC programs, or folders of NC programs")
+      ->required();
   addLoading(checkCommand, check.loading);
   addJson(checkCommand, check.json);
   checkCommand->callback([&] { exit = rivulet::cli::check(check); });
@@ -168,14 +171,14 @@ int main(int argc, char** argv) {
       "--calibration", feasibility.calibration, "Measured access time: file of calibrate --output");
   feasibilityCommand
       ->add_option("--endpoint", feasibility.endpoint,
-                   "Measured access time: what calibrate has kept of this OPC UA server")
+                   "Measured access time: stored by calibrate for this OPC UA server")
       ->excludes(calibrationFile);
   feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
       ->check(kPositive)
       ->capture_default_str();
   feasibilityCommand
       ->add_option("--preset", feasibility.preset,
-                   "Machine whose axes tell what pauses cost: preset or TOML file")
+                   "Machine whose axes determine the cost of pauses: preset or TOML file")
       ->capture_default_str();
   addJson(feasibilityCommand, feasibility.json);
   feasibilityCommand->callback([&] {
@@ -197,7 +200,7 @@ int main(int argc, char** argv) {
   templateCommand->add_option("-o,--output", makeTemplate.output, "File to write");
   auto* lintOption = templateCommand->add_option(
       "--lint", makeTemplate.lint,
-      "Look for faults in this flexible program, made for the settings");
+      "Look for faults in this flexible program, which was made for the same settings");
   auto* outputOption = templateCommand->get_option("--output");
   lintOption->excludes(outputOption);
   templateCommand->add_flag("--verify", makeTemplate.verify,
@@ -225,11 +228,11 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   streamCommand->add_option("--seed", stream.seed, "Seed of --simulate")->capture_default_str();
   streamCommand->add_option("--record", stream.record, "File for the recording of the run");
-  streamCommand->add_option("--stop-after", stream.stopAfterS, "Order a stop after so many seconds")
+  streamCommand
+      ->add_option("--stop-after", stream.stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
-  streamCommand->add_option(
-      "--resume", stream.resume,
-      "Take up again the run of this JSON report (methods window and credit)");
+  streamCommand->add_option("--resume", stream.resume,
+                            "Resume the run of this JSON report (methods window and credit)");
   streamCommand
       ->add_option("--access", stream.access,
                    "How several R-parameters travel; auto: the best form the control understands")
@@ -238,7 +241,7 @@ int main(int argc, char** argv) {
   auto* byHand =
       streamCommand
           ->add_option("--transfer", stream.transfer,
-                       "Who brings the flexible program onto the control; auto: Rivulet, through "
+                       "Who transfers the flexible program to the control; auto: Rivulet, through "
                        "the server's file methods; by-hand: you, the steps are printed")
           ->check(CLI::IsMember({"auto", "by-hand"}))
           ->capture_default_str();
@@ -247,14 +250,15 @@ int main(int argc, char** argv) {
                    "by-hand: file for the flexible program (default: its name, in this folder)")
       ->needs(byHand);
   streamCommand
-      ->add_option("--correct", stream.correct,
-                   "Live source of corrections, lines as X 0.01 Y -0.02; - is standard input")
+      ->add_option(
+          "--correct", stream.correct,
+          "Live source of corrections, with lines like X 0.01 Y -0.02; - is standard input")
       ->needs(streamCommand->get_option("--correction-limit"));
   streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
   streamCommand->add_flag("--even-pauses", stream.evenPauses,
                           "Method window: windows of M points each, wherever they end");
   streamCommand->add_flag("--accept-infeasible", stream.acceptInfeasible,
-                          "Start on a real control though the verdict says no");
+                          "Start on a real control although the verdict is not feasible");
   addJson(streamCommand, stream.json);
   streamCommand->callback([&] {
     if (!stream.simulate && stream.endpoint.empty()) {
@@ -271,12 +275,12 @@ int main(int argc, char** argv) {
 
   rivulet::cli::CalibrateOptions calibrate;
   CLI::App* calibrateCommand =
-      app.add_subcommand("calibrate", "Measure what reading and writing R-parameters takes");
+      app.add_subcommand("calibrate", "Measure how long it takes to read and write R-parameters");
   auto* measured = calibrateCommand->add_option("--endpoint", calibrate.endpoint, "OPC UA server");
   auto* virtually = calibrateCommand->add_flag("--simulate", calibrate.simulate, "Virtual machine");
   measured->excludes(virtually);
   calibrateCommand->add_flag("--no-arrays", calibrate.noArrays,
-                             "Try no arrays: nothing but the present values is written");
+                             "Do not try arrays: only the present values are written");
   calibrateCommand->add_option("--preset", calibrate.preset, "Machine of --simulate")
       ->capture_default_str();
   calibrateCommand->add_option("--seed", calibrate.seed, "Seed of --simulate")
@@ -292,11 +296,11 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   calibrateCommand
       ->add_option("--budget", calibrate.budgetS,
-                   "Seconds for all of it; the longest kinds get fewer shots to keep it; 0: any")
+                   "Time limit, s; to keep it, the longest kinds get fewer shots; 0: no limit")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   calibrateCommand->add_flag("--yes", calibrate.confirmed,
-                             "The cells of the real control are free to be written");
+                             "Confirm that the cells of the real control may be written");
   calibrateCommand->add_option("-o,--output", calibrate.output,
                                "File for feasibility --calibration");
   addJson(calibrateCommand, calibrate.json);
@@ -319,16 +323,17 @@ int main(int argc, char** argv) {
   commissionCommand->add_option("--seed", commission.seed, "Seed of --simulate")
       ->capture_default_str();
   commissionCommand
-      ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters nobody uses")
+      ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters that nobody uses")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   commissionCommand
-      ->add_option("--transfer", commission.transfer,
-                   "How the program of the test comes onto the control; by-hand: you, with --print")
+      ->add_option(
+          "--transfer", commission.transfer,
+          "Who transfers the program of the test to the control; by-hand: you, with --print")
       ->check(CLI::IsMember({"auto", "by-hand"}))
       ->capture_default_str();
   commissionCommand->add_flag("--print", commission.printProgram,
-                              "Print the program of the test, and do nothing else");
+                              "Print the program of the test and do nothing else");
   addJson(commissionCommand, commission.json);
   commissionCommand->callback([&] {
     if (!commission.simulate && commission.endpoint.empty() && !commission.printProgram) {
@@ -352,7 +357,7 @@ int main(int argc, char** argv) {
   experimentCommand->add_option("--endpoint", experiment.endpoint,
                                 "OPC UA server instead of virtual time (table1, figure2)");
   experimentCommand->add_option("--recordings", experiment.recordings,
-                                "Recordings of another planner, for lookahead");
+                                "Recordings of another motion planner, for lookahead");
   experimentCommand->add_option("--threads", experiment.threads, "0: one per core")
       ->check(CLI::Range(0, 1024));
   experimentCommand->add_option("--json", experiment.json, "File for all figures");

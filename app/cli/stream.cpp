@@ -166,8 +166,8 @@ base::Result<streaming::Resume> resumeOf(const std::string& path, const Connecti
   if (!run || !first || *first < 0.0 || !points || !windows || !baseCell || !start[0] ||
       !start[1] || !start[2]) {
     return base::fail(streaming::StreamError::CannotResume,
-                      "This is no report of a run of method window or credit. Give the output of "
-                      "stream --json of the run to be resumed.",
+                      "This is not the report of a run of method window or credit. Give the output "
+                      "of stream --json of the run to be resumed.",
                       path);
   }
   streaming::RunSettings earlier = settings;
@@ -224,8 +224,8 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
                  : base::toMilliseconds(paused) / static_cast<double>(report.pauses.size()));
   if (report.transfer) {
     fmt::print("program on the control: {}, {}\n",
-               report.transfer->written ? "written" : "was there",
-               report.transfer->compared ? "read back and the same" : "could not be read back");
+               report.transfer->written ? "written" : "already there",
+               report.transfer->compared ? "read back and identical" : "could not be read back");
   }
   fmt::print("access form: {}\n", accessText(report.settings.grouping, report.accessForms));
   fmt::print("access per variable: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
@@ -256,12 +256,10 @@ base::Result<void> printSteps(const StreamOptions& options,
     return base::fail(written.error());
   }
   fmt::print(stderr,
-             "The program is in {}.\n"
-             "1. Copy it to the part programs of the control as {}. Do not change it.\n"
-             "2. Select it in channel 1.\n"
-             "3. Press cycle start. It waits; the axes move only once Rivulet has found the\n"
-             "   layout number {} in R{}.\n"
-             "Rivulet waits up to {:.0f} s from now on.\n",
+             "The program is in {}.\n1. Copy it to the part programs of the control as {}. Do not "
+             "change it.\n2. Select it in channel 1.\n3. Press cycle start. It waits; the axes "
+             "move only after Rivulet has found the\n   layout number {} in R{}.\nRivulet waits up "
+             "to {:.0f} s from now on.\n",
              path, name, templates::layoutNumber(parameters),
              templates::planCells(parameters)->layout,
              base::toSeconds(streaming::RunSettings{}.startDeadline));
@@ -429,8 +427,10 @@ Exit stream(const StreamOptions& options) {
     print(report, calibrated, judged);
   }
   if (!recorded) {
-    fmt::print(stderr, "rivulet-cli: {}: The recording is incomplete: the disk took no more.\n",
-               options.record);
+    fmt::print(
+        stderr,
+        "rivulet-cli: {}: The recording is incomplete: the disk is full or cannot be written.\n",
+        options.record);
   }
   if (report.error.code && exitFor(report.error) == Exit::Connection) {
     return Exit::Connection;

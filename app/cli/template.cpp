@@ -60,7 +60,7 @@ void print(std::FILE* out, const TemplateProof& proof, bool verified, bool sound
     fmt::print(out, "{}: {}, {} of {} runs right{}{}\n", one.name, verdict, one.runs - one.failures,
                one.runs, one.message.empty() ? "" : ": ", one.message);
   }
-  const char* good = verified ? "The program holds." : "No errors found.";
+  const char* good = verified ? "The program passes." : "No errors found.";
   fmt::print(out, "{}\n", sound ? good : "The program must not be run.");
 }
 

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
 
   QCommandLineParser parser;
   parser.setApplicationDescription(
-      QStringLiteral("Streams a CNC machine's trajectory over OPC UA while it moves."));
+      QStringLiteral("Streams a tool path to a CNC machine over OPC UA while the machine moves."));
   parser.addHelpOption();
   parser.addVersionOption();
   const QCommandLineOption connectOption(QStringLiteral("connect"),

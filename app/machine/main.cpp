@@ -59,11 +59,12 @@ int main(int argc, char** argv) {
   std::string preset = "dmu75";
   std::uint64_t seed = 1;
   CLI::App app{
-      "A virtual CNC machine behind an OPC UA server that looks like a SINUMERIK. Prints its "
-      "endpoint when it is ready and runs until it is interrupted."};
-  app.add_option("--host", options.host, "Address to listen on; 0.0.0.0 lets other computers in")
+      "A virtual CNC machine with an OPC UA server like that of a SINUMERIK. Prints its endpoint "
+      "when it is ready and runs until it is interrupted."};
+  app.add_option("--host", options.host,
+                 "Address to listen on; 0.0.0.0 allows other computers to connect")
       ->capture_default_str();
-  app.add_option("--port", options.port, "TCP port; 0 takes a free one")->capture_default_str();
+  app.add_option("--port", options.port, "TCP port; 0: any free port")->capture_default_str();
   app.add_option("--preset", preset, "Machine: a built-in preset or a TOML file")
       ->capture_default_str();
   bool noFileRights = false;
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
   app.add_flag("--no-file-rights", noFileRights,
                "Clients may not write, read and select part programs");
   app.add_option("--program", program,
-                 "Part program that is there and selected, as if an operator had put it there");
+                 "Part program that is stored and selected at the start, as by an operator");
   app.add_option("--seed", seed, "Seed of the machine's random numbers")->capture_default_str();
   app.set_version_flag("--version", "rivulet-machine " RIVULET_VERSION);
   try {

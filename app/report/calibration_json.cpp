@@ -195,7 +195,7 @@ ordered_json calibrationJson(const streaming::CalibrationRecord& record) {
 base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
                                                          const std::string& origin) {
   if (!from.is_object() || !from.contains("rivulet_calibration")) {
-    return base::fail(trace::TraceError::NotATrace, "This is no file of a calibration. Choose one.",
+    return base::fail(trace::TraceError::NotATrace, "This is not a calibration file. Choose one.",
                       origin);
   }
   if (from["rivulet_calibration"] != kFormatVersion) {

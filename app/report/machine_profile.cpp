@@ -52,11 +52,12 @@ base::Result<ordered_json> profileOf(std::string_view text, const std::string& o
   ordered_json json = ordered_json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains(kFormatKey) || !json[kFormatKey].is_number_integer()) {
     return base::fail(trace::TraceError::NotATrace,
-                      "This is no machine profile of Rivulet. Move it away.", origin);
+                      "This is not a machine profile of Rivulet. Move the file away.", origin);
   }
   if (json[kFormatKey].get<int>() > kFormatVersion) {
     return base::fail(trace::TraceError::NewerVersion,
-                      "The machine profile was written by a later Rivulet. Use that one.", origin);
+                      "The machine profile was written by a newer Rivulet. Use that version.",
+                      origin);
   }
   return json;
 }
@@ -148,9 +149,10 @@ base::Result<void> saveCreditTest(const std::filesystem::path& folder, const Cre
   std::filesystem::create_directories(folder, error);
   const std::filesystem::path path = profilePath(folder, test.endpoint, test.server);
   if (error) {
-    return base::fail(trace::TraceError::FileNotWritable,
-                      "The folder of the machine profiles cannot be made. Check the permissions.",
-                      folder.string());
+    return base::fail(
+        trace::TraceError::FileNotWritable,
+        "The folder for the machine profiles cannot be created. Check the permissions.",
+        folder.string());
   }
   std::string before;
   if (std::filesystem::exists(path, error)) {
@@ -180,7 +182,7 @@ base::Result<void> requireCreditTest(const std::filesystem::path& folder,
   const std::filesystem::path path = profilePath(folder, endpoint, server);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
-    return refuse("This one has not been tested.");
+    return refuse("This control has not been tested.");
   }
   const base::Result<std::string> text = trace::readFile(path);
   if (!text) {
@@ -191,14 +193,14 @@ base::Result<void> requireCreditTest(const std::filesystem::path& folder,
     return base::fail(test.error());
   }
   if (!*test) {
-    return refuse("This one has not been tested.");
+    return refuse("This control has not been tested.");
   }
   if (!((*test)->server == server)) {
-    return refuse(fmt::format("What was tested was {}; now it is {}.", versionText((*test)->server),
-                              versionText(server)));
+    return refuse(fmt::format("The test was made with {}; now it is {}.",
+                              versionText((*test)->server), versionText(server)));
   }
   if (!(*test)->result.passed()) {
-    return refuse(fmt::format("This one failed it on {}.", (*test)->testedAtUtc));
+    return refuse(fmt::format("This control failed the test on {}.", (*test)->testedAtUtc));
   }
   return {};
 }

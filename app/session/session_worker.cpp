@@ -253,8 +253,9 @@ base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming
       return base::fail(resume.error());
     }
     if (!order.settings.resume || resume->point != order.settings.resume->point) {
-      return base::fail(streaming::StreamError::CannotResume,
-                        "The control has moved on since it was asked. Resume again.");
+      return base::fail(
+          streaming::StreamError::CannotResume,
+          "The state of the control has changed since it was asked. Press Resume again.");
     }
   }
   return {};

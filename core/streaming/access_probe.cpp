@@ -74,7 +74,7 @@ class Probe {
 
  private:
   static constexpr const char* kNotRestored =
-      " The scratch cells could not be put back: they hold test values.";
+      " The scratch cells could not be restored: they hold test values.";
 
   [[nodiscard]] std::span<const opcua::Variable> inner() const {
     return std::span(m_cells).subspan(1, m_cells.size() - 2);
@@ -89,8 +89,8 @@ class Probe {
     }
     if ((*status)[0].status || (*status)[0].number != kReset) {
       return base::fail(StreamError::ChannelBusy,
-                        "A program runs on the control. Let it end or reset the control before "
-                        "the forms of access are tried.");
+                        "A program is running on the control. Wait until it has ended, or reset "
+                        "the control, before the forms of access are tested.");
     }
     const Result<opcua::Event> before =
         opcua::awaitAnswer(m_link, m_link.read(m_cells, m_deadline, Grouping::Single), m_deadline);
@@ -140,8 +140,8 @@ class Probe {
     }
     if (!problem->empty()) {
       return base::fail(LinkError::BadValue,
-                        "An R-parameter that was written reads as something else: another client "
-                        "writes the scratch cells. Choose others.");
+                        "An R-parameter does not have the value that was written: another client "
+                        "writes the scratch cells. Choose other cells.");
     }
     return {};
   }

@@ -41,7 +41,7 @@ constexpr double kLineShare = 0.005;
 constexpr double kLineMs = 0.001;
 constexpr int kTailPerMille = 990;
 
-constexpr const char* kUntouched = " The scratch cells are as they were.";
+constexpr const char* kUntouched = " The scratch cells have their old values.";
 
 double nanoseconds(Duration duration) {
   return static_cast<double>(duration.count());
@@ -252,8 +252,9 @@ Result<void> requireReset(opcua::Link& link, Duration deadline) {
     return base::fail(status.error());
   }
   if ((*status)[0].status || (*status)[0].number != kReset) {
-    return base::fail(CalibrationError::ChannelBusy,
-                      "A program runs on the control. Let it end before measuring.");
+    return base::fail(
+        CalibrationError::ChannelBusy,
+        "A program is running on the control. Wait until it has ended, then measure.");
   }
   return {};
 }
@@ -263,7 +264,7 @@ Result<void> restore(opcua::Link& link, const std::vector<opcua::Assignment>& be
                      Duration deadline) {
   const auto failed = [](const std::string& why) {
     return base::fail(CalibrationError::NotRestored,
-                      "The scratch cells could not be put back and may hold test values: " + why);
+                      "The scratch cells could not be restored and may hold test values: " + why);
   };
   const Duration all = deadlineOf(deadline, before.size());
   const auto written = opcua::awaitAnswer(link, link.write(before, all, Grouping::Single), all);
@@ -283,7 +284,7 @@ Result<void> restore(opcua::Link& link, const std::vector<opcua::Assignment>& be
     problem.clear();
     for (std::size_t i = 0; i < before.size() && problem.empty(); ++i) {
       if (read->readings[i].status || read->readings[i].number != before[i].value) {
-        problem = fmt::format("R{} does not have the value it had.", before[i].variable.index);
+        problem = fmt::format("R{} does not have its old value.", before[i].variable.index);
       }
     }
     if (problem.empty()) {
@@ -347,9 +348,9 @@ class Measurement {
     opcua::Link* link = m_hooks.reconnect ? m_hooks.reconnect() : nullptr;
     if (link != nullptr && requireReset(*link, m_plan.deadline) &&
         restore(*link, m_before, m_plan.deadline)) {
-      error.message += " The scratch cells were put back over a new connection.";
+      error.message += " The scratch cells were restored over a new connection.";
     } else if (m_proving) {
-      error.message += " The scratch cells may hold test values: put back what they held.";
+      error.message += " The scratch cells may hold test values: restore their old values.";
     } else {
       error.message += kUntouched;
     }

@@ -116,8 +116,8 @@ class Test {
     }
     if ((*state)[0] != kReset) {
       return base::fail(StreamError::ChannelBusy,
-                        "A program runs on the control. Let it end or reset the control, then "
-                        "start again.");
+                        "A program is running on the control. Wait until it has ended, or reset "
+                        "the control, then start again.");
     }
     if (Result<void> fine = refuseAlarm((*state)[1]); !fine) {
       return fine;
@@ -162,10 +162,10 @@ class Test {
       }
       if ((*state)[0] != kReset && (*state)[2] != 0.0) {
         if ((*state)[2] != static_cast<double>(kLayoutNumber)) {
-          return base::fail(StreamError::WrongProgram,
-                            "The control runs another program than the test. Reset it and select "
-                            "the test.",
-                            commissioningFileName());
+          return base::fail(
+              StreamError::WrongProgram,
+              "The control runs another program, not the test. Reset it and select the test.",
+              commissioningFileName());
         }
         return set(Begin, 1.0);
       }
@@ -223,7 +223,7 @@ class Test {
       }
     }
     return base::fail(StreamError::StreamStalled,
-                      "The test did not come to its end. Reset the control and start again.");
+                      "The test did not finish. Reset the control and start again.");
   }
 
   static double questionOf(int number) { return 0.375 + 1000.0 * number; }
@@ -280,7 +280,7 @@ class Test {
     const bool inStep = hasMark && marked->mark > std::prev(marked)->cycles - 1.0 &&
                         std::prev(marked)->cycles > m_looks.front().cycles;
     add("action-with-its-block", inStep,
-        "A synchronized action in front of a block is executed with that block.");
+        "A synchronized action before a block is executed with that block.");
     const bool fed = std::any_of(m_looks.begin(), m_looks.end(),
                                  [](const Look& look) { return look.buffer > 0.0; });
     add("buffer-level", fed && m_passes > 1.0 && m_passes < kPassesMax,

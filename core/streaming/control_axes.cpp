@@ -48,9 +48,10 @@ RotarySet both(const RotarySet& a, const RotarySet& b) {
 base::Error missing(const RotarySet& axes, const RotarySet& there) {
   const std::string has =
       base::any(there) ? "X, Y, Z, " + inWords(there) : std::string("X, Y and Z");
-  return base::makeError(StreamError::AxisMissing,
-                         fmt::format("The control has no axis {}; it has {}. Choose axes it has.",
-                                     inWords(axes), has));
+  return base::makeError(
+      StreamError::AxisMissing,
+      fmt::format("The control has no axis {}; it has {}. Choose axes that it has.", inWords(axes),
+                  has));
 }
 
 }  // namespace
@@ -118,7 +119,7 @@ Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
   const RotarySet chosen = parameters.rotaryAxes;
   if (base::any(turned) && !base::streamsRotary(parameters.method)) {
     return base::fail(StreamError::ProgramNotStreamable,
-                      fmt::format("The program turns {}: only method window streams rotary axes.",
+                      fmt::format("The program moves {}: only method window streams rotary axes.",
                                   inWords(turned)));
   }
   if (!base::contains(chosen, turned)) {
@@ -126,7 +127,7 @@ Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
     right.rotaryAxes = both(chosen, turned);
     return base::fail(
         StreamError::AxesNotChosen,
-        fmt::format("The program turns {}, which is not among the axes chosen. Choose {}.",
+        fmt::format("The program moves {}, which is not among the selected axes. Select {}.",
                     inWords(without(turned, chosen)), templates::axisLetters(right)));
   }
   if (!base::contains(axes.set(), chosen)) {
@@ -137,11 +138,10 @@ Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
       const double wanted = set.degrees[axis];
       if (!std::isnan(wanted) && !chosen[axis] && axes.set()[axis] &&
           std::abs(wanted - atDeg[axis]) > kStandsDeg) {
-        return base::fail(
-            StreamError::AxesNotChosen,
-            fmt::format("The program wants {0} at {1} deg, and it stands at {2:.3f}. Choose {0} "
-                        "among the axes, or bring it there first.",
-                        base::kRotaryAxisNames[axis], wanted, atDeg[axis]));
+        return base::fail(StreamError::AxesNotChosen,
+                          fmt::format("The program needs {0} at {1} deg, but it is at {2:.3f}. "
+                                      "Move it there first, or add {0} to the selected axes.",
+                                      base::kRotaryAxisNames[axis], wanted, atDeg[axis]));
       }
     }
   }
@@ -162,7 +162,7 @@ Result<gcode::PointList> pointsOnAxes(const gcode::Trajectory& trajectory,
         right.axes[axis] = true;
         return base::fail(
             StreamError::AxesNotChosen,
-            fmt::format("The program moves {}, which is not among the axes chosen. Choose {}.",
+            fmt::format("The program moves {}, which is not among the selected axes. Select {}.",
                         base::kAxisNames[axis], templates::axisLetters(right)));
       }
       point.positionMm.set(axis, start.mm[axis]);

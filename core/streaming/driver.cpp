@@ -285,12 +285,11 @@ void Driver::submitMethod() {
 void Driver::handle(const opcua::Event& event) {
   if (event.kind == opcua::EventKind::ConnectionLost) {
     m_end.error = event.error;
-    m_end.error.message +=
-        base::hasWindows(m_settings.parameters.method)
-            ? " The control executes the windows it has and waits; it repeats nothing. Connect "
-              "again and resume the run, or reset the control."
-            : " The control goes on with the points it has and repeats them: stop it at the "
-              "control.";
+    m_end.error.message += base::hasWindows(m_settings.parameters.method)
+                               ? " The control executes the windows it has, then waits; it repeats "
+                                 "nothing. Connect again and resume the run, or reset the control."
+                               : " The control continues with the points it has and repeats them: "
+                                 "stop the program at the control.";
     m_done = true;
     return;
   }
@@ -328,7 +327,7 @@ void Driver::handle(const opcua::Event& event) {
   for (const opcua::Reading& reading : event.readings) {
     if (reading.status) {
       abandon(base::makeError(reading.status,
-                              "A variable the stream needs cannot be read. Check the access "
+                              "A variable that the stream needs cannot be read. Check the access "
                               "rights on the control."));
       return;
     }
@@ -336,7 +335,7 @@ void Driver::handle(const opcua::Event& event) {
   for (const std::error_code& status : event.statuses) {
     if (status) {
       abandon(base::makeError(status,
-                              "A cell the stream needs cannot be written. Check the access "
+                              "A cell that the stream needs cannot be written. Check the access "
                               "rights and the number of R-parameters on the control."));
       return;
     }
@@ -376,7 +375,7 @@ void Driver::handleMethod(const opcua::Event& event) {
   m_counters.executed = progress.executed;
   if (progress.brokenSignals > m_brokenSeen) {
     m_brokenSeen = progress.brokenSignals;
-    m_sink.note({event.at, "a signal came out of turn: a window has been executed again"});
+    m_sink.note({event.at, "a signal was out of sequence: a window has been executed again"});
   }
   inferPauses();
   if (const std::optional<base::Vec3> position = m_method.positionMm();
@@ -475,13 +474,12 @@ void Driver::checkDeadlines() {
       now > progress.nextLatest + m_settings.stallDeadline) {
     const char* text =
         base::hasWindows(m_settings.parameters.method)
-            ? "The stream made no progress though the control was in its program: the control was "
-              "on hold, or something else writes the R-parameters of the run. Nothing was "
-              "repeated. "
+            ? "The stream made no progress although the program was active: the control was on "
+              "hold, or something else writes the R-parameters of the run. Nothing was repeated. "
               "Release the hold or find the other writer, then resume."
-            : "The stream made no progress though the control was in its program: a point or a "
-              "signal was missed and old points were repeated, or the control was on hold. Look at "
-              "the report, then reduce the feed or release the hold.";
+            : "The stream made no progress although the program was active: a point or a signal "
+              "was missed and old points were repeated, or the control was on hold. See the "
+              "report, then reduce the feed or release the hold.";
     abandon(base::makeError(StreamError::StreamStalled, text));
   }
 }

@@ -184,8 +184,8 @@ class Job {
     }
     if (!isWindow() && m_settings.parameters.layout != templates::Layout::Contiguous) {
       return base::fail(opcua::LinkError::Rejected,
-                        "Arrays need cells that follow one another, and those between the points "
-                        "are not ours to try. Choose the contiguous layout, or lists.");
+                        "Arrays need consecutive cells, and Rivulet may not use the cells between "
+                        "the points. Choose the contiguous layout, or lists.");
     }
     Result<AccessForms> forms = probeAccess(m_link, scratchCells(), m_settings.requestDeadline);
     if (!forms) {
@@ -257,7 +257,7 @@ class Job {
     }
     m_report.transfer = *transfer;
     m_ledger.note({m_link.now(), fmt::format("program {}: {}, {}, {}", name,
-                                             transfer->written ? "written" : "was there",
+                                             transfer->written ? "written" : "already there",
                                              transfer->compared ? "compared" : "not compared",
                                              transfer->selected ? "selected" : "to be selected")});
     // A number left from an earlier run must not pass for the program's own.
@@ -332,15 +332,14 @@ class Job {
   static Result<void> mayCorrect(double state) {
     if (state == static_cast<double>(templates::WindowState::OverlayLeft)) {
       return base::fail(StreamError::OverlayLeft,
-                        "Something is laid over the axes already, so where they stand is not where "
-                        "the path would begin. Take it back at the control (reset it, wait, and "
-                        "see that $AA_OFF is 0), then start again.");
+                        "An overlay is already active on the axes, so the tool is not where the "
+                        "path would begin. Remove it at the control (press reset, wait, and check "
+                        "that $AA_OFF is 0), then start again.");
     }
     if (state == static_cast<double>(templates::WindowState::OverlayIntegrates)) {
       return base::fail(StreamError::OverlayIntegrates,
-                        "The control adds up what is laid over its axes (MD36750 bit 0): a "
-                        "correction would drive them away. Set the bit to 0, or do without online "
-                        "correction.");
+                        "The control adds up overlaid values (MD36750 bit 0): a correction would "
+                        "drive the axes away. Set the bit to 0, or do without online correction.");
     }
     return {};
   }
@@ -412,12 +411,12 @@ class Job {
                                           opcua::rParameter(m_cells.owner)};
     const auto readings = opcua::readNow(m_link, watched, m_settings.requestDeadline);
     if (!readings || (*readings)[0].status || (*readings)[1].status || (*readings)[2].status) {
-      m_ledger.note({m_link.now(), "how the program ended could not be read"});
+      m_ledger.note({m_link.now(), "the reason why the program ended could not be read"});
       if (m_report.outcome == Outcome::Completed) {
         m_report.outcome = Outcome::Failed;
         m_report.error = base::makeError(StreamError::EndedEarly,
-                                         "The program on the control has ended, but how could not "
-                                         "be read. Resume the run to have it looked at again.");
+                                         "The program on the control has ended, but the reason "
+                                         "could not be read. Resume the run to check it again.");
       }
       return;
     }
@@ -436,10 +435,11 @@ class Job {
     const auto state = static_cast<templates::WindowState>((*readings)[0].number);
     if (!isOurs) {
       fail(StreamError::Restarted,
-           "The program on the control has been started for another run. Nothing more is written.");
+           "The program on the control has been started for another run. Rivulet writes nothing "
+           "more.");
     } else if (state == templates::WindowState::Damaged) {
       fail(StreamError::WindowDamaged,
-           "The control refused a window whose check number did not fit: something else writes "
+           "The control rejected a window whose check number did not match: something else writes "
            "these R-parameters. The window was not executed. Find the other writer, then resume.");
     } else if (state == templates::WindowState::Abandoned) {
       fail(StreamError::ClientSilent,
@@ -488,7 +488,7 @@ class Job {
     Result<trace::ControlTrace> trace = m_control.fetchTrace();
     if (!trace) {
       m_ledger.note(
-          {m_link.now(), "the control's trace could not be had: " + trace.error().text()});
+          {m_link.now(), "the control's trace could not be fetched: " + trace.error().text()});
       return;
     }
     if (trace->truncated) {
@@ -564,8 +564,8 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   }
   if ((*numbers)[0] != kReset) {
     return base::fail(StreamError::ChannelBusy,
-                      "A program runs on the control. Let it end or reset the control, then start "
-                      "again.");
+                      "A program is running on the control. Wait until it has ended, or reset the "
+                      "control, then start again.");
   }
   if (const int alarm = static_cast<int>((*numbers)[4]); alarm != 0) {
     return base::fail(StreamError::ControlAlarm,

@@ -24,7 +24,7 @@ base::Error refused(const base::Error& cause) {
   return base::makeError(
       StreamError::TransferRefused,
       fmt::format("The control does not let Rivulet write and read part programs ({}) Grant the "
-                  "OPC UA user these rights, or bring the program there by hand.",
+                  "OPC UA user these rights, or copy the program to the control by hand.",
                   cause.message),
       cause.context);
 }
@@ -37,7 +37,7 @@ Result<bool> compare(opcua::Control& control, const std::string& name, const std
   }
   if (*there != text) {
     return base::fail(StreamError::WrongProgram,
-                      "The program on the control differs from the one of these settings. Delete "
+                      "The program on the control differs from the one for these settings. Delete "
                       "it there and start again.",
                       name);
   }

@@ -58,12 +58,12 @@ double distance(const base::AxisPosition& a, const base::AxisPosition& b) {
 }
 
 constexpr const char* kMoved =
-    "The tool does not stand where the run was left. Bring it back to the last point that was "
-    "executed, or start from the beginning.";
+    "The tool is not where the run was left. Move it back to the last executed point, or start "
+    "from the beginning.";
 
 constexpr const char* kOverlayLeft =
-    "The correction of the run that was left still lies over the axes. Take it back at the control "
-    "(reset it, wait, and see that $AA_OFF is 0), then resume.";
+    "The correction of the interrupted run is still active on the axes. Remove it at the control "
+    "(press reset, wait, and check that $AA_OFF is 0), then resume.";
 
 /// What the client of the run had asked for last. After a regular end nothing of it lies over the
 /// axes; after a reset that depends on the control (MD36750) and on the moment.
@@ -128,7 +128,8 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
     if ((*numbers)[1] != static_cast<double>(layout) ||
         (*numbers)[2] != static_cast<double>(last.runNumber)) {
       return base::fail(StreamError::ChannelBusy,
-                        "Another program runs on the control. Let it end or reset the control.");
+                        "Another program is running on the control. Wait until it has ended, or "
+                        "reset the control.");
     }
     if (link.now() >= until) {
       return base::fail(StreamError::StopNotConfirmed,
@@ -216,7 +217,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   if (cells.windows == 0) {
     return base::fail(
         StreamError::CannotResume,
-        "Only methods window and credit say how far they came. Start from the beginning.");
+        "Only methods window and credit report how far a run came. Start from the beginning.");
   }
   if (Result<void> ended = endOurProgram(link, settings, cells, last); !ended) {
     return base::fail(ended.error());
@@ -284,8 +285,8 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
                     latched == std::floor(latched) && executed == std::floor(executed);
   if (!isOurs || !(executed >= 0.0) || !fits || latched > static_cast<double>(total)) {
     return base::fail(StreamError::CannotResume,
-                      "The control has run something else since: where this run was left is not "
-                      "known. Start from the beginning.");
+                      "The control has run another program since then: it is not known where this "
+                      "run was left. Start from the beginning.");
   }
   // The windows of the run that was left are cut again as they were then.
   const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
@@ -317,15 +318,14 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
       }
       if (!correction.isKnown || (corrected && corrected != ahead)) {
         return base::fail(StreamError::CannotResume,
-                          "A correction was laid over the axes when the run was broken off, and "
-                          "where the tool would stand without it is not known. Start from the "
-                          "beginning.");
+                          "A correction was active when the run was interrupted, and the tool's "
+                          "place without it is not known. Start from the beginning.");
       }
     }
     if (!ahead) {
       return base::fail(StreamError::CannotResume,
-                        "The tool does not stand on the path of what was broken off, "
-                        "or the path passes there twice. Start from the beginning.");
+                        "The tool is not on the path of the interrupted windows, or the path "
+                        "passes its place twice. Start from the beginning.");
     }
     next += *ahead - 1;
   } else if (distance(placeBefore(next), tool) > kBesideMm) {

@@ -128,11 +128,11 @@ std::string sentence(const Blocked& blocked) {
   };
   switch (blocked.reason) {
     case BlockReason::RunInProgress:
-      return "A run is in progress. Wait for its end.";
+      return "A run is in progress. Wait until it has ended.";
     case BlockReason::ResumeCheckInProgress:
       return "The control is being asked where the run was left. Wait for the answer.";
     case BlockReason::CalibrationInProgress:
-      return "A calibration is in progress. Wait for its end.";
+      return "A calibration is in progress. Wait until it has ended.";
     case BlockReason::NotConnected:
       return "There is no connection to a control. Connect first.";
     case BlockReason::NoProgram:
@@ -145,10 +145,10 @@ std::string sentence(const Blocked& blocked) {
       return std::string(gcode::describe(gcode::Readiness::NotUnderstood));
     case BlockReason::RotaryNotStreamed:
       return fmt::format(
-          "The program turns {}, and the method moves X, Y and Z only. Choose method window.",
+          "The program moves {}, but the method moves only X, Y and Z. Choose method window.",
           argument(0));
     case BlockReason::AxesMissing:
-      return fmt::format("The program turns {}, and the control does not have all of these axes.",
+      return fmt::format("The program moves {}, but the control does not have all of these axes.",
                          argument(0));
     case BlockReason::Infeasible:
       return fmt::format(
@@ -161,7 +161,8 @@ std::string sentence(const Blocked& blocked) {
     case BlockReason::AlarmActive:
       return fmt::format("The control reports alarm {}. Clear it at the control.", argument(0));
     case BlockReason::ChannelBusy:
-      return "A program runs on the control. Let it end or reset the control, then start again.";
+      return "A program is running on the control. Wait until it has ended, or reset the control, "
+             "then start again.";
     case BlockReason::NothingToResume:
       return "There is no interrupted run to resume.";
     case BlockReason::MethodCannotResume:
@@ -169,7 +170,7 @@ std::string sentence(const Blocked& blocked) {
     case BlockReason::SettingsInvalid:
       break;
   }
-  return "The settings make no program. Correct them first.";
+  return "No program can be generated from the settings. Correct them first.";
 }
 
 }  // namespace

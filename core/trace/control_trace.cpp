@@ -86,11 +86,10 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
                                   kName));
   }
   if (header.version > kVersion) {
-    return base::fail(
-        TraceError::NewerVersion,
-        fmt::format("The control's trace has format {}, this Rivulet reads formats up to {}. "
-                    "Use a newer Rivulet.",
-                    header.version, kVersion));
+    return base::fail(TraceError::NewerVersion,
+                      fmt::format("The control's trace has format {}; this Rivulet reads formats "
+                                  "up to {}. Use a newer Rivulet.",
+                                  header.version, kVersion));
   }
   ControlTrace trace;
   lines::Fields head(header.rest);
@@ -114,13 +113,13 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
   while (const auto line = reader.next()) {
     lastLine = line->number;
     if (!line->whole) {
-      return damaged(line->number, "the file was cut off there");
+      return damaged(line->number, "the file was cut off here");
     }
     if (line->text.empty()) {
       continue;
     }
     if (ended) {
-      return damaged(line->number, "something follows the end line");
+      return damaged(line->number, "there is text after the end line");
     }
     lines::Fields fields(line->text);
     const std::string_view keyword = fields.word();
@@ -144,17 +143,17 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
       if (end->samples != trace.samples.size() || end->blocks != trace.blocks.size()) {
         return damaged(
             line->number,
-            fmt::format("{} samples and {} blocks were written, {} and {} are there", end->samples,
-                        end->blocks, trace.samples.size(), trace.blocks.size()));
+            fmt::format("{} samples and {} blocks were written, but the file has {} and {}",
+                        end->samples, end->blocks, trace.samples.size(), trace.blocks.size()));
       }
       trace.truncated = end->truncated;
       ended = true;
     } else {
-      return damaged(line->number, "the kind of line is unknown");
+      return damaged(line->number, "the line has an unknown keyword");
     }
   }
   if (!ended) {
-    return damaged(lastLine, "the end line is missing, the file was cut off");
+    return damaged(lastLine, "the end line is missing: the file was cut off");
   }
   return trace;
 }

@@ -505,7 +505,7 @@ base::Result<Recording> parseRecording(std::string_view text) {
        (begin.substr(0, kName.size()) == kName && begin.size() == kName.size() + 1 &&
         begin.back() == ' '))) {
     return base::fail(TraceError::Damaged,
-                      "The recording was cut off in its first line: nothing of the run is in it.");
+                      "The recording was cut off in its first line: it holds nothing of the run.");
   }
   if (!header.known) {
     return base::fail(
@@ -514,11 +514,10 @@ base::Result<Recording> parseRecording(std::string_view text) {
                     kName));
   }
   if (header.version > kVersion) {
-    return base::fail(
-        TraceError::NewerVersion,
-        fmt::format("The recording has format {}, this Rivulet reads formats up to {}. "
-                    "Use a newer Rivulet.",
-                    header.version, kVersion));
+    return base::fail(TraceError::NewerVersion,
+                      fmt::format("The recording has format {}; this Rivulet reads formats up to "
+                                  "{}. Use a newer Rivulet.",
+                                  header.version, kVersion));
   }
   Reader recording;
   std::size_t unreadable = 0;

@@ -370,7 +370,7 @@ class TestCli : public QObject {
     const Outcome refused = run(QStringList{QStringLiteral("stream"), kScorpion}
                                 << words("--feed 3000 --simulate --json --resume") << path);
     QCOMPARE(refused.exit, 2);
-    QVERIFY(refused.parsed()["error"]["message"].get<std::string>().find("no report") !=
+    QVERIFY(refused.parsed()["error"]["message"].get<std::string>().find("not the report") !=
             std::string::npos);
     // A machine that has never run it cannot say where it was left.
     const Outcome report = run(QStringList{QStringLiteral("stream"), kScorpion}
@@ -379,7 +379,7 @@ class TestCli : public QObject {
                               << words("--feed 3000 --simulate --json --resume")
                               << file("report.json", report.output.toUtf8().constData()));
     QCOMPARE(other.exit, 2);
-    QVERIFY(other.parsed()["error"]["message"].get<std::string>().find("something else") !=
+    QVERIFY(other.parsed()["error"]["message"].get<std::string>().find("another program") !=
             std::string::npos);
   }
 
@@ -443,8 +443,8 @@ class TestCli : public QObject {
     QVERIFY2(outcome.exit == 0, qPrintable(outcome.errors));
     QVERIFY(outcome.parsed()["faultless"].get<bool>());
     QCOMPARE(outcome.parsed()["settings"]["correction_limit_mm"].get<double>(), 0.05);
-    QCOMPARE(outcome.errors.count(QStringLiteral("is no correction")), 1);
-    QVERIFY(outcome.errors.contains(QStringLiteral("live.txt: line 2 is no correction")));
+    QCOMPARE(outcome.errors.count(QStringLiteral("is not a correction")), 1);
+    QVERIFY(outcome.errors.contains(QStringLiteral("live.txt: line 2 is not a correction")));
     QFile written(recording);
     QVERIFY(written.open(QIODevice::ReadOnly));
     QVERIFY(written.readAll().contains("online correction in mm: X 0.0500 Y -0.0200 Z 0.0000"));

@@ -100,7 +100,7 @@ class TestCommission : public QObject {
       QVERIFY(then.json["faultless"].get<bool>());
       QCOMPARE(then.json["executed"].get<int>(), 20);
     } else {
-      QVERIFY(then.json["error"]["message"].get<std::string>().find("failed it") !=
+      QVERIFY(then.json["error"]["message"].get<std::string>().find("failed the test") !=
               std::string::npos);
     }
   }

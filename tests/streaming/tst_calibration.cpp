@@ -235,7 +235,7 @@ class TestCalibration : public QObject {
       QCOMPARE(result.has_value(), limit == 1'000'000);
       if (!result) {
         QVERIFY(result.error().code == CalibrationError::Cancelled);
-        QVERIFY(result.error().message.find("as they were") != std::string::npos);
+        QVERIFY(result.error().message.find("have their old values") != std::string::npos);
       }
       requireFilled(machine);
     }
@@ -268,7 +268,7 @@ class TestCalibration : public QObject {
       QVERIFY(!result);
       QVERIFY2(result.error().code == opcua::LinkError::ConnectionLost, textOf(result).c_str());
       if (asked) {
-        QVERIFY2(result.error().message.find("put back") != std::string::npos,
+        QVERIFY2(result.error().message.find("restore") != std::string::npos,
                  textOf(result).c_str());
         inTheProof += measuring ? 0 : 1;
       }
@@ -295,7 +295,7 @@ class TestCalibration : public QObject {
       const auto result = streaming::calibrate(link, planOf(20, 39, 20), hooks);
       QVERIFY(!result);
       const std::string text = textOf(result);
-      QVERIFY2((text.find("as they were") != std::string::npos) == !proving, text.c_str());
+      QVERIFY2((text.find("have their old values") != std::string::npos) == !proving, text.c_str());
       QVERIFY2((text.find("test values") != std::string::npos) == proving, text.c_str());
     }
   }

@@ -75,7 +75,8 @@ bool meansConnectionLost(UA_StatusCode status) {
 std::string sentenceOf(LinkError error) {
   switch (error) {
     case LinkError::NotReachable:
-      return "No OPC UA server answers. Check the address, the network and that the server runs.";
+      return "No OPC UA server answers. Check the address and the network, and that the server is "
+             "running.";
     case LinkError::ConnectionLost:
       return "The connection to the control is lost. Check network and server, then connect "
              "again.";
@@ -90,7 +91,7 @@ std::string sentenceOf(LinkError error) {
     case LinkError::Rejected:
       return "The server refused the request. Check the rights of the OPC UA user.";
     case LinkError::NamespaceMissing:
-      return "The server is no SINUMERIK: it has no namespace SinumerikVarProvider.";
+      return "The server is not a SINUMERIK: it has no namespace SinumerikVarProvider.";
     case LinkError::MethodMissing:
       return "The server does not offer this method.";
     case LinkError::ProgramMissing:
@@ -101,7 +102,7 @@ std::string sentenceOf(LinkError error) {
       return "A program of this name is already on the control. Overwrite it or choose another "
              "name.";
     case LinkError::TooManyItems:
-      return "The request has more items than the link or the server takes. Split it.";
+      return "The request has more items than the link or the server accepts. Split it.";
   }
   base::contractViolated("every LinkError has a sentence", __FILE__, __LINE__);
 }

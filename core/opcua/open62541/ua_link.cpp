@@ -511,7 +511,7 @@ base::Error UaLink::Impl::connectError(UA_StatusCode status) const {
   switch (status) {
     case UA_STATUSCODE_BADTCPENDPOINTURLINVALID:
       return base::makeError(LinkError::NotReachable,
-                             "This is no OPC UA address; one looks like opc.tcp://host:4840.",
+                             "This is not an OPC UA address. Example: opc.tcp://host:4840.",
                              endpoint());
     case UA_STATUSCODE_BADIDENTITYTOKENREJECTED:
     case UA_STATUSCODE_BADIDENTITYTOKENINVALID:
@@ -519,11 +519,12 @@ base::Error UaLink::Impl::connectError(UA_StatusCode status) const {
     case UA_STATUSCODE_BADSECURITYCHECKSFAILED:
     case UA_STATUSCODE_BADSECURITYMODEREJECTED:
     case UA_STATUSCODE_BADSECURITYPOLICYREJECTED:
-      return base::makeError(LinkError::Rejected,
-                             fmt::format("The server does not let us in with these security and "
-                                         "user settings ({}).",
-                                         UA_StatusCode_name(status)),
-                             place());
+      return base::makeError(
+          LinkError::Rejected,
+          fmt::format(
+              "The server does not accept a connection with these security and user settings ({}).",
+              UA_StatusCode_name(status)),
+          place());
     case UA_STATUSCODE_BADTOOMANYSESSIONS:
       return base::makeError(LinkError::Rejected,
                              "The server has no session left. Close another OPC UA client.",
@@ -959,9 +960,10 @@ base::Result<CallResponse> UaLink::Impl::callFileMethod(std::string_view method,
 base::Result<CallResponse> UaLink::Impl::callVirtual(std::string_view method,
                                                      std::span<UA_Variant> inputs) {
   if (!m_virtualNamespace) {
-    return base::fail(LinkError::MethodMissing,
-                      "Only a virtual machine can do this; on a real control use its own keys.",
-                      endpoint());
+    return base::fail(
+        LinkError::MethodMissing,
+        "Only a virtual machine can do this. On a real control use the keys of its panel.",
+        endpoint());
   }
   return call(*m_virtualNamespace, kVirtualObject, method, inputs);
 }
@@ -980,7 +982,7 @@ template <class T>
                        : nullptr;
   if (value == nullptr) {
     return base::fail(LinkError::Rejected,
-                      "The server's method answers in a form Rivulet does not know.",
+                      "The server's method returns a form that Rivulet does not know.",
                       std::string(method));
   }
   return *value;
@@ -994,7 +996,7 @@ template <class T>
       result.outputArgumentsSize > 0 ? numberOf(result.outputArguments[0]) : std::nullopt;
   if (!number || std::abs(*number) > 1e6) {
     return base::fail(LinkError::Rejected,
-                      "The server's method answers in a form Rivulet does not know.",
+                      "The server's method returns a form that Rivulet does not know.",
                       std::string(method));
   }
   return static_cast<int>(*number);

@@ -346,7 +346,7 @@ std::optional<base::Error> WindowMethod::failure() const {
           "until the other client has finished, or reset the control.");
     case Trouble::Restarted:
       return base::makeError(StreamError::Restarted,
-                             "The program on the control has been started anew. It waits; reset "
+                             "The program on the control has been restarted. It is waiting: reset "
                              "the control, then resume the run.");
     case Trouble::None:
     case Trouble::Ended:

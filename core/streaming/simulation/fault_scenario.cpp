@@ -150,7 +150,7 @@ class Exposure {
     }
     const bool stopped = report.outcome == Outcome::Stopped && report.stopConfirmedAfter;
     if (stopped) {
-      watchStanding("behind a confirmed stop");
+      watchStanding("after a confirmed stop");
     }
     // Who lost the connection sends nothing more; what is on its way still arrives.
     if (m_link.isConnected() && report.outcome != Outcome::Stopped &&
@@ -231,7 +231,7 @@ class Exposure {
     const bool reads = m_scenario.run.scenario.machine.rRead == machine::RRead::AtInterpretation;
     if (m_latchedAtStop && reads && m_evidence.intrusions == 0 && m_evidence.strayWrites == 0 &&
         m_machine.ncRParameter(m_cells.latched) > *m_latchedAtStop + 1.0) {
-      m_evidence.violations.emplace_back("a window was taken behind a stop");
+      m_evidence.violations.emplace_back("a window was taken after a stop");
     }
     m_latchedAtStop.reset();
   }
@@ -256,7 +256,7 @@ class Exposure {
     for (long long number = latched + 1; number <= m_delivered; ++number) {
       if ((number - 1) % m_cells.windows == window) {
         m_evidence.violations.push_back(
-            fmt::format("R{} written while window {} waits to be taken", cell, number));
+            fmt::format("R{} written while window {} waits to be copied", cell, number));
       }
     }
   }

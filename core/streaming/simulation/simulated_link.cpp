@@ -119,7 +119,7 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
     if (request.refused) {
       request.event.kind = EventKind::RequestFailed;
       request.event.error = base::makeError(
-          LinkError::BadValue, "A value that is no number was to be written. Nothing was sent.");
+          LinkError::BadValue, "A value to be written is not a number. Nothing was sent.");
       return finish();
     }
     if (isServed(request)) {

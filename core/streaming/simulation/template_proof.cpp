@@ -139,8 +139,7 @@ class Trial {
       return wrongOverlay();
     }
     return fmt::format(
-        "{} points repeated, {} skipped, {} out of order, {} moves to where no "
-        "point is",
+        "{} points repeated, {} skipped, {} out of order, {} moves to places without a point",
         seen.repeated, seen.skipped, seen.outOfOrder, seen.foreign);
   }
 
@@ -159,12 +158,12 @@ class Trial {
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       const double allowedMm = m_settings.parameters.axes[axis] ? limitMm : 0.0;
       if (m_overlayMmMax[axis] > allowedMm + kSameMm) {
-        return fmt::format("{} was corrected by {} mm, and {} is the limit", base::kAxisNames[axis],
+        return fmt::format("{} was corrected by {} mm, but the limit is {}", base::kAxisNames[axis],
                            m_overlayMmMax[axis], allowedMm);
       }
     }
     if (hasEnded() && base::norm(m_machine.state().overlayMm) > kStillMm) {
-      return "the program ended with a correction over the axes";
+      return "the program ended with a correction still active";
     }
     return {};
   }
@@ -245,7 +244,7 @@ class Prover {
         return firstOf(trial.notCompleted(), "the stop was not confirmed");
       }
       if (trial.movesOn()) {
-        return std::string("the axes move behind a confirmed stop");
+        return std::string("the axes move after a confirmed stop");
       }
       return isWindow ? trial.wrongMotion() : std::string();
     });
@@ -288,7 +287,7 @@ class Prover {
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
         if (cells.correction[axis] >= 0 &&
             trial.overlayMmMax()[axis] < 0.5 * m_parameters.correctionLimitMm) {
-          missing = "a correction was asked for, and the axes did not follow it";
+          missing = "a correction was requested, but the axes did not follow it";
         }
       }
       return firstOf(firstOf(trial.wrongMotion(), trial.notCompleted()), missing);
@@ -358,7 +357,8 @@ class Prover {
   static std::string refusal(Trial& trial) {
     const RunReport& report = trial.run();
     const bool isRefused = report.error.code == StreamError::WindowDamaged;
-    return firstOf(trial.wrongMotion(), isRefused ? "" : "a window that does not fit was taken");
+    return firstOf(trial.wrongMotion(),
+                   isRefused ? "" : "a window that does not match its check number was taken");
   }
 
   void addDamagedWindow(const templates::CellMap& cells) {
@@ -437,8 +437,8 @@ base::Result<void> requireProven(const templates::TemplateParameters& parameters
   }
   if (!proof->holds()) {
     return base::fail(templates::LintError::Rejected,
-                      "The flexible program of these settings did not hold on the virtual machine "
-                      "and is not written to the control. See template --verify.");
+                      "The flexible program for these settings failed on the virtual machine and "
+                      "is not written to the control. See template --verify.");
   }
   return {};
 }
