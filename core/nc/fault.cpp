@@ -67,6 +67,38 @@ std::string_view clauseOf(FaultCode code) {
       return "the size of an array is missing or too large";
     case ParametersMalformed:
       return "the parameters of PROC are written PROC name(type name, ...)";
+    case SyntaxCharacter:
+      return "\"{}\" is missing, or stands where it has no meaning";
+    case NumberMissing:
+      return "an address needs a number or \"=\"";
+    case NoTarget:
+      return "the jump has no target";
+    case IfMalformed:
+      return "behind a condition stands GOTO or nothing";
+    case ForMalformed:
+      return "FOR is written FOR i = a TO b";
+    case CaseMalformed:
+      return "CASE is written CASE(value) OF constant GOTOF target";
+    case NotClosed:
+      return "the {} that begins here is not closed";
+    case NoBeginning:
+      return "{} has no beginning";
+    case StructuresTooDeep:
+      return "control structures are nested more than 16 deep";
+    case ActionNumber:
+      return "a synchronized action needs a number from 1 to 255";
+    case ActionMalformed:
+      return "a synchronized action is written ID=1 WHEN condition DO assignment";
+    case ActionTarget:
+      return "a synchronized action assigns to $R and variables of the main run only";
+    case TargetMissing:
+      return "the target {} is missing";
+    case SubprogramMissing:
+      return "the program {} does not exist";
+    case NeitherNameNorProgram:
+      return "{} is not defined, and there is no program of this name";
+    case CallsTooDeep:
+      return "subprograms call each other too deeply";
     case DivisionByZero:
       return "a division by zero";
     case OutOfDomain:

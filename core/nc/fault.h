@@ -46,6 +46,24 @@ enum class FaultCode : std::uint8_t {
   NoSuchType,  ///< argument: the word behind DEF
   SizeMalformed,
   ParametersMalformed,
+  // Blocks and control structures.
+  SyntaxCharacter,  ///< argument: the character
+  NumberMissing,    ///< behind an address
+  NoTarget,         ///< of a jump
+  IfMalformed,
+  ForMalformed,
+  CaseMalformed,
+  NotClosed,    ///< argument: IF, WHILE, ...
+  NoBeginning,  ///< argument: ENDIF, ENDWHILE, ...
+  StructuresTooDeep,
+  ActionNumber,  ///< of a synchronized action
+  ActionMalformed,
+  ActionTarget,
+  // Flow.
+  TargetMissing,          ///< argument: the label
+  SubprogramMissing,      ///< argument: its name
+  NeitherNameNorProgram,  ///< argument: the name
+  CallsTooDeep,
   // Evaluation.
   DivisionByZero,
   OutOfDomain,  ///< argument: "SQRT(-1)"

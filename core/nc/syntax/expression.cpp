@@ -529,6 +529,20 @@ Reader::Result Reader::exists(Place at) {
   return node(Op::Exists, at, {std::move(*variable)});
 }
 
+Expected<Expression> Reader::literal() {
+  skipBlanks();
+  const bool isNegative = peek() == '-';
+  if (isNegative || peek() == '+') {
+    ++m_at;
+    skipBlanks();
+  }
+  Result made = isDigit(peek()) || peek() == '.' ? number() : fault(FaultCode::NumberMissing);
+  if (made && isNegative) {
+    made->number = -made->number;
+  }
+  return outcome(std::move(made));
+}
+
 // --- assignments and definitions ------------------------------------------------------------
 
 Expected<Expression> Reader::target() {

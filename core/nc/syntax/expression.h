@@ -157,6 +157,8 @@ class Reader {
   [[nodiscard]] Expected<Expression> target();
   /// "R1=5", "FIELD[1,2]=SET(7,8)".
   [[nodiscard]] Expected<Assignment> assignment();
+  /// A number with its sign: what follows an address directly.
+  [[nodiscard]] Expected<Expression> literal();
   /// What follows DEF: "REAL A=5, B[3]=REP(0), C".
   [[nodiscard]] Expected<std::vector<Definition>> definitions();
   /// What follows PROC NAME: "(INT A, VAR REAL B[], STRING[8] C)", or nothing.
@@ -174,6 +176,12 @@ class Reader {
   [[nodiscard]] std::string name();
   [[nodiscard]] bool isAtEnd();
   [[nodiscard]] std::string_view rest() const { return m_text.substr(m_at); }
+  /// Back to an earlier state of a reader of the same text.
+  void restore(const Reader& earlier) {
+    m_at = earlier.m_at;
+    m_fault.reset();
+  }
+  void skipRest() { m_at = m_text.size(); }
   /// Characters read.
   [[nodiscard]] std::size_t length() const { return m_at; }
   [[nodiscard]] Place place() const;

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// In which order the statements of a program are executed: jumps, branches, repetitions and
+/// subprograms with their parameters. @threadsafety one object, one thread.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "nc/eval/variables.h"
+#include "nc/syntax/tree.h"
+
+namespace rivulet::nc {
+
+/// Programs by their name in upper case; null: there is none.
+using Library = std::function<std::shared_ptr<const Tree>(const std::string& name)>;
+
+class Flow {
+ public:
+  /// @param variables  must outlive the flow; it enters and leaves scopes there
+  Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library);
+
+  /// The statement that is due; null at the end of a program's text.
+  [[nodiscard]] const Statement* due() const;
+  /// Steps over it, as is done before it is executed.
+  void step();
+  /// True if what is due stands in the block of the statement stepped over last.
+  [[nodiscard]] bool continuesBlock() const;
+
+  /// Executes a statement that has just been stepped over: Assignment, Definition, Jump, Branch,
+  /// RepeatLabel and Call. Others are the caller's. @return true if it led somewhere else
+  [[nodiscard]] Expected<bool> execute(const Statement& statement);
+  /// M17, RET or the end of the text. @return false in the main program
+  [[nodiscard]] bool leave();
+  /// Programs within each other, 1: the main program.
+  [[nodiscard]] std::size_t depth() const { return m_levels.size(); }
+
+ private:
+  /// Blocks that REPEAT runs again, up to the statement `end`.
+  struct Range {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t back = 0;  ///< where to go on behind the last round
+    int left = 0;
+  };
+  struct Level {
+    std::shared_ptr<const Tree> program;
+    std::size_t next = 0;
+    std::map<std::size_t, int> repeats;  ///< REPEAT statements in progress, rounds left
+    std::vector<Range> ranges;
+    int callsLeft = 0;  ///< rounds of this program still to come
+    Scope scope;        ///< as at the call
+  };
+
+  [[nodiscard]] Level& level() { return m_levels.back(); }
+  void goTo(std::size_t target);
+  void enter(std::shared_ptr<const Tree> program, Scope scope, int callsLeft);
+  [[nodiscard]] Expected<bool> holds(const std::optional<Expression>& condition) const;
+  [[nodiscard]] Expected<int> rounds(const std::optional<Expression>& times) const;
+  [[nodiscard]] Expected<bool> jump(const Jump& jump);
+  [[nodiscard]] Expected<bool> repeat(const RepeatLabel& repeat);
+  [[nodiscard]] Expected<bool> call(const Call& call);
+
+  Variables& m_variables;
+  Library m_library;
+  std::vector<Level> m_levels;
+  std::size_t m_stepped = 0;
+  bool m_moved = false;  ///< by a jump, since the last step
+};
+
+}  // namespace rivulet::nc

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// An NC program as a list of statements. Control structures are branches with targets: IF, WHILE,
+/// FOR, LOOP, REPEAT … UNTIL and CASE leave nothing but conditions and places to go to, so that a
+/// loop runs over the list and no text is read twice. What cannot be read becomes a `Faulty`
+/// statement: like the control, a reader complains about a block when it comes to it.
+/// @threadsafety plain values, immutable once read.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "nc/fault.h"
+#include "nc/syntax/expression.h"
+
+namespace rivulet::nc {
+
+/// X5, X=AC(R1), CR=12, G1, M1=3, SOFT, T="MILL".
+struct Word {
+  enum class Reference : std::uint8_t { Modal, Absolute, Incremental };
+  std::string address;                  ///< upper case; one letter, or a name
+  std::optional<Expression> extension;  ///< 1 of M1=3, n of M[n]=3
+  std::optional<Expression> value;      ///< nothing: a name alone
+  Reference reference = Reference::Modal;
+  Place place;
+};
+
+/// Addresses, G and M functions and modal names of one block.
+struct Words {
+  std::vector<Word> words;
+};
+/// TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR with their axes.
+struct FrameStatement {
+  std::string name;
+  std::vector<Word> words;
+};
+/// G4 F.
+struct Dwell {
+  Expression seconds;
+};
+struct PreprocessingStop {};
+struct Message {
+  std::optional<Expression> text;
+};
+
+enum class JumpDirection : std::uint8_t {
+  ForwardThenBackward,
+  Forward,
+  Backward,
+  ForwardNoAlarm,
+  Start
+};
+/// To a label, if the condition holds (no condition: always).
+struct Jump {
+  std::optional<Expression> condition;
+  JumpDirection direction = JumpDirection::ForwardThenBackward;
+  std::string label;  ///< upper case, or "N10" for a block number
+};
+/// To statement `target` if the condition does not hold (no condition: always).
+struct Branch {
+  std::optional<Expression> condition;
+  std::size_t target = 0;
+};
+/// REPEAT label P=n: the blocks from the label up to here n times more; REPEAT from to P=n: from
+/// one label to the other; REPEATB label P=n: the block of the label.
+struct RepeatLabel {
+  std::string label;
+  std::string endLabel;
+  bool isBlockOnly = false;
+  std::optional<Expression> times;
+};
+/// A subprogram by its name.
+struct Call {
+  std::string name;
+  bool isPlainName = false;            ///< a word that might as well be a name misspelt
+  std::optional<Expression> computed;  ///< CALL with a text that is not known before
+  std::optional<Expression> times;
+  std::vector<std::optional<Expression>> arguments;
+};
+
+/// When a synchronized action is executed.
+enum class Trigger : std::uint8_t {
+  Always,    ///< no keyword: every cycle
+  When,      ///< once, when the condition holds
+  Whenever,  ///< in every cycle in which it holds
+  From,      ///< in every cycle from the first in which it holds
+  Every,     ///< each time it begins to hold
+};
+struct Synchronized {
+  int id = 0;             ///< 0: for the next block alone
+  bool isStatic = false;  ///< IDS
+  Trigger trigger = Trigger::Always;
+  std::optional<Expression> condition;
+  std::vector<Assignment> assignments;
+};
+struct Cancel {
+  Expression id;
+};
+/// M17, RET: back to where the program was called; in the main program its end.
+struct Return {};
+struct End {};
+struct Faulty {
+  Fault fault;
+};
+
+struct Statement {
+  using What =
+      std::variant<Words, Assignment, Definition, FrameStatement, Dwell, PreprocessingStop, Message,
+                   Jump, Branch, RepeatLabel, Call, Synchronized, Cancel, Return, End, Faulty>;
+  Place place;
+  What what;
+  /// False for the second and later statements of one block.
+  bool beginsBlock = true;
+  /// Asks a variable of the main run: its value belongs to the moment in which the axes stand.
+  bool readsMainRun = false;
+};
+
+struct Label {
+  std::string name;  ///< upper case, or "N10" for a block number
+  std::size_t statement = 0;
+};
+
+struct Tree {
+  std::vector<Statement> statements;
+  std::vector<Label> labels;           ///< in the order of the text
+  std::vector<Definition> parameters;  ///< of PROC
+
+  /// Where a jump from statement `from` goes. @return nothing if the label is not found
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view label, JumpDirection direction,
+                                                std::size_t from) const;
+  /// The first statement of the block behind that of `statement`.
+  [[nodiscard]] std::size_t nextBlock(std::size_t statement) const;
+};
+
+/// Calls `visit` for each expression of the statement.
+void forEachExpression(const Statement& statement,
+                       const std::function<void(const Expression&)>& visit);
+
+}  // namespace rivulet::nc
