@@ -99,8 +99,8 @@ Result<Experiment> table1(opcua::Link& link, std::size_t shots, const std::strin
   result.name = "table1";
   result.title = "Time of reading and writing R-parameters";
   result.setup = fmt::format(
-      "{} requests of each kind {}, one after another; the duration is that from sending the "
-      "request to having the answer.",
+      "{} requests of each kind {}, one after another; the duration is measured from sending the "
+      "request to receiving the answer.",
       shots, where);
   Table table{
       "Durations in ms",
@@ -138,10 +138,10 @@ Result<Experiment> table1(opcua::Link& link, std::size_t shots, const std::strin
   }
   result.tables.push_back(std::move(table));
   result.notes = {
-      "The last column of the paper's table lost its heading; it is 100 parameters one by one.",
+      "The last column of the paper's table has no heading; it shows 100 parameters one by one.",
       "The paper's clock was coarse: single durations are 0, 5.15 or 10.25 ms for reading, and 0 "
-      "or 15.95 ms for writing. The spread of single accesses is compared as such a clock would "
-      "have shown it; the table has it as it is."};
+      "or 15.95 ms for writing. The scatter of single accesses is compared as such a clock would "
+      "have shown it; the table shows it unchanged."};
   return result;
 }
 
@@ -254,8 +254,8 @@ Experiment figure2(const std::vector<std::vector<Step>>& runs, double cycleMs,
   result.name = "figure2";
   result.title = "Values written back to back, as the NC sees them";
   result.setup = fmt::format(
-      "1, 0, 2, 0, 3, 0, 4, 0, 5, 0 written one after another to an R-parameter, {} runs "
-      "{}; the value is looked at in every interpolation cycle of {} ms.",
+      "1, 0, 2, 0, 3, 0, 4, 0, 5, 0 written one after another to an R-parameter, {} runs {}; the "
+      "value is sampled in every interpolation cycle of {} ms.",
       runs.size(), where, cycleMs);
   result.checks.push_back({"distance of a hold from a whole number of cycles", "ms", "[P1] Fig. 2",
                            0.0, worstRemainderMs, 0.0, 1e-6});
@@ -280,9 +280,9 @@ Experiment figure2(const std::vector<std::vector<Step>>& runs, double cycleMs,
   plot.series.push_back(std::move(series));
   result.plots.push_back(std::move(plot));
   result.notes = {
-      "The paper shows one recording in which every value is held for 4 ms. A single write takes "
-      "5.67 ms on average in its Table I, so some values must be held for two cycles; here they "
-      "are."};
+      "The paper shows one recording in which every value is held for 4 ms. In its Table I a "
+      "single write takes 5.67 ms on average, so some values must be held for two cycles, as they "
+      "are here."};
   return result;
 }
 
@@ -399,7 +399,8 @@ Result<Experiment> runSubscription(const ExperimentOptions& options) {
   result.title = "Ten quick changes through a subscription";
   result.setup = fmt::format(
       "A program sets an R-parameter to ten values, one every second block ({} ms per block); a "
-      "subscription samples and publishes every 10 ms, as short as the paper saw; {} repetitions.",
+      "subscription samples and publishes every 10 ms, the shortest interval that the paper "
+      "observed; {} repetitions.",
       base::toMilliseconds(machine.blockPreparation), seeds);
   result.checks.push_back(
       {"changes seen, fewest", "", "[P1] IV.B", 2.0, quantileOf(seen, 0.0), 2.0, 4.0});
@@ -410,11 +411,11 @@ Result<Experiment> runSubscription(const ExperimentOptions& options) {
       {"shortest delay of a change", "ms", "[P1] IV.B", 10.0, leastDelayMs, 10.0, 20.0});
   result.tables.push_back(std::move(table));
   result.notes = {
-      "The paper does not say how its program made the changes; one every second block is "
-      "assumed. A value that is sampled when a publication is due leaves with the next one: that "
-      "is assumed too, and makes 10 ms the shortest delay.",
+      "The paper does not say how its program made the changes; one every second block is assumed. "
+      "It is also assumed that a value sampled when a publication is due is sent with the next "
+      "one; so the shortest delay is 10 ms.",
       "The documented shortest interval of the control is 100 ms (preset key "
-      "access.minimumSamplingMs); the experiment sets 10 ms, as seen in the paper."};
+      "access.minimumSamplingMs); the experiment sets 10 ms, as observed in the paper."};
   return result;
 }
 

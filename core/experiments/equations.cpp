@@ -247,9 +247,9 @@ class Equations {
     experiment.title = "Equations (1) to (3) against simulated runs";
     experiment.setup = fmt::format(
         "{} combinations of d_min, N and delta; {} contours each ({} points, steps d_min plus an "
-        "exponential rest of mean d_min, smallest step scaled to d_min); at each {} feeds from "
-        "{:.2f} to {:.2f} times the limit of the verdict; {} runs with different chance at each "
-        "feed. Preset {}. {} runs in all.",
+        "exponential rest of mean d_min, smallest step scaled to d_min); for each contour {} feeds "
+        "from {:.2f} to {:.2f} times the limit of the verdict; {} runs with different seeds at "
+        "each feed. Preset {}. {} runs in all.",
         settings().size(), m_options.contours, m_options.pointsPerRun, kFactors, kLowestFactor,
         factor(kFactors - 1), m_options.runsPerPoint, m_machine.name, m_runs.size());
     judgeRules(experiment);
@@ -258,14 +258,15 @@ class Equations {
     addPlots(experiment);
     addNotes(experiment);
     if (!complete) {
-      experiment.notes.push_back("Cancelled: the figures are those of the runs made until then.");
+      experiment.notes.push_back(
+          "Cancelled: the figures include only the runs completed until then.");
       experiment.checks.push_back(
           {"runs left out", "", "", 0.0, static_cast<double>(m_missing), 0.0, 0.0});
     }
     if (m_refused > 0) {
-      experiment.checks.push_back(
-          {"runs that could not be made", "", "", 0.0, static_cast<double>(m_refused), 0.0, 0.0});
-      experiment.notes.push_back("A run could not be made: " + m_error.text());
+      experiment.checks.push_back({"runs that could not be executed", "", "", 0.0,
+                                   static_cast<double>(m_refused), 0.0, 0.0});
+      experiment.notes.push_back("A run could not be executed: " + m_error.text());
     }
     return experiment;
   }
@@ -389,7 +390,7 @@ class Equations {
 
   void judgeRules(Experiment& experiment) const {
     Table confusion;
-    confusion.title = "What the equations said and what became of the runs";
+    confusion.title = "Predictions of the equations and results of the runs";
     confusion.columns = {"equation",   "yes, ran",          "yes, failed",    "no, ran",
                          "no, failed", "failed of yes (%)", "95 % bounds (%)"};
     Table factors;
@@ -671,29 +672,29 @@ class Equations {
   void addNotes(Experiment& experiment) const {
     experiment.notes.push_back(
         "A run failed if the oracle found repeated, skipped, foreign or misplaced points, or if it "
-        "did not come to its end.");
+        "was not completed.");
     experiment.notes.push_back(
         "Each equation is judged alone, over all runs of its method: a run that (2) allows may "
-        "have "
-        "failed for the reason of (1). The lines named verdict are what Start depends on.");
+        "have failed because of (1). Start depends on the lines named verdict.");
     experiment.notes.push_back(
-        "The shares depend on which feeds were tried: half of them lie below and half above the "
-        "limit of the verdict, roughly. The bounds are of the count of runs alone (Wilson, 95 %); "
-        "runs on the same contour are not independent of each other, so they are rather wider.");
-    experiment.notes.push_back(fmt::format(
-        "With {} points the last loop holds {} for N 7: the client must fill a whole window while "
-        "the control runs this rest. No d_min^N counts it; where method signal fails far below the "
-        "limit of the verdict it is there.",
-        m_options.pointsPerRun,
-        (m_options.pointsPerRun - 1) % 7 == 0
-            ? std::string("one point")
-            : fmt::format("{} points", (m_options.pointsPerRun - 1) % 7 + 1)));
+        "The shares depend on which feeds were tried: roughly half of them are below the limit of "
+        "the verdict and half above. The bounds follow from the number of runs alone (Wilson, 95 "
+        "%); runs on the same contour are not independent of each other, so the true bounds are "
+        "wider.");
     experiment.notes.push_back(
-        "A factor below 1 means that the left side may be made smaller by it: the equation is too "
-        "strict. (3) leaves out the stand-still, about 40 ms for every window ([P1] VI.A), but "
-        "also the larger of the two windows, which has one point more when N is odd, and the "
-        "scatter of access times. On average the first outweighs the others; for one failure in a "
-        "thousand it need not.");
+        fmt::format("With {} points and N 7 the last loop holds {}: the client must fill a whole "
+                    "window while the control executes this rest. d_min^N does not include it; "
+                    "where method signal fails far below the limit of the verdict, it fails there.",
+                    m_options.pointsPerRun,
+                    (m_options.pointsPerRun - 1) % 7 == 0
+                        ? std::string("one point")
+                        : fmt::format("{} points", (m_options.pointsPerRun - 1) % 7 + 1)));
+    experiment.notes.push_back(
+        "A factor below 1 means that the left side may be multiplied by it: the equation is too "
+        "strict. (3) ignores the standstill, about 40 ms for every window ([P1] VI.A), but also "
+        "the larger of the two windows, which has one point more if N is odd, and the scatter of "
+        "access times. On average the first outweighs the others; for one failure in a thousand it "
+        "need not.");
   }
 
   EquationsOptions m_options;

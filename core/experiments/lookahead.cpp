@@ -207,23 +207,23 @@ Result<void> compareCorners(const std::filesystem::path& folder, Experiment& res
 Result<Experiment> runLookahead(const std::filesystem::path& folder) {
   Experiment result;
   result.name = "lookahead";
-  result.title = "Look-ahead beside another motion planner";
+  result.title = "Look-ahead compared with another motion planner";
   result.setup =
       "The same programs as in the recordings, planned by the virtual machine with the limits of "
       "the recorded one (250, 200, 150 mm/s; 600, 500, 350 mm/s²; cycle 1 ms; no jerk limit). With "
-      "exact stops the recorded planner uses 0.9 of the acceleration, so ours is given as much.";
+      "exact stops the recorded planner uses 0.9 of the acceleration, so our planner is set to the "
+      "same.";
   for (const auto compare : {compareTimes, compareLimits, compareCorners}) {
     if (const Result<void> done = compare(folder, result); !done) {
       return base::fail(done.error());
     }
   }
   result.notes = {
-      "Both planners put an arc within the tolerance between the lines. The recorded one takes "
-      "500 mm/s² for every corner of the XY plane; ours the weaker axis of the arc's plane, which "
-      "is "
-      "the same here.",
-      "The lowest path speed is read from samples 1 ms apart: where the arc is shorter than that, "
-      "the recorded planner's slowest moment may lie between two samples.",
+      "Both planners insert an arc within the tolerance between the lines. The recorded planner "
+      "uses 500 mm/s² for every corner of the XY plane; ours uses the weaker axis of the arc's "
+      "plane, which is the same here.",
+      "The lowest path speed is read from samples 1 ms apart. Where the arc takes less time, the "
+      "recorded planner's slowest moment may be between two samples.",
       "The recorded planner passes the smallest turns without slowing down and stops at the "
       "sharpest ones; ours stops beyond 172°."};
   return result;

@@ -205,18 +205,18 @@ Check promiseOf(const std::string& name, std::size_t wrong) {
 
 std::vector<std::string> notesOf() {
   return {
-      fmt::format("The largest feed is the largest of the {} that were tried at which, and below "
+      fmt::format("The largest feed is the largest of the {} tried feeds at which, and below "
                   "which, every run was right. At {:.0f} mm/min no limit was found.",
                   kFeeds.size(), kFeeds.back()),
-      "With points so close, and a stand-still in each loop, the axes never reach the larger "
+      "With points this close, and a standstill in each loop, the axes never reach the larger "
       "feeds: points per second approach a limit, and so do the errors.",
-      "Methods window, credit and file are right at any feed because the axes wait when the client "
-      "is late. The methods of [P1] are right only where they are fast enough for the machine.",
+      "Methods window, credit and file are right at any feed because the axes wait if the client "
+      "is late. The methods of [P1] are right only if they are fast enough for the machine.",
       "Method credit is experimental: it needs a control that reads R-parameters each time it "
       "passes a block, as this virtual machine does.",
-      "Method file is shown for comparison. No source says what storing a program costs on a "
-      "control; this machine takes what its preset says.",
-      "Where runs went wrong, the figures of the second table include repeated or skipped points: "
+      "Method file is shown for comparison. No source says what it costs to store a program on a "
+      "control; this machine uses the values of its preset.",
+      "If runs went wrong, the figures of the second table include repeated or skipped points: "
       "they do not measure the method."};
 }
 
@@ -252,24 +252,24 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
 
   Experiment result;
   result.name = "methods";
-  result.title = "The methods beside each other";
+  result.title = "The methods compared";
   result.setup = fmt::format(
       "{} points, steps of {} mm plus an exponential rest of mean {} mm; N {}, δ = d_min; {} feeds "
       "from {:.0f} to {:.0f} mm/min, {} runs each. All methods get the same contours, machines and "
-      "seeds. Errors, pauses and times come from the machine's own trace; access is what its "
-      "variable service has served. Waiting is how much longer the axes stood than with a "
-      "client that needs no time.",
+      "seeds. Errors, pauses and times come from the machine's own trace; accesses are those that "
+      "its variable service has served. Waiting is how much longer the axes were at standstill "
+      "than with a client that needs no time.",
       kPoints, kPointDistanceMm, kRestMmMean, kPointsPerLoop, kFeeds.size(), kFeeds.front(),
       kFeeds.back(), seeds);
   const std::vector<std::string> columns{"method",       "F (mm/min)",         "runs right",
-                                         "pauses",       "stand-still (%)",    "total time (s)",
+                                         "pauses",       "standstill (%)",     "total time (s)",
                                          "points per s", "accesses per point", "requests per point",
                                          "waiting (s)"};
   Table best{"At the largest feed without an error", columns, {}};
   Table all{"At all feeds", columns, {}};
   Plot rate{"Points per second, runs without error", "F (mm/min)", "points per s", {}};
   Plot standing{
-      "Share of time the axes stand, runs without error", "F (mm/min)", "stand-still (%)", {}};
+      "Share of time at standstill, runs without error", "F (mm/min)", "standstill (%)", {}};
   for (std::size_t m = 0; m < kContenders.size(); ++m) {
     const std::string name(kContenders[m].name);
     Lines lines = linesOf(name, runs->data() + m * kFeeds.size() * seeds, seeds);

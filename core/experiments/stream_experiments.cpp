@@ -87,7 +87,7 @@ class Meter {
 Plot positionPlot(const std::string& title, const RunReport& report, double seconds) {
   Plot plot{title, "time (s)", "X (mm)", {}};
   Series axis{"X, set point", SeriesStyle::Line, false, {}, {}, {}};
-  Series pauses{"stand-still", SeriesStyle::Points, false, {}, {}, {}};
+  Series pauses{"standstill", SeriesStyle::Points, false, {}, {}, {}};
   if (!report.controlTrace || report.integrity.faults.size() > 1000) {
     return plot;
   }
@@ -150,13 +150,13 @@ Result<Experiment> runFigure3(const ExperimentOptions& options) {
   constexpr double kPointDistanceMm = 0.4;
   Experiment result;
   result.name = "figure3";
-  result.title = "Stand-stills of both methods";
+  result.title = "Standstills of both methods";
   result.setup = fmt::format(
       "{} points, steps of {} mm plus an exponential rest of mean {} mm; method position with F "
       "500 and δ = d_min, method signal with F 700; N 7; {} runs each. The pauses are found in the "
       "control's own trace.",
       kPoints, kPointDistanceMm, kRestMmMean, seeds);
-  Table table{"Stand-stills",
+  Table table{"Standstills",
               {"method", "runs right", "mean (ms)", "deviation (ms)", "shortest (ms)",
                "longest (ms)", "per loop"},
               {}};
@@ -198,9 +198,9 @@ Result<Experiment> runFigure3(const ExperimentOptions& options) {
                           fmt::format("{:.0f}", quantileOf(durationsMs, 1.0)),
                           fmt::format("{:.2f}", perLoop)});
     result.checks.push_back(
-        {"mean stand-still, method " + name, "ms", "[P1] VI", 40.0, mean, 36.0, 44.0});
+        {"mean standstill, method " + name, "ms", "[P1] VI", 40.0, mean, 36.0, 44.0});
     const double expected = position ? 1.0 : 2.0;
-    result.checks.push_back({"stand-stills per loop, method " + name, "",
+    result.checks.push_back({"standstills per loop, method " + name, "",
                              position ? "[P1] VI" : "one per signal of the template", expected,
                              perLoop, 0.999 * expected, 1.001 * expected});
     result.plots.push_back(
@@ -209,9 +209,9 @@ Result<Experiment> runFigure3(const ExperimentOptions& options) {
   }
   result.tables.push_back(std::move(table));
   result.notes = {
-      "The paper says that the stand-stills come once a loop. Our template of method signal has a "
-      "STOPRE at each of its two signals, for a signal that is set in the pre-run says nothing of "
-      "the motion otherwise: two stand-stills per loop."};
+      "The paper reports one standstill per loop. Our template of method signal has a STOPRE at "
+      "each of its two signals, because otherwise a signal that is set in the pre-run says nothing "
+      "about the motion: two standstills per loop."};
   return result;
 }
 
@@ -252,8 +252,8 @@ Result<Experiment> runFigure4(const ExperimentOptions& options) {
   result.title = "Smallest d_min over the feed, method position";
   result.setup = fmt::format(
       "{} points, steps of d_min plus an exponential rest of mean {} mm, N 7, δ = d_min. d_min "
-      "starts at {:.1f} mm and falls by {} mm until a run fails; one trial each, {} contours per "
-      "feed.",
+      "starts at {:.1f} mm and is reduced by {} mm until a run fails; one trial each, {} contours "
+      "per feed.",
       kPoints, kRestMmMean, kStepsMax * kStepMm, kStepMm, seeds);
   const feasibility::PollTime poll = feasibility::pollTime(std::chrono::microseconds{4300});
   const auto bandDistance = [&](double feed, double limitMm) {
@@ -356,8 +356,8 @@ Result<Experiment> runMethod2(const ExperimentOptions& options) {
   result.name = "method2";
   result.title = "Method signal at tiny distances";
   result.setup = fmt::format(
-      "{} points with steps down to 0.001 mm, of which any three consecutive ones have 0.1 mm "
-      "together at least (d_min^N); F 600, N 7; {} contours.",
+      "{} points with steps down to 0.001 mm; any three consecutive steps are at least 0.1 mm "
+      "together (d_min^N); F 600, N 7; {} contours.",
       kPoints, seeds);
   result.checks.push_back({fmt::format("runs of {} that were not right", seeds), "", "[P1] VI.A",
                            0.0, static_cast<double>(wrong), 0.0, 0.0});
@@ -368,10 +368,10 @@ Result<Experiment> runMethod2(const ExperimentOptions& options) {
   const double margin =
       feasibility::windowMargin(base::mmPerSFromMmPerMin(kFeed), std::chrono::microseconds{4300},
                                 kPointsPerLoop, stepMm, 1.0);
-  result.notes = {fmt::format(
-      "Equation (3) forbids these runs by a factor of {:.0f}: it knows d_min only, and counts no "
-      "stand-still.",
-      1.0 / margin)};
+  result.notes = {
+      fmt::format("Equation (3) forbids these runs by a factor of {:.0f}: it uses only d_min and "
+                  "does not count the standstill.",
+                  1.0 / margin)};
   return result;
 }
 
@@ -440,15 +440,12 @@ Result<Experiment> runDelta(const ExperimentOptions& options) {
                           "share of runs with an error",
                           {std::move(band), std::move(line)}});
   result.notes = {
-      "Equation (2) asks for δ above 0.043 mm with the shorter Δt and 0.086 mm with the longer "
-      "one; "
-      "the paper advises a factor of 1.5 on it, which gives 0.129 mm.",
-      "Above d_min errors come back: while the tool stands at the end of a loop, the first point "
-      "of "
-      "the next one may already be nearer than δ. It counts as reached, and its slot is "
-      "overwritten "
-      "before the control has read it: a point is skipped. The paper does not speak of this; δ "
-      "should not exceed d_min."};
+      "Equation (2) requires δ above 0.043 mm with the shorter Δt and 0.086 mm with the longer "
+      "one; the paper recommends a factor of 1.5, which gives 0.129 mm.",
+      "Above d_min errors occur again: while the tool is at the end of a loop, the first point of "
+      "the next loop may already be nearer than δ. It then counts as reached, and its slot is "
+      "overwritten before the control has read it: a point is skipped. The paper does not mention "
+      "this; δ should not exceed d_min."};
   return result;
 }
 
