@@ -14,7 +14,9 @@
 #include "gcode/program.h"
 #include "machine/config.h"
 #include "report/calibration_json.h"
+#include "report/operating_point.h"
 #include "report/report_json.h"
+#include "streaming/control_axes.h"
 #include "streaming/pause_placement.h"
 
 namespace rivulet::cli {
@@ -118,11 +120,11 @@ void print(const PlannedPauses& pauses, const std::string& machine) {
 }  // namespace
 
 Exit feasibility(const FeasibilityOptions& options) {
-  feasibility::OperatingPoint point;
-  point.method = options.point.parameters().method;
-  point.pointsPerLoop = options.point.pointsPerLoop;
-  point.deltaMm = options.point.deltaMm;
-  point.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  streaming::RunSettings settings;
+  settings.parameters = options.point.parameters();
+  settings.deltaMm = options.point.deltaMm;
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  feasibility::OperatingPoint point = report::operatingPointOf(settings);
   feasibility::AccessModel access;
   access.accessTime = base::fromMilliseconds(options.accessTimeMs);
   CalibrationChoice calibrated;
@@ -167,6 +169,10 @@ Exit feasibility(const FeasibilityOptions& options) {
                           "The program has fewer than two points. Choose another.", program->name),
           options.json);
     }
+    if (options.point.axes.empty()) {
+      settings.parameters = streaming::withTurnedAxes(settings.parameters, program->trajectory);
+      point = report::operatingPointOf(settings);
+    }
     distances = feasibility::programDistances(list.points, point.pointsPerLoop);
     json["program"] = program->name;
     json["points"] = list.points.size();
@@ -209,6 +215,7 @@ Exit feasibility(const FeasibilityOptions& options) {
     json.update(report::verdictJson(*verdict));
     json["method"] = options.point.method;
     json["points_per_loop"] = point.pointsPerLoop;
+    json["axes"] = templates::axisLetters(settings.parameters);
     json["delta_mm"] = point.deltaMm;
     json["feed_mm_per_min"] = options.point.feedMmPerMin;
     json["access_time"] = accessSourceJson(calibrated, form, *verdict);

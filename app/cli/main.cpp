@@ -53,17 +53,21 @@ void addDelta(CLI::App* command, OperatingOptions& point) {
       ->capture_default_str();
 }
 
+void addAxes(CLI::App* command, OperatingOptions& point) {
+  command
+      ->add_option("--axes", point.axes,
+                   "Axes to move, out of XYZABC; rotary axes in degrees (method window). Default: "
+                   "XYZ and the rotary axes that the program moves")
+      ->check(kAxes);
+}
+
 void addLayout(CLI::App* command, OperatingOptions& point) {
   command
       ->add_option("--layout", point.layout,
                    "Layout of the slots in the R-parameters (methods position and signal)")
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
-  command
-      ->add_option("--axes", point.axes,
-                   "Axes to move, out of XYZABC; rotary axes in degrees (method window). Default: "
-                   "XYZ and, in a run, the rotary axes that the program moves")
-      ->check(kAxes);
+  addAxes(command, point);
   command
       ->add_option("--correction-limit", point.correctionLimitMm,
                    "Largest online correction of each linear axis, mm (methods window and credit)")
@@ -154,6 +158,7 @@ int main(int argc, char** argv) {
       app.add_subcommand("feasibility", "Judge an operating point before anything moves");
   addPoint(feasibilityCommand, feasibility.point);
   addDelta(feasibilityCommand, feasibility.point);
+  addAxes(feasibilityCommand, feasibility.point);
   addFeed(feasibilityCommand, feasibility.point)->required();
   addLoading(feasibilityCommand, feasibility.loading);
   addResampling(feasibilityCommand, feasibility.resampling);

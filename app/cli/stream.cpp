@@ -18,6 +18,7 @@
 #include "machine/config.h"
 #include "report/calibration_json.h"
 #include "report/machine_profile.h"
+#include "report/operating_point.h"
 #include "report/report_json.h"
 #include "streaming/commissioning.h"
 #include "streaming/control_axes.h"
@@ -106,11 +107,7 @@ std::optional<base::Error> objection(const StreamOptions& options, const Connect
                                      const gcode::Program& program,
                                      const streaming::RunSettings& settings,
                                      const CalibrationChoice& calibrated, Judgement& judged) {
-  feasibility::OperatingPoint point;
-  point.method = settings.parameters.method;
-  point.pointsPerLoop = settings.parameters.pointsPerLoop;
-  point.deltaMm = settings.deltaMm;
-  point.feedMmPerS = settings.feedMmPerS;
+  const feasibility::OperatingPoint point = report::operatingPointOf(settings);
   const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
   if (list.points.size() < 2 || point.method == base::MethodKind::File) {
     judged.feasible = true;  // a single point needs no refill; method file waits

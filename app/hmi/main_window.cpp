@@ -25,6 +25,7 @@
 
 #include "base/units.h"
 #include "report/calibration_json.h"
+#include "report/operating_point.h"
 #include "templates/generator.h"
 #include "trace/file.h"
 #include "widgets/calibration/calibration_page.h"
@@ -661,16 +662,16 @@ void MainWindow::showMachine(const session::MachineSeen& seen) {
 }
 
 void MainWindow::judge() {
-  feasibility::OperatingPoint point;
-  point.method = m_settings.stream.parameters.method;
-  point.pointsPerLoop = m_settings.stream.parameters.pointsPerLoop;
-  point.deltaMm = m_settings.stream.deltaMm;
-  point.feedMmPerS = m_settings.stream.feedMmPerS;
+  streaming::RunSettings settings;
+  settings.parameters = parameters();
+  settings.deltaMm = m_settings.stream.deltaMm;
+  settings.feedMmPerS = m_settings.stream.feedMmPerS;
+  const feasibility::OperatingPoint point = report::operatingPointOf(settings);
   const feasibility::AccessModel access = accessModel();
   m_verdict.reset();
   m_problem.reset();
   m_distances.reset();
-  const templates::TemplateParameters chosen = parameters();
+  const templates::TemplateParameters& chosen = settings.parameters;
   const auto cells = templates::planCells(chosen);
   const auto text = templates::generateTemplate(chosen);
   if (cells && text) {
@@ -823,12 +824,12 @@ void MainWindow::simulateRegion(const widgets::SimulationWanted& wanted) {
           ? m_distances->pointDistancePlace
           : m_distances->windowPlace;
   job.points = experiments::stretchOf(points(), tightest.point.value, kSimulatedPoints);
-  job.settings.parameters = m_settings.stream.parameters;
+  job.settings.parameters = parameters();
   job.settings.deltaMm = m_settings.stream.deltaMm;
   job.settings.feedMmPerS = m_settings.stream.feedMmPerS;
   job.axis = wanted.axis;
   job.feedsMmPerS = wanted.feedsMmPerS;
-  const int fits = templates::pointsPerLoopMax(m_settings.stream.parameters);
+  const int fits = templates::pointsPerLoopMax(job.settings.parameters);
   for (const double abscissa : wanted.abscissas) {
     if (wanted.axis != feasibility::SweepAxis::PointsPerLoop || abscissa <= fits) {
       job.abscissas.push_back(abscissa);
@@ -845,9 +846,7 @@ void MainWindow::showRegion(const session::RegionOutcome& outcome) {
   }
   widgets::SimulatedRegion region;
   region.axis = outcome.job.axis;
-  region.operatingPoint = {outcome.job.settings.parameters.method,
-                           outcome.job.settings.parameters.pointsPerLoop,
-                           outcome.job.settings.deltaMm, outcome.job.settings.feedMmPerS};
+  region.operatingPoint = report::operatingPointOf(outcome.job.settings);
   region.programPoints = outcome.job.points.size();
   for (const experiments::RegionPoint& point : outcome.points) {
     region.points.push_back({point.abscissa, point.feedMmPerS, point.runs, point.failures()});

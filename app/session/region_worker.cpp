@@ -6,6 +6,8 @@
 #include <QMetaObject>
 #include <algorithm>
 
+#include "report/operating_point.h"
+
 namespace rivulet::session {
 
 namespace {
@@ -35,9 +37,8 @@ class ThreadExecutor final : public base::Executor {
 /// The job at one abscissa, as the model takes it.
 RegionBandPoint bandAt(const RegionJob& job, double abscissa,
                        const feasibility::StreamModel& model) {
-  feasibility::OperatingPoint point{job.settings.parameters.method,
-                                    job.settings.parameters.pointsPerLoop, job.settings.deltaMm,
-                                    1.0};
+  feasibility::OperatingPoint point = report::operatingPointOf(job.settings);
+  point.feedMmPerS = 1.0;
   std::vector<gcode::StreamPoint> points = job.points;
   switch (job.axis) {
     case feasibility::SweepAxis::PointDistance: {

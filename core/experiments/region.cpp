@@ -47,13 +47,16 @@ double plannedSeconds(const streaming::Scenario& scenario) {
 
 /// The program at one abscissa of the grid.
 std::shared_ptr<const gcode::Program> programAt(const std::vector<gcode::StreamPoint>& points,
-                                                double scale, base::Vec3 originMm) {
+                                                double scale, const base::RotarySet& rotaryAxes) {
+  const base::Vec3 originMm = points.front().positionMm;
   std::vector<base::Vec3> positions;
-  positions.reserve(points.size());
+  std::vector<base::RotaryDeg> angles;
   for (const gcode::StreamPoint& point : points) {
     positions.push_back(originMm + scale * (point.positionMm - originMm));
+    angles.push_back(point.rotaryDeg);
   }
-  return streaming::programOf(positions);
+  return base::any(rotaryAxes) ? streaming::programOf(positions, angles, rotaryAxes)
+                               : streaming::programOf(positions);
 }
 
 /// The places of the region to be tried, feed by feed, and the program of each abscissa.
@@ -69,7 +72,8 @@ Grid gridOf(const RegionRequest& request) {
     RIVULET_ASSERT(abscissa > 0.0);
     const bool scales = request.axis == SweepAxis::PointDistance;
     const double scale = scales ? abscissa / distanceMmMin : 1.0;
-    grid.programs.push_back(programAt(request.points, scale, request.points.front().positionMm));
+    grid.programs.push_back(
+        programAt(request.points, scale, request.settings.parameters.rotaryAxes));
     for (const double feedMmPerS : request.feedsMmPerS) {
       RIVULET_ASSERT(feedMmPerS > 0.0);
       RegionPoint point;
@@ -90,7 +94,8 @@ Grid gridOf(const RegionRequest& request) {
 streaming::Scenario scenarioAt(const RegionRequest& request, const Grid& grid, std::size_t at) {
   const RegionPoint& point = grid.points[at];
   streaming::Scenario scenario;
-  scenario.machine = request.machine;
+  scenario.machine =
+      streaming::withRotaryAxes(request.machine, request.settings.parameters.rotaryAxes);
   scenario.program = grid.programs[at / request.feedsMmPerS.size()];
   const base::Vec3 startMm = regionStartMm(request.points, point.deltaMm);
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {

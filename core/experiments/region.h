@@ -56,7 +56,7 @@ enum class RunFate {
 struct RegionRequest {
   std::vector<gcode::StreamPoint> points;  ///< at least 2, workpiece frame
   streaming::RunSettings settings;         ///< method, N, δ, ...: what the axis does not sweep
-  machine::MachineConfig machine;
+  machine::MachineConfig machine;          ///< rotary axes that it lacks are added
   feasibility::SweepAxis axis = feasibility::SweepAxis::PointDistance;
   /// d_min in mm (the program is scaled so that its d_min becomes this), N (whole numbers, as many
   /// as fit the control), or δ in mm; > 0

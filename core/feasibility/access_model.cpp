@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "feasibility/symbols.h"
-
 namespace rivulet::feasibility {
 
 using base::Duration;
@@ -21,27 +19,20 @@ Duration AccessLine::of(int nodes) const {
   return std::max(kLeast, overhead + perNode * nodes);
 }
 
-Duration AccessModel::timePerNode(base::MethodKind method, int pointsPerLoop) const {
+Duration AccessModel::timePerNode(const TurnSize& size) const {
   if (!measured) {
     return accessTime;
   }
-  constexpr int kRead = static_cast<int>(kReadNodesPerPoll);
-  constexpr int kWrite = static_cast<int>(kWriteNodesPerPoint);
-  const AccessLine& read = measured->read;
-  const AccessLine& write = measured->write;
-  if (method == base::MethodKind::Position) {
-    return (read.of(kRead) + write.of(kWrite)) / (kRead + kWrite);
+  TurnSize filled = size;
+  if (size.method == base::MethodKind::Signal) {
+    filled.pointsPerLoop = std::max(size.pointsPerLoop, 2);
   }
-  if (method == base::MethodKind::Signal) {
-    const int half = std::max(kWrite * (pointsPerLoop / 2), 1);
-    return (read.of(1) + write.of(half)) / (half + 1);
+  const ClientTurn turn = turnOf(filled);
+  Duration took = measured->read.of(turn.read) + measured->write.of(turn.content);
+  if (turn.number > 0) {
+    took += measured->write.of(turn.number);
   }
-  // Of the cells beside the points two travel by themselves: the number and the look.
-  constexpr int kAlone = 2;
-  const int content = kWrite * pointsPerLoop + static_cast<int>(kWindowNodes) - kAlone;
-  // Method credit looks at two cells, which the equation counts as one.
-  const int looked = method == base::MethodKind::Credit ? 2 : 1;
-  return (write.of(content) + write.of(1) + read.of(looked)) / (content + kAlone);
+  return took / chargedCells(filled);
 }
 
 }  // namespace rivulet::feasibility

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/instant.h"
-#include "base/method_kind.h"
+#include "feasibility/client_turn.h"
 
 namespace rivulet::feasibility {
 
@@ -38,18 +38,19 @@ struct AccessModel {
   ///
   /// | method   | one turn                                   | cells     | t                      |
   /// |----------|--------------------------------------------|-----------|------------------------|
-  /// | position | read X Y Z, write X Y Z                    | 6         | (r(3) + w(3)) / 6      |
-  /// | signal   | read the signal, write half a loop         | 3⌊N/2⌋+1  | (r(1) + w(3⌊N/2⌋)) / … |
-  /// | window   | write a window, write its number, look on  | 3N+5      | (w(3N+3)+w(1)+r(1)) / …|
+  /// | position | read X Y Z, write A axes                   | 3+A       | (r(3) + w(A)) / (3+A)  |
+  /// | signal   | read the signal, write half a loop         | A⌊N/2⌋+1  | (r(1) + w(A⌊N/2⌋)) / … |
+  /// | window   | write a window, write its number, read     | A·N+5     | (w(A·N+3)+w(1)+r(1))/ …|
   ///
-  /// Method credit is as method window, but looks at two cells: r(2).
+  /// A is the number of axes that are streamed. Method credit is as method window, but reads two
+  /// cells: r(2).
   /// r(n), w(n) = a + b·n of reads and writes. With a = 0 and b = t for both, t comes out: [P1] is
   /// the special case. With arrays that cost as much as one cell (b = 0) the time for a window is
   /// 2·a_w + a_r, whatever N is, so that the reach grows with N.
-  /// @param pointsPerLoop  N >= 2 (method window: >= 1)
+  /// @param size  N >= 2 (method window: >= 1)
   /// @deviation [P1] charges each cell the same and has no overhead per request. Of method position
   /// it is the longer turn; the shorter, three reads, is taken as half of it, as in [P1].
-  [[nodiscard]] base::Duration timePerNode(base::MethodKind method, int pointsPerLoop) const;
+  [[nodiscard]] base::Duration timePerNode(const TurnSize& size) const;
 };
 
 }  // namespace rivulet::feasibility

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/contract.h"
-#include "feasibility/symbols.h"
+#include "feasibility/client_turn.h"
 
 namespace rivulet::feasibility {
 
@@ -21,19 +21,17 @@ double marginOf(double lengthMm, double feedMmPerS, double timeS, double safetyF
   return lengthMm / (feedMmPerS * timeS * safetyFactor);
 }
 
-/// One read of the signal and its answer, and three writes per point: 3⌊N/2⌋+1 accesses.
-double windowTimeS(base::Duration accessTime, int pointsPerLoop) {
-  RIVULET_ASSERT(pointsPerLoop >= 2);
-  const double points = pointsPerLoop / 2;
-  return base::toSeconds(accessTime) * (kWriteNodesPerPoint * points + 1.0);
+/// Of one turn of the client.
+double turnTimeS(base::Duration accessTime, const TurnSize& size) {
+  return base::toSeconds(accessTime) * chargedCells(size);
 }
 
 }  // namespace
 
-PollTime pollTime(base::Duration accessTime) {
+PollTime pollTime(base::Duration accessTime, int cellsPerPoint) {
   RIVULET_ASSERT(accessTime > base::Duration::zero());
-  const auto times = [&](double nodes) { return accessTime * static_cast<int>(nodes); };
-  return {times(kReadNodesPerPoll), times(kReadNodesPerPoll + kWriteNodesPerPoint)};
+  const ClientTurn turn = turnOf({base::MethodKind::Position, 1, cellsPerPoint});
+  return {accessTime * turn.read, accessTime * (turn.read + turn.content)};
 }
 
 double pointDistanceMargin(double feedMmPerS, base::Duration pollTime, double pointDistanceMmMin,
@@ -47,23 +45,24 @@ double deltaMargin(double feedMmPerS, base::Duration pollTime, double deltaMm,
 }
 
 double windowMargin(double feedMmPerS, base::Duration accessTime, int pointsPerLoop,
-                    double pointDistanceMmMin, double safetyFactor) {
+                    double pointDistanceMmMin, double safetyFactor, int cellsPerPoint) {
   const double points = pointsPerLoop / 2;
-  return marginOf(points * pointDistanceMmMin, feedMmPerS, windowTimeS(accessTime, pointsPerLoop),
-                  safetyFactor);
+  return realWindowMargin(feedMmPerS, accessTime, pointsPerLoop, points * pointDistanceMmMin,
+                          safetyFactor, cellsPerPoint);
 }
 
 double realWindowMargin(double feedMmPerS, base::Duration accessTime, int pointsPerLoop,
-                        double windowLengthMmMin, double safetyFactor) {
-  return marginOf(windowLengthMmMin, feedMmPerS, windowTimeS(accessTime, pointsPerLoop),
-                  safetyFactor);
+                        double windowLengthMmMin, double safetyFactor, int cellsPerPoint) {
+  RIVULET_ASSERT(pointsPerLoop >= 2);
+  const TurnSize size{base::MethodKind::Signal, pointsPerLoop, cellsPerPoint};
+  return marginOf(windowLengthMmMin, feedMmPerS, turnTimeS(accessTime, size), safetyFactor);
 }
 
 double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,
-                   double windowLengthMmMin, double safetyFactor) {
+                   double windowLengthMmMin, double safetyFactor, int cellsPerPoint) {
   RIVULET_ASSERT(pointsPerWindow >= 1);
-  const double nodes = kWriteNodesPerPoint * pointsPerWindow + kWindowNodes;
-  return marginOf(windowLengthMmMin, feedMmPerS, base::toSeconds(accessTime) * nodes, safetyFactor);
+  const TurnSize size{base::MethodKind::Window, pointsPerWindow, cellsPerPoint};
+  return marginOf(windowLengthMmMin, feedMmPerS, turnTimeS(accessTime, size), safetyFactor);
 }
 
 }  // namespace rivulet::feasibility

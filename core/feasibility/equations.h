@@ -8,18 +8,21 @@
 #pragma once
 
 #include "base/instant.h"
+#include "feasibility/symbols.h"
 
 namespace rivulet::feasibility {
 
-/// Bounds of Δt, the client loop of method 1: three reads, and three writes when a point passed.
+/// Bounds of Δt, the client loop of method 1: three reads, and the writes of a point when one has
+/// been passed.
 struct PollTime {
   base::Duration min;  ///< reads only (12.9 ms with 4.3 ms per node)
   base::Duration max;  ///< reads and writes (25.8 ms)
 };
 
-/// @param accessTime one OPC UA access of one node, > 0
-/// @threadsafety pure.  @source [P1] V.B.a  @deviation none
-[[nodiscard]] PollTime pollTime(base::Duration accessTime);
+/// @param accessTime one OPC UA access of one node, > 0 @param cellsPerPoint  axes that are
+/// streamed
+/// @threadsafety pure.  @source [P1] V.B.a  @deviation number of axes (3 = as published)
+[[nodiscard]] PollTime pollTime(base::Duration accessTime, int cellsPerPoint = kPaperAxes);
 
 /// Margin of F·Δt < d_min. @param feedMmPerS > 0 @param pointDistanceMmMin >= 0
 /// @param safetyFactor multiplies the left side, >= 1
@@ -32,10 +35,12 @@ struct PollTime {
 [[nodiscard]] double deltaMargin(double feedMmPerS, base::Duration pollTime, double deltaMm,
                                  double safetyFactor);
 
-/// Margin of F·t·(3⌊N/2⌋+1) < ⌊N/2⌋·d_min. @param pointsPerLoop N >= 2
-/// @threadsafety pure.  @source [P1] eq. (3)  @deviation safety factor added (1 = as published)
+/// Margin of F·t·(A⌊N/2⌋+1) < ⌊N/2⌋·d_min with A axes. @param pointsPerLoop N >= 2
+/// @threadsafety pure.  @source [P1] eq. (3)
+/// @deviation safety factor (1 = as published) and number of axes (3 = as published) added
 [[nodiscard]] double windowMargin(double feedMmPerS, base::Duration accessTime, int pointsPerLoop,
-                                  double pointDistanceMmMin, double safetyFactor);
+                                  double pointDistanceMmMin, double safetyFactor,
+                                  int cellsPerPoint = kPaperAxes);
 
 /// As `windowMargin`, with the real path length d_min^N of the program in place of its lower
 /// bound ⌊N/2⌋·d_min, as [P1] VI.A proposes. The stand-still is not counted: conservative.
@@ -43,15 +48,16 @@ struct PollTime {
 /// @threadsafety pure.  @source [P1] VI.A
 [[nodiscard]] double realWindowMargin(double feedMmPerS, base::Duration accessTime,
                                       int pointsPerLoop, double windowLengthMmMin,
-                                      double safetyFactor);
+                                      double safetyFactor, int cellsPerPoint = kPaperAxes);
 
-/// Method window: margin of F·t·(3M+5) < length of a window of M points. Of the 3M+5 accesses 3M+3
-/// carry the window with its count, feed and check number, one its number, one reads whether the
-/// control has taken the one before. Below 1 the machine waits; it never repeats. The stand-still
-/// is not counted: conservative.
+/// Method window: margin of F·t·(A·M+5) < length of a window of M points with A axes. Of these
+/// accesses A·M+3 carry the window with its count, feed and check number, one its number, and one
+/// reads whether the control has taken the one before. Below 1 the machine waits; it never repeats.
+/// The stand-still is not counted: conservative.
 /// @param pointsPerWindow  M >= 1 @param windowLengthMmMin  of M consecutive steps, mm
 /// @threadsafety pure.
 [[nodiscard]] double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,
-                                 double windowLengthMmMin, double safetyFactor);
+                                 double windowLengthMmMin, double safetyFactor,
+                                 int cellsPerPoint = kPaperAxes);
 
 }  // namespace rivulet::feasibility

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "base/contract.h"
+#include "feasibility/client_turn.h"
 #include "feasibility/equations.h"
-#include "feasibility/symbols.h"
 
 namespace rivulet::feasibility {
 
@@ -483,7 +483,8 @@ class SignalModel {
     const auto count = static_cast<std::size_t>(operatingPoint.pointsPerLoop);
     m_sizes = {count / 2, count - count / 2};
     for (std::size_t half = 0; half < 2; ++half) {
-      const int nodes = static_cast<int>(kWriteNodesPerPoint) * static_cast<int>(m_sizes[half]) + 1;
+      // The slots, and the signal cell as the answer.
+      const int nodes = operatingPoint.cellsPerPoint * static_cast<int>(m_sizes[half]) + 1;
       m_refill[half] = m_nodes.sum(m_writeOverheadMs, nodes, kSignalStepMs);
     }
     m_stop = m_nodes.sum(m_writeOverheadMs, 1, kSignalStepMs);
@@ -693,10 +694,12 @@ class PositionModel {
     const double aside = std::sqrt(3.0) * base::toMilliseconds(model.access.nodeDeviation);
     m_nodeCells = {std::max(0.0, m_nodeMs - aside) / kPositionStepMs, m_nodeMs / kPositionStepMs,
                    (m_nodeMs + aside) / kPositionStepMs};
-    m_poll = nodes.sum(readMs, static_cast<int>(kReadNodesPerPoll), kPositionStepMs);
+    const ClientTurn turn = turnOf(operatingPoint.turn());
+    m_poll = nodes.sum(readMs, turn.read, kPositionStepMs);
     m_rest = residual(m_poll);
-    for (int count = 1; count <= static_cast<int>(kWriteNodesPerPoint); ++count) {
-      m_write[static_cast<std::size_t>(count)] = nodes.sum(writeMs, count, kPositionStepMs);
+    m_write.resize(1);
+    for (int count = 1; count <= turn.content; ++count) {
+      m_write.push_back(nodes.sum(writeMs, count, kPositionStepMs));
     }
   }
 
@@ -852,6 +855,7 @@ class PositionModel {
   }
 
   /// Nodes of the write until the last (first) one that changes a coordinate; 0 if none does.
+  /// Which axes are not streamed is not known here: those that move are taken to come last.
   [[nodiscard]] int changingNode(std::size_t oldPoint, std::size_t newPoint, bool last) const {
     const base::Vec3 before = pointMm(oldPoint);
     const base::Vec3 after = pointMm(newPoint);
@@ -864,7 +868,7 @@ class PositionModel {
         }
       }
     }
-    return node;
+    return std::min(node, static_cast<int>(m_write.size()) - 1);
   }
 
   /// The point of `slot` in the loop that begins with `first`: seen, refilled, next.
@@ -924,7 +928,7 @@ class PositionModel {
     m_tally.lose(lost, index);
   }
 
-  /// Passes on what was seen, behind a write of three nodes; `share` of it is in time.
+  /// Passes on what was seen, after the write of a point; `share` of it is in time.
   template <class Share>
   double writeOff(const Density& seen, const Share& share, Density& next) {
     const Kernel& write = m_write.back();
@@ -1098,8 +1102,8 @@ class PositionModel {
   std::array<double, 3> m_nodeCells{};  ///< a short, a mean and a long node
   Kernel m_poll;
   std::vector<double> m_rest;
-  std::array<Kernel, static_cast<std::size_t>(kWriteNodesPerPoint) + 1> m_write;
-  double m_seenMs = 0.0;  ///< when the stop behind the loop is seen
+  std::vector<Kernel> m_write;  ///< by number of nodes; the last is a whole point
+  double m_seenMs = 0.0;        ///< when the stop behind the loop is seen
   std::vector<base::Vec3> m_set;
   std::vector<base::Vec3> m_tool;
   std::vector<double> m_near;
@@ -1174,8 +1178,9 @@ Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
   const std::size_t count = (points.size() + perWindow - 1) / perWindow;
   const double nodeMs = base::toMilliseconds(model.access.nodeMean);
   const double pollMs = base::toMilliseconds(model.access.readOverhead) + nodeMs;
+  const ClientTurn turn = turnOf(operatingPoint.turn());
   const double bringMs = 2.0 * base::toMilliseconds(model.access.writeOverhead) +
-                         (kWriteNodesPerPoint * static_cast<double>(perWindow) + 4.0) * nodeMs;
+                         (turn.content + turn.number) * nodeMs;
   // Relatch, the decision, and the copy with its check: see the generator.
   constexpr double kBlocksPerPoint = 1.4;
   constexpr double kBlocks = 9.0;

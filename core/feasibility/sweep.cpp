@@ -40,7 +40,7 @@ std::vector<Border> sweepBorders(const OperatingPoint& operatingPoint,
                                  const SafetyFactors& safety) {
   const std::vector<double> values = abscissas(axis, range);
   const PollTime poll =
-      pollTime(access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop));
+      pollTime(access.timePerNode(operatingPoint.turn()), operatingPoint.cellsPerPoint);
   const SafetyFactors asPublished{1.0, 1.0, 1.0};
   std::vector<Border> borders;
   for (const MethodEquation& entry : equationsOf(operatingPoint.method, distances)) {

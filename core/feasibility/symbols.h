@@ -22,10 +22,6 @@
 
 namespace rivulet::feasibility {
 
-inline constexpr double kReadNodesPerPoll = 3.0;    ///< X, Y, Z of the tool: [P1] V.B.a
-inline constexpr double kWriteNodesPerPoint = 3.0;  ///< X, Y, Z of one slot: [P1] V.B.a
-
-/// Method window, beside the points: count, feed, check, window number, one look at the control.
-inline constexpr double kWindowNodes = 5.0;
+inline constexpr int kPaperAxes = 3;  ///< X, Y, Z of each point: [P1] V.B.a
 
 }  // namespace rivulet::feasibility

@@ -82,8 +82,7 @@ double windowLengthMmBound(const ProgramDistances& distances, int steps) {
 double marginOf(Equation equation, const OperatingPoint& operatingPoint,
                 const ProgramDistances& distances, base::Duration pollTime,
                 const AccessModel& access, const SafetyFactors& safety) {
-  const base::Duration accessTime =
-      access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop);
+  const base::Duration accessTime = access.timePerNode(operatingPoint.turn());
   switch (equation) {
     case Equation::PointDistance:
       return pointDistanceMargin(operatingPoint.feedMmPerS, pollTime, distances.pointDistanceMmMin,
@@ -92,19 +91,20 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
       return deltaMargin(operatingPoint.feedMmPerS, pollTime, operatingPoint.deltaMm, safety.delta);
     case Equation::Window:
       return windowMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
-                          distances.pointDistanceMmMin, safety.window);
+                          distances.pointDistanceMmMin, safety.window,
+                          operatingPoint.cellsPerPoint);
     case Equation::Reach:
       return reachMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
                          distances.windowSteps > 0
                              ? windowLengthMmBound(distances, operatingPoint.pointsPerLoop)
                              : operatingPoint.pointsPerLoop * distances.pointDistanceMmMin,
-                         safety.window);
+                         safety.window, operatingPoint.cellsPerPoint);
     case Equation::RealWindow:
       break;
   }
   return realWindowMargin(operatingPoint.feedMmPerS, accessTime, operatingPoint.pointsPerLoop,
                           windowLengthMmBound(distances, operatingPoint.pointsPerLoop / 2),
-                          safety.window);
+                          safety.window, operatingPoint.cellsPerPoint);
 }
 
 base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramDistances& distances,
@@ -134,9 +134,9 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
   }
 
   Verdict verdict;
-  verdict.accessTime = access.timePerNode(operatingPoint.method, operatingPoint.pointsPerLoop);
+  verdict.accessTime = access.timePerNode(operatingPoint.turn());
   verdict.accessMeasured = access.measured.has_value();
-  const base::Duration poll = pollTime(verdict.accessTime).max;
+  const base::Duration poll = pollTime(verdict.accessTime, operatingPoint.cellsPerPoint).max;
   bool first = true;
   for (const MethodEquation& entry : equationsOf(operatingPoint.method, distances)) {
     const Condition condition{

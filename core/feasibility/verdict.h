@@ -45,6 +45,9 @@ struct OperatingPoint {
   int pointsPerLoop = 7;  ///< N, >= 2; method window: points per window
   double deltaMm = 0.3;   ///< δ; used by method position only
   double feedMmPerS = 500.0 / 60.0;
+  int cellsPerPoint = kPaperAxes;  ///< axes that are streamed: `templates::cellsPerPoint`
+
+  [[nodiscard]] TurnSize turn() const { return {method, pointsPerLoop, cellsPerPoint}; }
 };
 
 /// Each multiplies the left side of its inequality; 1 is the inequality as published.

@@ -27,9 +27,8 @@ constexpr int kContiguousFirstSlot = 10;
 constexpr std::uint64_t kWindowVersion = 1;
 /// The same for method credit and for rotary axes.
 constexpr std::uint64_t kFurtherVersion = 1;
-/// Cells in front of the first window, and in front of the slots of each window.
+/// Cells in front of the first window.
 constexpr int kWindowHeader = 10;
-constexpr int kWindowOwn = 3;
 constexpr int kWindowsMax = 8;
 constexpr int kWindowsAheadMax = 8;
 constexpr double kStepsPerMm = 1000.0;
@@ -37,11 +36,6 @@ constexpr double kStepsPerMm = 1000.0;
 constexpr int kFilePointsMax = 1000;
 /// Far beyond every control; keeps the arithmetic of cells small.
 constexpr int kRParametersMax = 1'000'000;
-
-int chosenAxes(const TemplateParameters& parameters) {
-  const auto linear = std::count(parameters.axes.begin(), parameters.axes.end(), true);
-  return static_cast<int>(linear) + static_cast<int>(base::count(parameters.rotaryAxes));
-}
 
 /// Method signal needs two windows of at least one slot each.
 int pointsPerLoopMin(base::MethodKind method) {
@@ -65,10 +59,11 @@ CellMap cellsOf(const TemplateParameters& parameters) {
     cells.owner = first + 7;
     cells.heartbeat = first + 8;
     cells.signal = cells.stop = cells.feed = cells.run;
-    cells.slotStride = parameters.slotStride > 0 ? parameters.slotStride : chosenAxes(parameters);
+    cells.slotStride =
+        parameters.slotStride > 0 ? parameters.slotStride : cellsPerPoint(parameters);
     cells.windows = parameters.windows;
-    cells.windowStride = kWindowOwn + cells.slotStride * parameters.pointsPerLoop;
-    cells.firstSlot = first + kWindowHeader + kWindowOwn;
+    cells.windowStride = kWindowOwnCells + cells.slotStride * parameters.pointsPerLoop;
+    cells.firstSlot = first + kWindowHeader + kWindowOwnCells;
     if (parameters.method == base::MethodKind::File) {
       cells.inFiles = true;
       cells.asked = first + 9;
@@ -87,7 +82,7 @@ CellMap cellsOf(const TemplateParameters& parameters) {
     cells.slotStride = kPaperStride;
   } else {
     cells.firstSlot = kContiguousFirstSlot;
-    cells.slotStride = chosenAxes(parameters);
+    cells.slotStride = cellsPerPoint(parameters);
   }
   return cells;
 }
@@ -128,6 +123,11 @@ std::optional<Layout> layoutFromName(std::string_view name) {
     }
   }
   return std::nullopt;
+}
+
+int cellsPerPoint(const TemplateParameters& parameters) {
+  const auto linear = std::count(parameters.axes.begin(), parameters.axes.end(), true);
+  return static_cast<int>(linear) + static_cast<int>(base::count(parameters.rotaryAxes));
 }
 
 std::vector<int> CellMap::slotCells(int slot) const {
@@ -206,7 +206,7 @@ base::Result<void> checkCorrection(const TemplateParameters& parameters) {
 }  // namespace
 
 base::Result<CellMap> planCells(const TemplateParameters& parameters) {
-  if (chosenAxes(parameters) == 0) {
+  if (cellsPerPoint(parameters) == 0) {
     return base::fail(TemplateError::NoAxis, "No axis is chosen: choose at least one of X, Y, Z.");
   }
   if (base::any(parameters.rotaryAxes) && !base::streamsRotary(parameters.method)) {
@@ -215,10 +215,10 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
         fmt::format("Method {} moves X, Y and Z only: choose method window for rotary axes.",
                     base::methodName(parameters.method)));
   }
-  if (chosenAxes(parameters) > static_cast<int>(base::kStreamedAxesMax)) {
+  if (cellsPerPoint(parameters) > static_cast<int>(base::kStreamedAxesMax)) {
     return base::fail(
         TemplateError::TooManyAxes,
-        fmt::format("{} axes are chosen ({}): choose at most {}.", chosenAxes(parameters),
+        fmt::format("{} axes are chosen ({}): choose at most {}.", cellsPerPoint(parameters),
                     axisLetters(parameters), base::kStreamedAxesMax));
   }
   if (base::Result<void> correction = checkCorrection(parameters); !correction) {
@@ -247,11 +247,11 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
     }
     constexpr int kStrideMax = 100;
     if (parameters.slotStride != 0 &&
-        (parameters.slotStride < chosenAxes(parameters) || parameters.slotStride > kStrideMax)) {
+        (parameters.slotStride < cellsPerPoint(parameters) || parameters.slotStride > kStrideMax)) {
       return base::fail(
           TemplateError::BadCells,
           fmt::format("{} cells per point: choose {} to {}, or 0 for as many as axes.",
-                      parameters.slotStride, chosenAxes(parameters), kStrideMax));
+                      parameters.slotStride, cellsPerPoint(parameters), kStrideMax));
     }
   }
   if (parameters.method == base::MethodKind::File && parameters.pointsPerLoop > kFilePointsMax) {
@@ -281,7 +281,7 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
 }
 
 int pointsPerLoopMax(const TemplateParameters& parameters) {
-  const int axes = chosenAxes(parameters);
+  const int axes = cellsPerPoint(parameters);
   if (axes == 0) {
     return 0;
   }
@@ -296,7 +296,7 @@ int pointsPerLoopMax(const TemplateParameters& parameters) {
         cells.correction.begin(), cells.correction.end(), [](int cell) { return cell >= 0; }));
     const int perWindow = (parameters.rParameterCount - corrections - cells.windowCount(0)) /
                               std::clamp(parameters.windows, 1, kWindowsMax) -
-                          kWindowOwn;
+                          kWindowOwnCells;
     // The last cells of the last slot may stay unused where the stride leaves room.
     int fits = std::max(0, perWindow / cells.slotStride);
     for (one.pointsPerLoop = fits + 1; cellsOf(one).last() < parameters.rParameterCount;

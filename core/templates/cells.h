@@ -73,6 +73,12 @@ struct TemplateParameters {
   int rParameterCount = 100;     ///< MD28050: R0 to R(count-1) exist
 };
 
+/// Axes that are streamed, each with a cell in every slot.
+[[nodiscard]] int cellsPerPoint(const TemplateParameters& parameters);
+
+/// Cells in front of the slots of each window: number of points, feed, check number.
+inline constexpr int kWindowOwnCells = 3;
+
 /// R-parameter numbers by role.
 struct CellMap {
   int signal = 0;  ///< written by both: 0 first window passed, 1 second passed, 2 refilled
@@ -111,7 +117,9 @@ struct CellMap {
     return inFiles ? 0 : windows > 0 ? windows * pointsPerLoop : pointsPerLoop;
   }
   /// Cells in front of a window's slots (method window). @param window from 0, below `windows`
-  [[nodiscard]] int windowCount(int window) const { return firstSlot - 3 + window * windowStride; }
+  [[nodiscard]] int windowCount(int window) const {
+    return firstSlot - kWindowOwnCells + window * windowStride;
+  }
   [[nodiscard]] int windowFeed(int window) const { return windowCount(window) + 1; }
   [[nodiscard]] int windowCheck(int window) const { return windowCount(window) + 2; }
   /// True if the program obeys corrections.

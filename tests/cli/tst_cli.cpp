@@ -408,6 +408,22 @@ class TestCli : public QObject {
     QCOMPARE(run(words("experiment table1 --seeds 20 --preset plc")).exit, 1);
   }
 
+  /// Every streamed axis is written: a window of five at N 7 has 40 cells, one of three 26.
+  void judgesTheAxesThatAreStreamed() {
+    const QStringList point = words("feasibility --points 7 --d-min 0.4 --feed 60 --json");
+    const auto fastest = [](const Outcome& outcome) {
+      return outcome.parsed()["feed_mm_per_min_max"].get<double>();
+    };
+    const double three = fastest(run(point));
+    const Outcome five = run(QStringList(point) << words("--axes XYZAC"));
+    QVERIFY(std::abs(fastest(five) * 40.0 - three * 26.0) < 1e-6 * three * 26.0);
+    QCOMPARE(five.parsed()["axes"].get<std::string>(), std::string("XYZAC"));
+    const QString turning = file("turning.mpf", "G1 X1 A1 F100\nX2 A2\nX3 A3\nX4 A4\nM30\n");
+    const Outcome program =
+        run(words("feasibility --points 7 --feed 60 --json --program") << turning);
+    QCOMPARE(program.parsed()["axes"].get<std::string>(), std::string("XYZA"));
+  }
+
   void measuredAccessTimesAreUsed() {
     const QString path = m_folder.filePath(QStringLiteral("access.json"));
     QCOMPARE(

@@ -42,11 +42,11 @@ class TestAccessModel : public QObject {
     const AccessLine line{Duration{}, microseconds{4300}};
     for (const MethodKind method : base::kMethodKinds) {
       for (const int points : {2, 7, 14, 33}) {
-        const Duration t = measured(line, line).timePerNode(method, points);
+        const Duration t = measured(line, line).timePerNode({method, points});
         // Method credit looks at one cell more than the equation counts.
         const bool credit = method == MethodKind::Credit;
         QVERIFY(credit ? t > microseconds{4300} : t == microseconds{4300});
-        QVERIFY(AccessModel{}.timePerNode(method, points) == microseconds{4300});
+        QVERIFY(AccessModel{}.timePerNode({method, points}) == microseconds{4300});
       }
     }
   }
@@ -66,6 +66,10 @@ class TestAccessModel : public QObject {
     const double turnS = 0.14375;
     QVERIFY(std::abs(verdict->limiting.margin - 10.0 / (20.0 * turnS)) < 1e-4);
     QVERIFY(std::abs(verdict->feedMmPerSMax - 10.0 / turnS) < 1e-2);
+    // Five axes: 53 cells of a window.
+    point.cellsPerPoint = 5;
+    const auto five = judge(point, millimetres(10), measured(read, write));
+    QVERIFY(std::abs(five->feedMmPerSMax - 10.0 / (turnS + 20 * 0.004)) < 1e-2);
   }
 
   /// Arrays that cost as much as one cell: the time does not depend on N, the reach grows with it.
@@ -92,9 +96,10 @@ class TestAccessModel : public QObject {
     const AccessLine write{microseconds{1400}, microseconds{4200}};
     const AccessModel model = measured(read, write);
     // Position: 0.8 + 12 + 1.4 + 12.6 ms for six cells.
-    QVERIFY(model.timePerNode(MethodKind::Position, 7) == Duration{microseconds{26800}} / 6);
+    QVERIFY(model.timePerNode({MethodKind::Position, 7}) == Duration{microseconds{26800}} / 6);
     // Signal, N = 7: a look and nine cells.
-    QVERIFY(model.timePerNode(MethodKind::Signal, 7) == Duration{microseconds{4800 + 1400 + 9 * 4200}} / 10);
+    QVERIFY(model.timePerNode({MethodKind::Signal, 7}) ==
+            Duration{microseconds{4800 + 1400 + 9 * 4200}} / 10);
     OperatingPoint point;
     point.method = MethodKind::Position;
     point.feedMmPerS = 10.0;
@@ -105,7 +110,7 @@ class TestAccessModel : public QObject {
 
   void noLineIsBelowNothing() {
     const AccessLine line{Duration{}, Duration{}};
-    QVERIFY(measured(line, line).timePerNode(MethodKind::Window, 7) >= Duration{});
+    QVERIFY(measured(line, line).timePerNode({MethodKind::Window, 7}) >= Duration{});
     QVERIFY(line.of(1) > Duration{});
     OperatingPoint point;
     point.method = MethodKind::Window;

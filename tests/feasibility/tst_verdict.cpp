@@ -64,6 +64,23 @@ class TestVerdict : public QObject {
     QVERIFY(judge(at(MethodKind::Window, 100, -1.0), only(1)).has_value());
   }
 
+  /// A window of five axes: 5·7 cells, its count, feed, check and number, and one look at the
+  /// control.
+  void everyStreamedAxisIsWritten() {
+    OperatingPoint point = at(MethodKind::Window, 60);
+    point.cellsPerPoint = 5;
+    const auto window = judge(point, only(1.0));
+    QVERIFY(std::abs(window->feedMmPerSMax - 7.0 / (40 * 0.0043)) < 1e-9);
+    point.cellsPerPoint = 2;
+    QVERIFY(std::abs(judge(point, only(1.0))->feedMmPerSMax - 7.0 / (19 * 0.0043)) < 1e-9);
+    // Methods of [P1] with fewer axes: the position is read of all three.
+    point.method = MethodKind::Signal;
+    QVERIFY(std::abs(judge(point, only(1.0))->feedMmPerSMax - 3.0 / (7 * 0.0043)) < 1e-9);
+    point.method = MethodKind::Position;
+    point.deltaMm = 100.0;
+    QVERIFY(std::abs(judge(point, only(1.0))->feedMmPerSMax - 1.0 / (5 * 0.0043)) < 1e-9);
+  }
+
   void initTestCase() {
     if (!qEnvironmentVariableIsSet("RC_PARAMS")) {
       qputenv("RC_PARAMS", "seed=20260101 max_success=500");

@@ -51,6 +51,22 @@ class TestRegion : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// A window of five axes has more cells than one of three: the same feed that is right for
+  /// method window takes longer, and the machine has the axes.
+  void rotaryAxesAreStreamed() {
+    base::SerialExecutor executor;
+    RegionRequest wanted = request(SweepAxis::PointDistance, {0.3}, {500.0});
+    wanted.settings.parameters.method = MethodKind::Window;
+    wanted.settings.parameters.rotaryAxes = {true, false, true};
+    for (std::size_t i = 0; i < wanted.points.size(); ++i) {
+      wanted.points[i].rotaryDeg = {0.01 * static_cast<double>(i), 0.0, 0.0};
+    }
+    const RegionResult result = simulateRegion(wanted, executor);
+    QVERIFY2(!result.error.code, result.error.message.c_str());
+    QCOMPARE(result.points[0].runs, std::size_t{4});
+    QCOMPARE(result.points[0].failures(), std::size_t{0});
+  }
+
   void slowRunsAndFastFails() {
     base::SerialExecutor executor;
     for (const SweepAxis axis :

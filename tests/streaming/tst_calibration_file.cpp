@@ -179,7 +179,7 @@ class TestCalibrationFile : public QObject {
     QVERIFY(std::abs(base::toMilliseconds(list.measured->write.perNode) - 4.3) < 0.2);
     QVERIFY(base::toMilliseconds(array.measured->write.perNode) < 0.1);
     const auto method = base::MethodKind::Window;
-    QVERIFY(8 * array.timePerNode(method, 14) < list.timePerNode(method, 14));
+    QVERIFY(8 * array.timePerNode({method, 14}) < list.timePerNode({method, 14}));
     CalibrationRecord plain = recordOf("dmu75");
     std::erase_if(plain.calibration.fits,
                   [](const auto& fit) { return fit.grouping != Grouping::List; });

@@ -121,7 +121,7 @@ void FeasibilityPage::dropStaleRegions() {
     const feasibility::OperatingPoint& then = region.operatingPoint;
     const bool position = now.method == base::MethodKind::Position;
     const bool holds =
-        now.method == then.method &&
+        now.method == then.method && now.cellsPerPoint == then.cellsPerPoint &&
         (region.axis == SweepAxis::PointsPerLoop || now.pointsPerLoop == then.pointsPerLoop) &&
         (!position || region.axis == SweepAxis::Delta || now.deltaMm == then.deltaMm);
     if (!holds) {
@@ -186,8 +186,8 @@ void FeasibilityPage::showAccess() {
   m_access->setVisible(m_model.has_value());
   if (m_model) {
     const feasibility::OperatingPoint& point = m_model->operatingPoint;
-    const AccessSourceText shown = accessSourceText(
-        m_model->source, m_model->access.timePerNode(point.method, point.pointsPerLoop));
+    const AccessSourceText shown =
+        accessSourceText(m_model->source, m_model->access.timePerNode(point.turn()));
     m_access->setStatus(shown.status, shown.text);
   }
 }

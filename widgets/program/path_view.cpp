@@ -163,11 +163,8 @@ void PathView::showPauses() {
 
 void PathView::setOperatingPoint(const feasibility::OperatingPoint& point,
                                  const feasibility::AccessModel& access) {
-  const bool same = point.method == m_point.method &&
-                    point.pointsPerLoop == m_point.pointsPerLoop &&
-                    point.feedMmPerS == m_point.feedMmPerS &&
-                    access.timePerNode(point.method, point.pointsPerLoop) ==
-                        m_access.timePerNode(point.method, point.pointsPerLoop);
+  const bool same = point.turn() == m_point.turn() && point.feedMmPerS == m_point.feedMmPerS &&
+                    access.timePerNode(point.turn()) == m_access.timePerNode(point.turn());
   m_point = point;
   m_access = access;
   if (!same && m_colouring == PathColouring::Margin) {

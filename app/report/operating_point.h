@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the verdict needs of the settings of a run, the same for command line and HMI.
+/// @threadsafety pure.
+#pragma once
+
+#include "feasibility/verdict.h"
+#include "streaming/run.h"
+
+namespace rivulet::report {
+
+/// @param settings  with all axes the run streams: see `streaming::withTurnedAxes`
+[[nodiscard]] feasibility::OperatingPoint operatingPointOf(const streaming::RunSettings& settings);
+
+}  // namespace rivulet::report

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the client asks of the control in one turn: the number of cells in each request. All that
+/// counts cells (the equations, measured access times, the probability) takes the numbers from
+/// here. @threadsafety pure.
+#pragma once
+
+#include "base/method_kind.h"
+#include "feasibility/symbols.h"
+
+namespace rivulet::feasibility {
+
+/// What decides how many cells a turn has.
+struct TurnSize {
+  base::MethodKind method = base::MethodKind::Window;
+  int pointsPerLoop = 7;           ///< N; methods with windows: points per window
+  int cellsPerPoint = kPaperAxes;  ///< axes that are streamed: `templates::cellsPerPoint`
+  friend bool operator==(const TurnSize&, const TurnSize&) = default;
+};
+
+/// | method   | read               | content          | number |
+/// |----------|--------------------|------------------|--------|
+/// | position | X Y Z of the tool  | one point        | -      |
+/// | signal   | the signal         | ⌊N/2⌋ points     | -      |
+/// | window   | windows taken      | N points, count, feed, check | window number |
+/// | credit   | windows taken and executed | as window | window number |
+struct ClientTurn {
+  int read = 0;     ///< in one request
+  int content = 0;  ///< written in one request
+  int number = 0;   ///< written in a request of its own, after the content
+};
+
+[[nodiscard]] ClientTurn turnOf(const TurnSize& size);
+
+/// Cells that the equations charge for a turn. Method credit reads two cells and is charged one:
+/// the equations are those of method window.
+[[nodiscard]] int chargedCells(const TurnSize& size);
+
+}  // namespace rivulet::feasibility
