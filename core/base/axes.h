@@ -3,8 +3,8 @@
 
 /// @file
 /// The rotary axes A, B, C beside the geometry axes X, Y, Z of vec3.h. Degrees and millimetres
-/// never share a number: what only knows X, Y, Z need not know this file. Angles are not folded
-/// into one turn: 370 deg is a turn and ten degrees further. @threadsafety plain values.
+/// never share a number: code that uses only X, Y, Z does not need this file. Angles are not
+/// reduced to one turn: 370 deg is one turn and ten degrees. @threadsafety plain values.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace rivulet::base {
 inline constexpr std::size_t kRotaryAxisCount = 3;
 inline constexpr std::array<char, kRotaryAxisCount> kRotaryAxisNames{'A', 'B', 'C'};
 
-/// Axes of all kinds that one template moves, at most.
+/// Largest number of axes, of all kinds, that one template moves.
 inline constexpr std::size_t kStreamedAxesMax = 5;
 
 /// Angles of A, B, C in degrees; 0 for an axis that is not there.
@@ -29,7 +29,7 @@ using RotaryDeg = std::array<double, kRotaryAxisCount>;
 /// Which of A, B, C.
 using RotarySet = std::array<bool, kRotaryAxisCount>;
 
-/// Where all axes stand.
+/// Positions of all axes.
 struct AxisPosition {
   Vec3 mm;
   RotaryDeg deg{};
@@ -57,18 +57,18 @@ struct AxisPosition {
   return names;
 }
 
-/// How far the axes turn from one place to the other: the root of the sum of squares, deg.
+/// How far the axes turn between two places: the root of the sum of squares, deg.
 [[nodiscard]] inline double turnDeg(const RotaryDeg& from, const RotaryDeg& to) {
   return norm({to[0] - from[0], to[1] - from[1], to[2] - from[2]});
 }
-/// Beyond this many degrees per mm it is the turn that measures a path.
+/// Above this many degrees per mm, the turn is the length of a path.
 inline constexpr double kDegPerMmMax = 100.0;
-/// What the feed of a straight way is along: the mm of X Y Z, or the degrees where (practically)
-/// only rotary axes turn; F is mm/min or deg/min then.
+/// The length that the feed of a straight move refers to: mm of X Y Z, or degrees if (practically)
+/// only rotary axes turn. F is then mm/min or deg/min.
 [[nodiscard]] constexpr double wayAlongFeed(double lengthMm, double turnDeg) {
   return lengthMm * kDegPerMmMax < turnDeg ? turnDeg : lengthMm;
 }
-/// Largest difference of those axes, deg.
+/// Largest difference of these axes, deg.
 [[nodiscard]] inline double differenceDeg(const RotaryDeg& a, const RotaryDeg& b,
                                           const RotarySet& of) {
   double largest = 0.0;

@@ -19,7 +19,7 @@ struct Error {
   std::string message;   ///< for people: one or two sentences, says what to do
   std::string context;   ///< the file, node or place it happened at; may be empty
 
-  /// Message with its context in front, as logs and the command line show it.
+  /// Context and message, as logs and the command line show them.
   [[nodiscard]] std::string text() const {
     return context.empty() ? message : context + ": " + message;
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Many independent jobs, on as many threads as whoever runs them likes. Core starts no threads:
-/// the application brings an executor. Each job gets its own seed and writes to its own place, so
+/// Many independent jobs, on as many threads as the application chooses. Core starts no threads:
+/// the application provides an executor. Each job gets its own seed and writes to its own place, so
 /// the result does not depend on the number of threads.
 /// @threadsafety `forEach` is called on one thread at a time; jobs may run at the same time.
 #pragma once

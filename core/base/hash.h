@@ -3,8 +3,8 @@
 
 /// @file
 /// Hashes that are the same on every run and in every build, unlike `std::hash`: they are stored in
-/// recordings, in file names and on the control. They tell versions apart and are no protection
-/// against intent. @threadsafety pure.
+/// recordings, in file names and on the control. They distinguish versions; they do not protect
+/// against tampering. @threadsafety pure.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,8 @@ inline constexpr std::uint64_t kHashPrime = 0x100000001B3ULL;
 }
 
 /// The same over little-endian words of eight bytes, folded after each, for files of many
-/// megabytes: byte by byte the hash took an eighth of the time it takes to load a program.
-/// Its values differ from those of `hashOf`.
+/// megabytes: byte by byte, the hash took an eighth of the time of loading a program. Its values
+/// differ from those of `hashOf`.
 [[nodiscard]] constexpr std::uint64_t hashOfFile(std::string_view text) {
   constexpr std::size_t kWordBytes = 8;
   constexpr unsigned kByteBits = 8;

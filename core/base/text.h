@@ -14,7 +14,7 @@ namespace rivulet::base {
 [[nodiscard]] constexpr bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
-/// What names in NC programs are made of, with digits behind the first.
+/// Characters of names in NC programs; digits are allowed after the first character.
 [[nodiscard]] constexpr bool isNameLetter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
@@ -22,10 +22,10 @@ namespace rivulet::base {
   return c == ' ' || c == '\t';
 }
 
-/// The number `text` holds, all of it; nothing otherwise. A leading '+' is allowed, a comma never.
+/// The number in `text`; nothing if it holds anything else. A leading '+' is allowed, a comma not.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);
 
-/// The whole number `text` holds, all of it.
+/// The whole number in `text`; nothing if it holds anything else.
 [[nodiscard]] std::optional<int> parseInteger(std::string_view text);
 
 /// Shortest text that reads back as the same double ("0.1", "12", "nan").

@@ -17,12 +17,12 @@ enum class LinkError {
   NotWritable,        ///< write access is missing
   BadValue,           ///< NaN or infinity offered, or an unusable type received
   Rejected,           ///< the server refused the request
-  NamespaceMissing,   ///< the server is no SINUMERIK (no SinumerikVarProvider)
+  NamespaceMissing,   ///< the server is not a SINUMERIK (no SinumerikVarProvider)
   MethodMissing,      ///< the server does not offer the method
   ProgramMissing,     ///< no such program on the control
   ChannelNotInReset,  ///< a program can be selected and started only in reset
   FileExists,
-  TooManyItems,  ///< request larger than the link takes
+  TooManyItems,  ///< request larger than the link accepts
 };
 
 [[nodiscard]] std::error_code make_error_code(LinkError code);

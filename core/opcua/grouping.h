@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The forms in which several variables can be asked for or written. Which of them a control
-/// understands has to be found out (`streaming/access_probe`). @threadsafety pure.
+/// Forms of reading or writing several variables. `streaming/access_probe` finds out which of them
+/// a control understands. @threadsafety pure.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 
 namespace rivulet::opcua {
 
-/// How several variables travel. With the array forms, R-parameters that follow one another in a
-/// request and ascend by one share a node; whatever else is in the request has a node of its own,
-/// and all nodes are in one service call, in the order of the request.
+/// How several variables are transferred. With the array forms, consecutive R-parameters of a
+/// request whose numbers ascend by one share a node. Everything else in the request has a node of
+/// its own. All nodes are in one service call, in the order of the request.
 enum class Grouping {
   List,        ///< all in one service call ([P1] V2)
   Single,      ///< one service call each, one after another ([P1] V1)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The only door between Rivulet and a control. A real connection (`opcua/open62541`) and the
-/// simulated one (`streaming/simulation`) implement the same two interfaces; nothing else in
-/// Rivulet knows which it has.
+/// The only access to a control. A real connection (`opcua/open62541`) and the simulated one
+/// (`streaming/simulation`) implement the same two interfaces; nothing else in Rivulet knows which
+/// it has.
 /// @threadsafety one object, one thread at a time.
 #pragma once
 
@@ -63,7 +63,7 @@ class Link {
   virtual base::RequestId store(const std::string& name, const std::string& text,
                                 base::Duration deadline) = 0;
 
-  /// The next event, waiting for it no longer than `until`. Nothing: the time has come.
+  /// The next event; waits no longer than `until`. @return nothing if that time has come
   virtual std::optional<Event> wait(base::Instant until) = 0;
 };
 
@@ -95,11 +95,11 @@ class Control {
   /// Selects a part program in channel 1; it does not start.
   virtual base::Result<void> selectProgram(const std::string& name) = 0;
 
-  /// Which server this is; empty where there is none, as in virtual time.
+  /// Which server this is; empty if there is none, as in virtual time.
   virtual base::Result<ServerIdentity> identity() { return ServerIdentity{}; }
 
-  /// Nothing moves that could do harm. For what the user is told and has to confirm; a run asks for
-  /// the abilities instead.
+  /// True if no real axis moves. Use it only for messages and confirmations; a run asks for the
+  /// abilities instead.
   [[nodiscard]] virtual bool isVirtualMachine() const = 0;
   [[nodiscard]] virtual Abilities abilities() const = 0;
   virtual base::Result<void> cycleStart() = 0;

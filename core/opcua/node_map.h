@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Names as on a SINUMERIK OPC UA server: variable ↔ node identifier, methods, program paths.
-/// The link asks with them, the virtual machine's front answers to them.
+/// Names as on a SINUMERIK OPC UA server: variable ↔ node identifier, methods, program paths. The
+/// link uses them in requests; the virtual machine's front answers to them.
 /// @threadsafety pure.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace rivulet::opcua {
 /// always resolve it by this URI.
 inline constexpr std::string_view kNamespaceUri = "SinumerikVarProvider";
 
-/// Namespace of what only a virtual machine offers. A server that has it is no real control.
+/// Namespace of what only a virtual machine offers. A server that has it is not a real control.
 inline constexpr std::string_view kVirtualNamespaceUri = "urn:rivulet:virtual-machine";
 
 /// Object of the control's methods, and the object newer controls keep the file methods in.
@@ -50,7 +50,7 @@ inline constexpr std::string_view kPresetName = "PresetName";
 /// @return nothing for another node, another channel or a malformed index
 [[nodiscard]] std::optional<Variable> variableOf(std::string_view identifier);
 
-/// R-parameters that follow one another, addressed as one node.
+/// Consecutive R-parameters, addressed as one node.
 struct ParameterArray {
   int first = 0;
   int count = 0;                         ///< at least 1

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Which server answers, and in which version: what was measured on one need not hold on another.
+/// Which server answers, and its version: a measurement on one server need not hold for another.
 /// @threadsafety plain values.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace rivulet::opcua {
 
-/// As the server says of itself; empty where it says nothing.
+/// As reported by the server; empty if it reports nothing.
 /// @source OPC UA part 5: Server.ServerArray[0], Server.ServerStatus.BuildInfo
 struct ServerIdentity {
   std::string applicationUri;

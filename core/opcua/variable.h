@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The variables of a control Rivulet uses, by meaning; `node_map` turns them into node ids.
+/// The variables of a control that Rivulet uses, by meaning; `node_map` turns them into node ids.
 /// @threadsafety plain values.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace rivulet::opcua {
 
 enum class VariableKind : unsigned char {
   RParameter,  ///< index = R number; number, read and write
-  /// index = axis from 0; X Y Z in mm, workpiece frame, the rotary axes behind them in degrees
+  /// index = axis from 0; X Y Z in mm, workpiece frame, then the rotary axes in degrees
   /// (aaAcsRel)
   ActualPosition,
   DistanceToGo,   ///< index = axis from 0; mm or degrees to the end of the block (aaDtew)
@@ -47,7 +47,7 @@ struct Variable {
          kind == VariableKind::AxisName;
 }
 
-/// What one item of a read brought.
+/// Result of one item of a read.
 struct Reading {
   std::error_code status;  ///< clear: the value is good
   double number = 0.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The clock of the two edges that live in wall time: the real link and the machine's front.
+/// The clock of the two parts that run in wall time: the real link and the machine's front.
 /// @threadsafety plain value; reading is safe from any thread.
 #pragma once
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A logger for the open62541 library that prints nothing and keeps its last complaint, so that
-/// an `Error` can carry it as context. @threadsafety one object, one thread at a time.
+/// A logger for the open62541 library that prints nothing and keeps its last warning or error, so
+/// that an `Error` can carry it as context. @threadsafety one object, one thread at a time.
 #pragma once
 
 #include <open62541/plugin/log.h>

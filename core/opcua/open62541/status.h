@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// OPC UA status codes end here: what they mean for Rivulet. @threadsafety pure.
+/// OPC UA status codes are translated here into Rivulet's errors. @threadsafety pure.
 #pragma once
 
 #include <open62541/types.h>

@@ -3,8 +3,8 @@
 
 /// @file
 /// The connection to a real control: OPC UA with the open62541 library. Wall time.
-/// @threadsafety one object, one thread at a time. Starts no thread: the network is served
-/// inside `wait` and inside the calls of `Control`, and nowhere else.
+/// @threadsafety one object, one thread at a time. Starts no thread: the network is served only
+/// inside `wait` and inside the calls of `Control`.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace rivulet::opcua {
 
-/// Most items of one request, as many as the control's server takes.
+/// Largest number of items of one request, as the control's server accepts.
 inline constexpr std::size_t kItemsMax = 1000;
 
 struct ConnectOptions {
@@ -63,7 +63,7 @@ class UaLink final : public Link, public Control {
   std::unique_ptr<Impl> m_impl;
 };
 
-/// `UaLink::connect`, as a connection that does not show what is at its end.
+/// `UaLink::connect`, as a connection that hides which kind of link it has.
 [[nodiscard]] base::Result<Connection> openConnection(const ConnectOptions& options);
 
 }  // namespace rivulet::opcua
