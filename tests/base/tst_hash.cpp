@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/hash.h"
+#include "support/test_program.h"
 
 using rivulet::base::hashOf;
 using rivulet::base::hashOfFile;
@@ -34,6 +35,6 @@ class TestHash : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestHash)
+RIVULET_TEST(TestHash)
 
 #include "tst_hash.moc"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "support/test_program.h"
 
 using rivulet::base::Random;
 
@@ -69,5 +70,5 @@ class TestRandom : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRandom)
+RIVULET_TEST(TestRandom)
 #include "tst_random.moc"

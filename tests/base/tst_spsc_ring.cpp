@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/spsc_ring.h"
+#include "support/test_program.h"
 
 using rivulet::base::SpscRing;
 
@@ -55,5 +56,5 @@ class TestSpscRing : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSpscRing)
+RIVULET_TEST(TestSpscRing)
 #include "tst_spsc_ring.moc"

@@ -5,6 +5,7 @@
 #include <clocale>
 
 #include "base/text.h"
+#include "support/test_program.h"
 
 using namespace rivulet::base;
 
@@ -39,5 +40,5 @@ class TestText : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestText)
+RIVULET_TEST(TestText)
 #include "tst_text.moc"

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/machine_process.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
@@ -532,5 +533,5 @@ class TestCli : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestCli)
+RIVULET_TEST(TestCli)
 #include "tst_cli.moc"

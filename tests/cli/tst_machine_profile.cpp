@@ -9,6 +9,7 @@
 
 #include "report/machine_profile.h"
 #include "streaming/run.h"
+#include "support/test_program.h"
 #include "trace/control_trace.h"
 #include "trace/file.h"
 
@@ -121,5 +122,5 @@ class TestMachineProfile : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMachineProfile)
+RIVULET_TEST(TestMachineProfile)
 #include "tst_machine_profile.moc"

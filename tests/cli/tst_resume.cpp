@@ -15,6 +15,7 @@
 
 #include "gcode/program.h"
 #include "support/machine_process.h"
+#include "support/test_program.h"
 #include "trace/analysis/integrity.h"
 #include "trace/file.h"
 #include "trace/recording.h"
@@ -158,5 +159,5 @@ class TestResume : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestResume)
+RIVULET_TEST(TestResume)
 #include "tst_resume.moc"

@@ -6,6 +6,7 @@
 
 #include "report/experiment_report.h"
 #include "report/svg_plot.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using experiments::Experiment;
@@ -87,5 +88,5 @@ class TestExperimentReport : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestExperimentReport)
+RIVULET_TEST(TestExperimentReport)
 #include "tst_experiment_report.moc"

@@ -8,6 +8,7 @@
 
 #include "experiments/catalogue.h"
 #include "parallel/thread_executor.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using experiments::Check;
@@ -90,5 +91,5 @@ class TestFidelity : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFidelity)
+RIVULET_TEST(TestFidelity)
 #include "tst_fidelity.moc"

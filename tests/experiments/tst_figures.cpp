@@ -6,6 +6,7 @@
 
 #include "experiments/experiment.h"
 #include "experiments/figures.h"
+#include "support/test_program.h"
 
 using namespace rivulet::experiments;
 
@@ -47,5 +48,5 @@ class TestFigures : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFigures)
+RIVULET_TEST(TestFigures)
 #include "tst_figures.moc"

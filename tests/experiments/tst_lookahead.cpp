@@ -6,6 +6,7 @@
 
 #include "experiments/lookahead.h"
 #include "experiments/recorded_run.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
@@ -60,5 +61,5 @@ class TestLookahead : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLookahead)
+RIVULET_TEST(TestLookahead)
 #include "tst_lookahead.moc"

@@ -10,6 +10,7 @@
 #include "base/executor.h"
 #include "experiments/catalogue.h"
 #include "machine/config.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using experiments::Experiment;
@@ -127,5 +128,5 @@ void TestMethodComparison::plotsShowRightRunsOnly() {
   }
 }
 
-QTEST_APPLESS_MAIN(TestMethodComparison)
+RIVULET_TEST(TestMethodComparison)
 #include "tst_method_comparison.moc"

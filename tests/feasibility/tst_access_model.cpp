@@ -7,6 +7,7 @@
 #include "feasibility/access_model.h"
 #include "feasibility/equations.h"
 #include "feasibility/verdict.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::feasibility;
@@ -118,5 +119,5 @@ class TestAccessModel : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAccessModel)
+RIVULET_TEST(TestAccessModel)
 #include "tst_access_model.moc"

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "feasibility/verdict.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::feasibility;
@@ -130,5 +131,5 @@ class TestDistances : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDistances)
+RIVULET_TEST(TestDistances)
 #include "tst_distances.moc"

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "feasibility/equations.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::feasibility;
@@ -82,5 +83,5 @@ class TestEquations : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestEquations)
+RIVULET_TEST(TestEquations)
 #include "tst_equations.moc"

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "feasibility/path_statistics.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::feasibility;
@@ -106,5 +107,5 @@ class TestPathStatistics : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPathStatistics)
+RIVULET_TEST(TestPathStatistics)
 #include "tst_path_statistics.moc"

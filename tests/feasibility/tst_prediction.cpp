@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "feasibility/probability.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::feasibility;
@@ -187,5 +188,5 @@ class TestPrediction : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPrediction)
+RIVULET_TEST(TestPrediction)
 #include "tst_prediction.moc"

@@ -6,6 +6,7 @@
 
 #include "base/units.h"
 #include "feasibility/sweep.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::feasibility;
@@ -135,5 +136,5 @@ class TestSweep : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSweep)
+RIVULET_TEST(TestSweep)
 #include "tst_sweep.moc"

@@ -9,6 +9,7 @@
 
 #include "base/units.h"
 #include "feasibility/verdict.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::feasibility;
@@ -232,5 +233,5 @@ class TestVerdict : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestVerdict)
+RIVULET_TEST(TestVerdict)
 #include "tst_verdict.moc"

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gcode/arc.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::Vec3;
@@ -184,5 +185,5 @@ class TestArc : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestArc)
+RIVULET_TEST(TestArc)
 #include "tst_arc.moc"

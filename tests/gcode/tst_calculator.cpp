@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "gcode/calculator.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using gcode::Dialect;
@@ -162,5 +163,5 @@ class TestCalculator : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCalculator)
+RIVULET_TEST(TestCalculator)
 #include "tst_calculator.moc"

@@ -17,6 +17,7 @@
 #include "gcode/arc.h"
 #include "gcode/program.h"
 #include "gcode_text.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
@@ -474,5 +475,5 @@ class TestCorpus : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCorpus)
+RIVULET_TEST(TestCorpus)
 #include "tst_corpus.moc"

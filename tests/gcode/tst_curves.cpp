@@ -16,6 +16,7 @@
 #include "gcode/spline.h"
 #include "gcode/thinning.h"
 #include "gcode_text.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::Vec3;
@@ -399,5 +400,5 @@ class TestCurves : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCurves)
+RIVULET_TEST(TestCurves)
 #include "tst_curves.moc"

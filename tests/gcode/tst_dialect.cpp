@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "gcode/dialect.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using gcode::Dialect;
@@ -65,5 +66,5 @@ class TestDialect : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDialect)
+RIVULET_TEST(TestDialect)
 #include "tst_dialect.moc"

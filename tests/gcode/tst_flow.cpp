@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "gcode_text.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
@@ -166,5 +167,5 @@ class TestFlow : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFlow)
+RIVULET_TEST(TestFlow)
 #include "tst_flow.moc"

@@ -9,6 +9,7 @@
 
 #include "gcode/interpreter.h"
 #include "gcode_text.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
@@ -447,5 +448,5 @@ class TestInterpreter : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestInterpreter)
+RIVULET_TEST(TestInterpreter)
 #include "tst_interpreter.moc"

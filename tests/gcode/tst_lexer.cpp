@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "gcode/lexer.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using gcode::TokenKind;
@@ -196,5 +197,5 @@ class TestLexer : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestLexer)
+RIVULET_TEST(TestLexer)
 #include "tst_lexer.moc"

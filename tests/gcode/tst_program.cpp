@@ -11,6 +11,7 @@
 
 #include "gcode/program.h"
 #include "gcode_text.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using gcode::GcodeError;
@@ -283,5 +284,5 @@ class TestProgram : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestProgram)
+RIVULET_TEST(TestProgram)
 #include "tst_program.moc"

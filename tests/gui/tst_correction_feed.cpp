@@ -8,6 +8,7 @@
 #include <QUdpSocket>
 
 #include "session/correction_feed.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using session::CorrectionFeed;
@@ -90,5 +91,5 @@ class TestCorrectionFeed : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestCorrectionFeed)
+RIVULET_TEST(TestCorrectionFeed)
 #include "tst_correction_feed.moc"

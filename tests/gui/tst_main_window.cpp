@@ -28,6 +28,7 @@
 #include "opcua/error.h"
 #include "streaming/pause_placement.h"
 #include "support/machine_process.h"
+#include "support/test_program.h"
 #include "trace/analysis/integrity.h"
 #include "trace/file.h"
 #include "trace/recording.h"
@@ -638,5 +639,5 @@ class TestMainWindow : public QObject {
   }
 };
 
-QTEST_MAIN(TestMainWindow)
+RIVULET_TEST(TestMainWindow)
 #include "tst_main_window.moc"

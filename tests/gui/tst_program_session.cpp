@@ -25,6 +25,7 @@
 #include "session/file_watch.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
+#include "support/test_program.h"
 #include "widgets/common/message_area.h"
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_canvas.h"
@@ -389,5 +390,5 @@ class TestProgramSession : public QObject {
   }
 };
 
-QTEST_MAIN(TestProgramSession)
+RIVULET_TEST(TestProgramSession)
 #include "tst_program_session.moc"

@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "session/region_worker.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using session::RegionJob;
@@ -119,5 +120,5 @@ class TestRegionWorker : public QObject {
   }
 };
 
-QTEST_MAIN(TestRegionWorker)
+RIVULET_TEST(TestRegionWorker)
 #include "tst_region_worker.moc"

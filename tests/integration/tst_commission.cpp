@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/machine_process.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
@@ -106,5 +107,5 @@ class TestCommission : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestCommission)
+RIVULET_TEST(TestCommission)
 #include "tst_commission.moc"

@@ -13,6 +13,7 @@
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/loopback_machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -182,5 +183,5 @@ class TestEquivalence : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestEquivalence)
+RIVULET_TEST(TestEquivalence)
 #include "tst_equivalence.moc"

@@ -21,6 +21,7 @@
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
 #include "support/loopback_machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -336,5 +337,5 @@ class TestFront : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestFront)
+RIVULET_TEST(TestFront)
 #include "tst_front.moc"

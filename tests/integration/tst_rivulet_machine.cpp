@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "opcua/open62541/ua_link.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -114,5 +115,5 @@ class TestRivuletMachine : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRivuletMachine)
+RIVULET_TEST(TestRivuletMachine)
 #include "tst_rivulet_machine.moc"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/machine_process.h"
+#include "support/test_program.h"
 
 using nlohmann::json;
 using rivulet::tests::MachineProcess;
@@ -114,5 +115,5 @@ class TestTransferByHand : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestTransferByHand)
+RIVULET_TEST(TestTransferByHand)
 #include "tst_transfer_by_hand.moc"

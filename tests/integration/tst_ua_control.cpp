@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/loopback_machine.h"
+#include "support/test_program.h"
 #include "trace/control_trace.h"
 
 using namespace rivulet;
@@ -220,5 +221,5 @@ class TestUaControl : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestUaControl)
+RIVULET_TEST(TestUaControl)
 #include "tst_ua_control.moc"

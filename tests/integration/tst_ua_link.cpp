@@ -13,6 +13,7 @@
 
 #include "machine/front/variable_service.h"
 #include "support/loopback_machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -529,5 +530,5 @@ class TestUaLink : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestUaLink)
+RIVULET_TEST(TestUaLink)
 #include "tst_ua_link.moc"

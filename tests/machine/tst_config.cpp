@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "machine/config.h"
+#include "support/test_program.h"
 
 using namespace rivulet::machine;
 
@@ -115,5 +116,5 @@ class TestConfig : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestConfig)
+RIVULET_TEST(TestConfig)
 #include "tst_config.moc"

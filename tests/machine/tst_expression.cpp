@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "machine/expression.h"
+#include "support/test_program.h"
 
 using namespace rivulet::machine;
 
@@ -105,5 +106,5 @@ class TestExpression : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestExpression)
+RIVULET_TEST(TestExpression)
 #include "tst_expression.moc"

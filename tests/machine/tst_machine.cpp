@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "machine/machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using machine::ChannelStatus;
@@ -199,5 +200,5 @@ class TestMachine : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMachine)
+RIVULET_TEST(TestMachine)
 #include "tst_machine.moc"

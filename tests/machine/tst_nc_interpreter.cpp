@@ -13,6 +13,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "machine/interpreter.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using machine::Alarm;
@@ -354,5 +355,5 @@ class TestNcInterpreter : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestNcInterpreter)
+RIVULET_TEST(TestNcInterpreter)
 #include "tst_nc_interpreter.moc"

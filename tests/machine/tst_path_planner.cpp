@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "machine/path_planner.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using machine::PathPlanner;
@@ -355,5 +356,5 @@ class TestPathPlanner : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPathPlanner)
+RIVULET_TEST(TestPathPlanner)
 #include "tst_path_planner.moc"

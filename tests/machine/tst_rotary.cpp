@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "machine/machine.h"
 #include "machine/path_planner.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using machine::PathPlanner;
@@ -308,5 +309,5 @@ class TestRotary : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRotary)
+RIVULET_TEST(TestRotary)
 #include "tst_rotary.moc"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "machine/machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -186,5 +187,5 @@ class TestSyncAction : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSyncAction)
+RIVULET_TEST(TestSyncAction)
 #include "tst_sync_action.moc"

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "nc/eval/variables.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using nc::Variables;
@@ -414,5 +415,5 @@ class TestEval : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestEval)
+RIVULET_TEST(TestEval)
 #include "tst_eval.moc"

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "opcua/node_map.h"
+#include "support/test_program.h"
 
 using namespace rivulet::opcua;
 
@@ -134,5 +135,5 @@ class TestNodeMap : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestNodeMap)
+RIVULET_TEST(TestNodeMap)
 #include "tst_node_map.moc"

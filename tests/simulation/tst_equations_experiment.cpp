@@ -5,6 +5,7 @@
 
 #include "experiments/equations.h"
 #include "support/hard_machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::experiments;
@@ -72,5 +73,5 @@ class TestEquationsExperiment : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestEquationsExperiment)
+RIVULET_TEST(TestEquationsExperiment)
 #include "tst_equations_experiment.moc"

@@ -8,6 +8,7 @@
 
 #include "experiments/path_time.h"
 #include "experiments/planner_motion.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::experiments;
@@ -187,5 +188,5 @@ class TestPathTime : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPathTime)
+RIVULET_TEST(TestPathTime)
 #include "tst_path_time.moc"

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "experiments/region.h"
 #include "support/hard_machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -303,5 +304,5 @@ class TestProbability : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestProbability)
+RIVULET_TEST(TestProbability)
 #include "tst_probability.moc"

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "experiments/region.h"
 #include "support/hard_machine.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace rivulet::experiments;
@@ -172,5 +173,5 @@ class TestRegion : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRegion)
+RIVULET_TEST(TestRegion)
 #include "tst_region.moc"

@@ -10,6 +10,7 @@
 #include "streaming/access_probe.h"
 #include "streaming/run.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -194,5 +195,5 @@ class TestAccessProbe : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAccessProbe)
+RIVULET_TEST(TestAccessProbe)
 #include "tst_access_probe.moc"

@@ -9,6 +9,7 @@
 #include "streaming/calibration.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::Duration;
@@ -342,5 +343,5 @@ class TestCalibration : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCalibration)
+RIVULET_TEST(TestCalibration)
 #include "tst_calibration.moc"

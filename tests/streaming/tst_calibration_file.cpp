@@ -12,6 +12,7 @@
 #include "report/calibration_json.h"
 #include "streaming/job.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 #include "trace/control_trace.h"
 #include "trace/file.h"
 
@@ -217,5 +218,5 @@ class TestCalibrationFile : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCalibrationFile)
+RIVULET_TEST(TestCalibrationFile)
 #include "tst_calibration_file.moc"

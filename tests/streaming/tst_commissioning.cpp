@@ -11,6 +11,7 @@
 #include "streaming/commissioning.h"
 #include "streaming/run.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -139,5 +140,5 @@ class TestCommissioning : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCommissioning)
+RIVULET_TEST(TestCommissioning)
 #include "tst_commissioning.moc"

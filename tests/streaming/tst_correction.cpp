@@ -16,6 +16,7 @@
 #include "streaming/resume.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 #include "templates/generator.h"
 
 using namespace rivulet;
@@ -613,5 +614,5 @@ class TestCorrection : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCorrection)
+RIVULET_TEST(TestCorrection)
 #include "tst_correction.moc"

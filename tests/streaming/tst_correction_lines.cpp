@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "streaming/correction_lines.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::Vec3;
@@ -100,5 +101,5 @@ class TestCorrectionLines : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCorrectionLines)
+RIVULET_TEST(TestCorrectionLines)
 #include "tst_correction_lines.moc"

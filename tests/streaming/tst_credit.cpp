@@ -14,6 +14,7 @@
 #include "streaming/resume.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 #include "trace/analysis/pauses.h"
 
 using namespace rivulet;
@@ -326,5 +327,5 @@ class TestCredit : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCredit)
+RIVULET_TEST(TestCredit)
 #include "tst_credit.moc"

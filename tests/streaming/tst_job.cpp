@@ -13,6 +13,7 @@
 #include "streaming/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 #include "templates/generator.h"
 
 using namespace rivulet;
@@ -325,5 +326,5 @@ class TestJob : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestJob)
+RIVULET_TEST(TestJob)
 #include "tst_job.moc"

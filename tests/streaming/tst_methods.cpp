@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "streaming/method.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -54,5 +55,5 @@ class TestMethods : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMethods)
+RIVULET_TEST(TestMethods)
 #include "tst_methods.moc"

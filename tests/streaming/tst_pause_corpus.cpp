@@ -21,6 +21,7 @@
 #include "gcode/program.h"
 #include "machine/path_planner.h"
 #include "streaming/pause_placement.h"
+#include "support/test_program.h"
 #include "templates/cells.h"
 
 using namespace rivulet;
@@ -255,5 +256,5 @@ class TestPauseCorpus : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPauseCorpus)
+RIVULET_TEST(TestPauseCorpus)
 #include "tst_pause_corpus.moc"

@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "gcode/program.h"
 #include "streaming/pause_placement.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using streaming::PausePlacement;
@@ -149,5 +150,5 @@ class TestPausePlacement : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPausePlacement)
+RIVULET_TEST(TestPausePlacement)
 #include "tst_pause_placement.moc"

@@ -8,6 +8,7 @@
 
 #include "streaming/program_transfer.h"
 #include "streaming/run.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using opcua::LinkError;
@@ -163,5 +164,5 @@ class TestProgramTransfer : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestProgramTransfer)
+RIVULET_TEST(TestProgramTransfer)
 #include "tst_program_transfer.moc"

@@ -14,6 +14,7 @@
 #include "machine/machine.h"
 #include "parallel/thread_executor.h"
 #include "streaming/simulation/random_scenario.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::Vec3;
@@ -251,5 +252,5 @@ class TestRandomScenarios : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRandomScenarios)
+RIVULET_TEST(TestRandomScenarios)
 #include "tst_random_scenarios.moc"

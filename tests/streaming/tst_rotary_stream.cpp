@@ -12,6 +12,7 @@
 #include "streaming/resume.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
 
@@ -399,5 +400,5 @@ class TestRotaryStream : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRotaryStream)
+RIVULET_TEST(TestRotaryStream)
 #include "tst_rotary_stream.moc"

@@ -10,6 +10,7 @@
 #include "streaming/calibration.h"
 #include "streaming/run.h"
 #include "streaming/start_policy.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -197,5 +198,5 @@ class TestStartPolicy : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStartPolicy)
+RIVULET_TEST(TestStartPolicy)
 #include "tst_start_policy.moc"

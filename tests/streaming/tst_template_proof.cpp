@@ -9,6 +9,7 @@
 
 #include "machine/config.h"
 #include "streaming/simulation/template_proof.h"
+#include "support/test_program.h"
 #include "templates/generator.h"
 
 using namespace rivulet;
@@ -178,5 +179,5 @@ void TestTemplateProof::programWithErrorsIsNotRun() {
   QVERIFY(templates::requireSound(*templates::generateTemplate(parameters), parameters));
 }
 
-QTEST_APPLESS_MAIN(TestTemplateProof)
+RIVULET_TEST(TestTemplateProof)
 #include "tst_template_proof.moc"

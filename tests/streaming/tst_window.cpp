@@ -17,6 +17,7 @@
 #include "streaming/resume.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
 #include "templates/generator.h"
 
 using namespace rivulet;
@@ -545,5 +546,5 @@ class TestWindow : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestWindow)
+RIVULET_TEST(TestWindow)
 #include "tst_window.moc"

@@ -14,6 +14,7 @@
 #include "machine/machine.h"
 #include "parallel/thread_executor.h"
 #include "streaming/simulation/fault_scenario.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -430,5 +431,5 @@ class TestWindowFaults : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestWindowFaults)
+RIVULET_TEST(TestWindowFaults)
 #include "tst_window_faults.moc"

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "streaming/simulation/scenario.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using machine::ArrayCharge;
@@ -139,5 +140,5 @@ class TestWindowReach : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestWindowReach)
+RIVULET_TEST(TestWindowReach)
 #include "tst_window_reach.moc"

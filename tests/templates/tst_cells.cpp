@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "support/test_program.h"
 #include "templates/cells.h"
 #include "templates/generator.h"
 
@@ -461,5 +462,5 @@ class TestCells : public QObject {
   static constexpr int kDefaultLayoutNumber = 149451;
 };
 
-QTEST_APPLESS_MAIN(TestCells)
+RIVULET_TEST(TestCells)
 #include "tst_cells.moc"

@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <set>
 
+#include "support/test_program.h"
 #include "templates/generator.h"
 
 using namespace rivulet;
@@ -261,5 +262,5 @@ class TestGenerator : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestGenerator)
+RIVULET_TEST(TestGenerator)
 #include "tst_generator.moc"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <set>
 
+#include "support/test_program.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
 
@@ -388,5 +389,5 @@ void TestLint::settingsThatDoNotFit() {
   QVERIFY(!templates::lintProgram("M30\n", parametersOf(MethodKind::Signal, 1)));
 }
 
-QTEST_APPLESS_MAIN(TestLint)
+RIVULET_TEST(TestLint)
 #include "tst_lint.moc"

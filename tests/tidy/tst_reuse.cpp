@@ -7,6 +7,8 @@
 #include <QStandardPaths>
 #include <QtTest>
 
+#include "support/test_program.h"
+
 class TestReuse : public QObject {
   Q_OBJECT
 
@@ -26,5 +28,5 @@ class TestReuse : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestReuse)
+RIVULET_TEST(TestReuse)
 #include "tst_reuse.moc"

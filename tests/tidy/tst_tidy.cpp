@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "rules.h"
+#include "support/test_program.h"
 
 using namespace rivulet::tidy;
 
@@ -85,5 +86,5 @@ class TestTidy : public QObject {
   Sources m_sources;
 };
 
-QTEST_APPLESS_MAIN(TestTidy)
+RIVULET_TEST(TestTidy)
 #include "tst_tidy.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "rules.h"
+#include "support/test_program.h"
 
 using namespace rivulet::tidy;
 
@@ -261,5 +262,5 @@ class TestTidyRules : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestTidyRules)
+RIVULET_TEST(TestTidyRules)
 #include "tst_tidy_rules.moc"

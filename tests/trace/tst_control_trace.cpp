@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/random.h"
+#include "support/test_program.h"
 #include "trace/control_trace.h"
 
 using namespace rivulet::trace;
@@ -146,5 +147,5 @@ class TestControlTrace : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestControlTrace)
+RIVULET_TEST(TestControlTrace)
 #include "tst_control_trace.moc"

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/random.h"
+#include "support/test_program.h"
 #include "trace/envelope.h"
 
 using namespace rivulet::trace;
@@ -199,5 +200,5 @@ class TestEnvelope : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestEnvelope)
+RIVULET_TEST(TestEnvelope)
 #include "tst_envelope.moc"

@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <filesystem>
 
+#include "support/test_program.h"
 #include "trace/control_trace.h"
 #include "trace/file.h"
 
@@ -91,5 +92,5 @@ class TestFile : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestFile)
+RIVULET_TEST(TestFile)
 #include "tst_file.moc"

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/random.h"
+#include "support/test_program.h"
 #include "trace/analysis/histogram.h"
 
 using namespace rivulet::trace;
@@ -76,5 +77,5 @@ class TestHistogram : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestHistogram)
+RIVULET_TEST(TestHistogram)
 #include "tst_histogram.moc"

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/random.h"
+#include "support/test_program.h"
 #include "trace/analysis/integrity.h"
 
 using namespace rivulet::trace;
@@ -349,5 +350,5 @@ class TestIntegrity : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestIntegrity)
+RIVULET_TEST(TestIntegrity)
 #include "tst_integrity.moc"

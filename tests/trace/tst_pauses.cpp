@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/random.h"
+#include "support/test_program.h"
 #include "trace/analysis/pauses.h"
 
 using namespace rivulet::trace;
@@ -138,5 +139,5 @@ class TestPauses : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPauses)
+RIVULET_TEST(TestPauses)
 #include "tst_pauses.moc"

@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "support/test_program.h"
 #include "trace/file.h"
 #include "trace/recording.h"
 
@@ -304,5 +305,5 @@ class TestRecording : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRecording)
+RIVULET_TEST(TestRecording)
 #include "tst_recording.moc"

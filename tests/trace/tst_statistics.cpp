@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "support/test_program.h"
 #include "trace/analysis/statistics.h"
 
 using namespace rivulet::trace;
@@ -55,5 +56,5 @@ class TestStatistics : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestStatistics)
+RIVULET_TEST(TestStatistics)
 #include "tst_statistics.moc"

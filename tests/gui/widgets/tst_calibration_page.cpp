@@ -11,6 +11,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/calibration/calibration_charts.h"
 #include "widgets/calibration/calibration_models.h"
 #include "widgets/calibration/calibration_page.h"
@@ -211,5 +212,5 @@ class TestCalibrationPage : public QObject {
   }
 };
 
-QTEST_MAIN(TestCalibrationPage)
+RIVULET_TEST(TestCalibrationPage)
 #include "tst_calibration_page.moc"

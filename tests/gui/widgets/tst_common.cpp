@@ -12,6 +12,7 @@
 #include "gui/widgets/page_test.h"
 #include "opcua/error.h"
 #include "streaming/run.h"
+#include "support/test_program.h"
 #include "templates/cells.h"
 #include "widgets/common/diagnostic_text.h"
 #include "widgets/common/error_text.h"
@@ -206,5 +207,5 @@ class TestCommon : public QObject {
   }
 };
 
-QTEST_MAIN(TestCommon)
+RIVULET_TEST(TestCommon)
 #include "tst_common.moc"

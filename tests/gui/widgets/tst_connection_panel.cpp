@@ -8,6 +8,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_panel.h"
 
@@ -91,5 +92,5 @@ class TestConnectionPanel : public QObject {
   }
 };
 
-QTEST_MAIN(TestConnectionPanel)
+RIVULET_TEST(TestConnectionPanel)
 #include "tst_connection_panel.moc"

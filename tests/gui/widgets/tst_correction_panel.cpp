@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include "gui/widgets/page_test.h"
+#include "support/test_program.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/streaming/correction_panel.h"
@@ -205,5 +206,5 @@ class TestCorrectionPanel : public QObject {
   }
 };
 
-QTEST_MAIN(TestCorrectionPanel)
+RIVULET_TEST(TestCorrectionPanel)
 #include "tst_correction_panel.moc"

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/common/theme.h"
 #include "widgets/feasibility/feasibility_page.h"
 
@@ -234,5 +235,5 @@ class TestFeasibilityPage : public QObject {
 
 Q_DECLARE_METATYPE(rivulet::feasibility::OperatingPoint)
 Q_DECLARE_METATYPE(rivulet::widgets::SimulationWanted)
-QTEST_MAIN(TestFeasibilityPage)
+RIVULET_TEST(TestFeasibilityPage)
 #include "tst_feasibility_page.moc"

@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/streaming/method_panel.h"
 
 using namespace rivulet;
@@ -225,5 +226,5 @@ class TestMethodPanel : public QObject {
 };
 
 Q_DECLARE_METATYPE(rivulet::widgets::StreamSettings)
-QTEST_MAIN(TestMethodPanel)
+RIVULET_TEST(TestMethodPanel)
 #include "tst_method_panel.moc"

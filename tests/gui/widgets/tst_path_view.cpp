@@ -14,6 +14,7 @@
 #include "feasibility/equations.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/common/theme.h"
 #include "widgets/program/path_canvas.h"
 #include "widgets/program/path_view.h"
@@ -485,5 +486,5 @@ class TestPathView : public QObject {
   }
 };
 
-QTEST_MAIN(TestPathView)
+RIVULET_TEST(TestPathView)
 #include "tst_path_view.moc"

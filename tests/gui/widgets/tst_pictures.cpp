@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "templates/generator.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/log_view.h"
@@ -403,5 +404,5 @@ class TestPictures : public QObject {
   }
 };
 
-QTEST_MAIN(TestPictures)
+RIVULET_TEST(TestPictures)
 #include "tst_pictures.moc"

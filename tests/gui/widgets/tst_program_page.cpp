@@ -10,6 +10,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_canvas.h"
 #include "widgets/program/path_view.h"
@@ -212,5 +213,5 @@ class TestProgramPage : public QObject {
   }
 };
 
-QTEST_MAIN(TestProgramPage)
+RIVULET_TEST(TestProgramPage)
 #include "tst_program_page.moc"

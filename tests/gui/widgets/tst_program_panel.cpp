@@ -17,6 +17,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/common/diagnostic_text.h"
 #include "widgets/program/diagnostic_model.h"
 #include "widgets/program/program_panel.h"
@@ -285,5 +286,5 @@ class TestProgramPanel : public QObject {
   }
 };
 
-QTEST_MAIN(TestProgramPanel)
+RIVULET_TEST(TestProgramPanel)
 #include "tst_program_panel.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/program/program_view.h"
 
 using namespace rivulet;
@@ -218,5 +219,5 @@ class TestProgramView : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestProgramView)
+RIVULET_TEST(TestProgramView)
 #include "tst_program_view.moc"

@@ -7,6 +7,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/common/theme.h"
 #include "widgets/streaming/report_panel.h"
 #include "widgets/streaming/run_panel.h"
@@ -200,5 +201,5 @@ class TestRunPanel : public QObject {
   }
 };
 
-QTEST_MAIN(TestRunPanel)
+RIVULET_TEST(TestRunPanel)
 #include "tst_run_panel.moc"

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "gui/widgets/page_test.h"
+#include "support/test_program.h"
 #include "templates/generator.h"
 #include "widgets/templates/cell_model.h"
 #include "widgets/templates/template_page.h"
@@ -92,5 +93,5 @@ class TestTemplatePage : public QObject {
   }
 };
 
-QTEST_MAIN(TestTemplatePage)
+RIVULET_TEST(TestTemplatePage)
 #include "tst_template_page.moc"

@@ -10,6 +10,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "support/test_program.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/chart_style.h"
 #include "widgets/plots/envelope_series.h"
@@ -170,5 +171,5 @@ class TestTracePage : public QObject {
   }
 };
 
-QTEST_MAIN(TestTracePage)
+RIVULET_TEST(TestTracePage)
 #include "tst_trace_page.moc"

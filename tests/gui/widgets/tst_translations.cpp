@@ -10,6 +10,8 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include "support/test_program.h"
+
 namespace {
 
 struct Message {
@@ -91,5 +93,5 @@ class TestTranslations : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestTranslations)
+RIVULET_TEST(TestTranslations)
 #include "tst_translations.moc"
