@@ -50,12 +50,12 @@ constexpr std::array<Table1Cell, 10> kTable1{{
     {true, 100, opcua::Grouping::Single, 567.0, 17.9},
 }};
 
-/// Grains of the clock the paper's client asked, as its own figures tell: read once, all times
-/// are multiples of about 5.13 ms (0, 5.15, 10.25), written once of about 15.95 ms.
+/// Resolution of the clock of the paper's client, according to its own figures: all times of single
+/// reads are multiples of about 5.13 ms (0, 5.15, 10.25), those of single writes of about 15.95 ms.
 constexpr double kReadClockMs = 5.13;
 constexpr double kWriteClockMs = 15.95;
 
-/// One request of each kind, again and again. @return durations in ms
+/// Repeated requests of each kind. @return durations in ms
 Result<std::vector<double>> measure(opcua::Link& link, const Table1Cell& cell, std::size_t shots) {
   std::vector<opcua::Variable> variables;
   std::vector<opcua::Assignment> assignments;
@@ -76,7 +76,7 @@ Result<std::vector<double>> measure(opcua::Link& link, const Table1Cell& cell, s
   return durations;
 }
 
-/// What a clock shows that advances in grains: both ends are rounded down.
+/// The duration as a coarse clock shows it: both ends are rounded down.
 std::vector<double> throughClock(const std::vector<double>& durations, double grainMs,
                                  base::Random random) {
   std::vector<double> shown;
@@ -171,7 +171,7 @@ std::vector<Step> holdValues(const machine::MachineConfig& config, std::uint64_t
   std::size_t answered = 0;
   const Duration::rep cycle = config.interpolationCycle.count();
   int quiet = 0;
-  while (quiet < 10) {  // some cycles behind the last answer
+  while (quiet < 10) {  // some cycles after the last answer
     if (next == answered && next < kFigure2Values.size()) {
       const std::array write{
           opcua::Assignment{opcua::rParameter(kFigure2Cell), kFigure2Values[next++]}};
@@ -191,7 +191,7 @@ std::vector<Step> holdValues(const machine::MachineConfig& config, std::uint64_t
   return steps;
 }
 
-/// The program that watches R10: each change is noted with its time from R20 on.
+/// The program that watches R10: it stores each change with its time, from R20 on.
 constexpr const char* kWatcher =
     "ID=1 WHEN TRUE DO $AC_TIMER[1]=0\n"
     "ID=2 WHENEVER $R10<>$AC_PARAM[1] DO $R[20+2*$AC_MARKER[1]]=$AC_TIMER[1] "
@@ -306,7 +306,7 @@ struct SubscriptionRun {
 
 SubscriptionRun watch(const machine::MachineConfig& config, std::uint64_t seed) {
   machine::Machine machine(config, seed);
-  // Loaded and started as an operator does; nothing of it can fail here.
+  // Loaded and started as by an operator; none of this can fail here.
   const bool ready = machine.storeProgram("CHANGES.MPF", subscriptionProgram(), true) &&
                      machine.selectProgram("CHANGES.MPF") && machine.cycleStart();
   base::Random random(seed);

@@ -17,12 +17,12 @@ namespace rivulet::experiments {
 
 /// How long values written back to back are held, as the NC sees them.
 [[nodiscard]] base::Result<Experiment> runFigure2(const ExperimentOptions& options);
-/// The same on a connection: a program on the control notes by synchronized actions when the value
-/// changes. @return Failed if the program cannot be run, or what the link says
+/// The same on a connection: a program on the control records by synchronized actions when the
+/// value changes. @return Failed if the program cannot be run, or the error of the link
 [[nodiscard]] base::Result<Experiment> runFigure2On(const Endpoint& endpoint,
                                                     const ExperimentOptions& options);
 
-/// Of ten quick changes, how many a subscription sees.
+/// How many of ten quick changes a subscription sees.
 [[nodiscard]] base::Result<Experiment> runSubscription(const ExperimentOptions& options);
 
 }  // namespace rivulet::experiments

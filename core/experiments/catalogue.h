@@ -22,16 +22,17 @@ enum class ExperimentError {
   UnknownName = 1,
   Cancelled,
   NotOverOpcUa,  ///< this experiment needs virtual time
-  Failed,        ///< the control did not do what it has to; the message says what
+  Failed,        ///< the control did not respond as required; the message says how
 };
 
 [[nodiscard]] std::error_code make_error_code(ExperimentError code);
 
 struct ExperimentOptions {
   machine::MachineConfig machine;
-  std::size_t seeds = 0;  ///< runs per point, or shots per measurement; 0: as many as is usual
+  std::size_t seeds = 0;  ///< runs per point, or shots per measurement; 0: the usual number
   base::Executor& executor;
-  /// Called with the share done, 0 to 1, maybe from several threads; false cancels. May be empty.
+  /// Called with the share done, 0 to 1, possibly from several threads; false cancels. May be
+  /// empty.
   std::function<bool(double)> progress;
 };
 
@@ -49,7 +50,7 @@ struct Endpoint {
 [[nodiscard]] base::Result<Experiment> runExperiment(const std::string& name,
                                                      const ExperimentOptions& options);
 
-/// table1 and figure2 on a connection. @return UnknownName, NotOverOpcUa, or what the link says
+/// table1 and figure2 on a connection. @return UnknownName, NotOverOpcUa, or the error of the link
 [[nodiscard]] base::Result<Experiment> runExperimentOn(const std::string& name,
                                                        const Endpoint& endpoint,
                                                        const ExperimentOptions& options);

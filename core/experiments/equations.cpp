@@ -25,14 +25,14 @@ namespace {
 using base::MethodKind;
 using feasibility::Equation;
 
-// Feeds as multiples of the verdict's limit at the contour: from where nothing should fail to
-// where everything does.
+// Feeds as multiples of the verdict's limit at the contour: from one at which nothing should fail
+// to one at which everything does.
 constexpr double kLowestFactor = 0.35;
 constexpr double kFactorStep = 1.12;
 constexpr std::size_t kFactors = 20;
-/// What is asked of a corrected equation: at most this share of the runs it allows fails.
+/// Requirement on a corrected equation: at most this share of the runs it allows may fail.
 constexpr double kAllowedShare = 1e-3;
-/// What is asked of the verdict as it stands.
+/// Requirement on the verdict as it is.
 constexpr double kVerdictShare = 1e-2;
 constexpr double kTwoSigma = 1.96;
 
@@ -60,7 +60,7 @@ const std::vector<Setting>& settings() {
   return list;
 }
 
-/// An equation as it is judged here: its border is a feed at each contour.
+/// An equation as it is judged here: its limit is a feed at each contour.
 enum class Rule { One, Two, TwoSafe, VerdictPosition, Three, ThreeReal };
 constexpr std::array kRules{Rule::One,   Rule::Two,      Rule::TwoSafe, Rule::VerdictPosition,
                             Rule::Three, Rule::ThreeReal};
@@ -90,7 +90,7 @@ MethodKind methodOf(Rule rule) {
 /// Largest feed the rule allows; with the longer Δt, as the verdict.
 double borderMmPerS(Rule rule, const Setting& setting,
                     const feasibility::ProgramDistances& distances, base::Duration accessTime) {
-  // At 1 mm/s the margin is the border in mm/s.
+  // At 1 mm/s the margin is the limit in mm/s.
   const base::Duration poll = feasibility::pollTime(accessTime).max;
   const double one = feasibility::pointDistanceMargin(1.0, poll, distances.pointDistanceMmMin, 1.0);
   const feasibility::SafetyFactors safety;
@@ -152,9 +152,9 @@ Share shareOf(std::size_t hits, std::size_t total) {
   return {p, std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
-/// A run as one rule sees it: how far above the rule's border it was made.
+/// A run as one rule sees it: how far its feed was above the rule's limit.
 struct Seen {
-  double excess = 0.0;  ///< feed / border; the rule allows it below 1
+  double excess = 0.0;  ///< feed / limit; the rule allows it below 1
   bool failed = false;
 };
 
@@ -162,8 +162,8 @@ struct Seen {
 /// for both of its bounds.
 struct Threshold {
   double best = 0.0;
-  double lowest = 0.0;   ///< with the upper bound of the share: surely right
-  double highest = 0.0;  ///< with the lower bound: not surely wrong
+  double lowest = 0.0;   ///< with the upper bound of the share: certainly right
+  double highest = 0.0;  ///< with the lower bound: not certainly wrong
 };
 
 Threshold thresholdOf(std::vector<Seen> runs) {
@@ -206,7 +206,7 @@ std::optional<double> halfOf(const std::vector<Seen>& runs) {
     const double share = static_cast<double>(counts.first) / static_cast<double>(counts.second);
     if (share >= 0.5) {
       if (!before) {
-        return std::nullopt;  // already the lowest feeds fail
+        return std::nullopt;  // even the lowest feeds fail
       }
       const double part = (0.5 - before->second) / (share - before->second);
       return std::exp(before->first + part * (at - before->first));
@@ -421,7 +421,7 @@ class Equations {
                                      "[P1] VI.A", 0.0, share.value, 0.0, kVerdictShare});
       }
       if (rule == Rule::ThreeReal) {
-        // [P1] VI.A: (3) leaves out the stand-still.
+        // [P1] VI.A: (3) ignores the standstill.
         experiment.checks.push_back(
             {half ? "(3) with d_min^N, feed at which half of the runs fail beside its limit"
                   : "(3) with d_min^N, fastest feed tried beside its limit: half of the runs fail "
@@ -492,7 +492,7 @@ class Equations {
   }
 
   void addModel(Experiment& experiment) const {
-    // The mean of all contours of a setting at one factor, so that many runs stand behind it.
+    // The mean of all contours of a setting at one factor, so that it is based on many runs.
     double sum = 0.0;
     std::size_t count = 0;
     Series seenSeries{"simulated against predicted", SeriesStyle::Points, false, {}, {}, {}};

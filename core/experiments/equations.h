@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Equations (1) to (3) of [P1] against whole runs: what they said, what became of the runs, and
-/// by what factor each would have to be changed to be right.
+/// Equations (1) to (3) of [P1] compared with whole runs: their predictions, the results of the
+/// runs, and the factor by which each equation would have to be changed to be right.
 /// @threadsafety pure; the runs go through the executor.
 #pragma once
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What an experiment on the virtual machine came to: figures of [P1] beside ours, tables and
-/// plots. One form for all experiments, so that text, JSON, CSV, SVG and the report are each
-/// written by one function. @threadsafety plain values.
+/// The result of an experiment on the virtual machine: figures of [P1] and ours, tables and plots.
+/// All experiments have this form, so that one function each writes text, JSON, CSV, SVG and the
+/// report. @threadsafety plain values.
 #pragma once
 
 #include <cmath>
@@ -15,12 +15,12 @@
 
 namespace rivulet::experiments {
 
-/// One figure beside its reference, and the range in which it must lie.
+/// One figure, its reference, and the range in which it must be.
 struct Check {
   std::string what;    ///< "read, 20 parameters in a list, average"
   std::string unit;    ///< "ms"; empty for a count or ratio
   std::string source;  ///< "[P1] Table I"
-  double reference = std::numeric_limits<double>::quiet_NaN();  ///< not a number: none is stated
+  double reference = std::numeric_limits<double>::quiet_NaN();  ///< not a number: none is given
   double ours = 0.0;
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ enum class SeriesStyle {
 struct Series {
   std::string name;
   SeriesStyle style = SeriesStyle::Line;
-  bool fromPaper = false;  ///< drawn so that it can be told from ours without colour
+  bool fromPaper = false;  ///< drawn so that it differs from ours even without colour
   std::vector<double> x;
   std::vector<double> y;
   std::vector<double> yUpper;  ///< Band only

@@ -23,7 +23,7 @@ using base::Vec3;
 
 /// With exact stops the recorded planner uses this share of the axes' acceleration.
 constexpr double kExactStopShare = 0.9;
-/// A set point that moves slower than this stands.
+/// A set point slower than this is at standstill.
 constexpr double kStandingMmPerS = 1e-6;
 
 /// The machine that was recorded: its limits are part of the recordings' description.
@@ -67,7 +67,7 @@ OurRun drive(const std::vector<machine::PreparedMotion>& blocks, Vec3 startMm,
   return run;
 }
 
-/// From the first to the last motion, without the times in which it stood by order (G4).
+/// From the first to the last motion, without programmed dwells (G4).
 double movingSeconds(const std::vector<RecordedSample>& samples) {
   double seconds = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The look-ahead of the virtual machine beside recordings of another motion planner with known
-/// limits: cycle times with exact stops, use of the axes' limits, speed at rounded corners.
+/// The look-ahead of the virtual machine compared with recordings of another motion planner with
+/// known limits: cycle times with exact stops, use of the axes' limits, speed at rounded corners.
 /// @threadsafety pure.
 #pragma once
 

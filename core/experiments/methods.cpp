@@ -27,8 +27,8 @@ constexpr int kPointsPerLoop = 7;
 constexpr double kPointDistanceMm = 0.15;  // as in [P1], Fig. 4
 constexpr double kRestMmMean = 0.15;
 
-/// One line of the comparison. A file carries as many points as one likes: with N as for the
-/// others, and with ten times as many.
+/// One line of the comparison. A file can hold any number of points: it is compared with N as for
+/// the others, and with ten times as many.
 struct Contender {
   MethodKind method;
   int pointsPerLoop;
@@ -44,12 +44,12 @@ constexpr std::array<Contender, 6> kContenders{
 constexpr std::array<double, 12> kFeeds{100.0,  200.0,  300.0,  500.0,  700.0,  1000.0,
                                         1500.0, 2000.0, 3000.0, 5000.0, 8000.0, 12000.0};
 
-/// One run, as the machine's own trace and its variable service have it.
+/// One run, according to the machine's own trace and its variable service.
 struct Measured {
   bool isRight = false;
   double pauses = 0.0;
   double standingS = 0.0;
-  double waitingS = 0.0;  ///< standing beyond what a client that needs no time makes it stand
+  double waitingS = 0.0;  ///< standstill in excess of that with a client that needs no time
   double totalS = 0.0;
   double executed = 0.0;
   double nodes = 0.0;
@@ -85,7 +85,7 @@ Measured measure(const ExperimentOptions& options, const Contender& contender, d
       options.machine.rRead == machine::RRead::AtInterpretation && !options.machine.jumpStops;
   scenario.settings.deltaMm = kPointDistanceMm;
   scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
-  scenario.settings.monitor = false;  // reads nothing but what the method needs
+  scenario.settings.monitor = false;  // reads only what the method needs
   scenario.settings.stallDeadline = std::chrono::seconds{3};
   scenario.seed = seed;
   scenario.limit = std::chrono::minutes{10};
@@ -160,7 +160,7 @@ std::vector<std::string> rowOf(const std::string& name, double feed, const Summa
           fmt::format("{:.2f}", summary.waitingS)};
 }
 
-/// What the report shows of one method.
+/// The part of the report about one method.
 struct Lines {
   std::vector<std::vector<std::string>> rows;  ///< one per feed
   std::optional<std::size_t> largest;          ///< feed up to which every run is right

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The streaming methods beside each other: same contours, same machine, same access.
+/// Comparison of the streaming methods: same contours, same machine, same access.
 /// @threadsafety pure; jobs go through the executor of the options.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace rivulet::experiments {
 
-/// How fast each method may be without an error, and what that costs in pauses and access.
+/// How fast each method can be without an error, and its cost in pauses and access.
 [[nodiscard]] base::Result<Experiment> runMethods(const ExperimentOptions& options);
 
 }  // namespace rivulet::experiments

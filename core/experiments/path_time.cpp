@@ -38,7 +38,7 @@ class Feeder {
 
   [[nodiscard]] bool isAtEnd() const { return m_next == m_trajectory.points.size(); }
 
-  /// Hands over the next point and, where the stream pauses after it, the pause.
+  /// Passes on the next point and, if the stream pauses after it, the pause.
   void append(machine::PathPlanner& planner, PathTime& result) {
     const base::LineNumber line = m_trajectory.points[m_next].line;
     const bool pauses = pausesAfterNext();
@@ -73,7 +73,7 @@ class Feeder {
     if (m_options.feedMmPerS > 0.0) {
       return m_options.feedMmPerS;
     }
-    // Where the program gives no feed, the machine's rapid is the upper bound.
+    // If the program gives no feed, the machine's rapid is the upper bound.
     const bool isRapid = point.kind == gcode::MoveKind::Rapid;
     return isRapid || point.feedMmPerS <= 0.0 ? m_config.rapidMmPerS : point.feedMmPerS;
   }

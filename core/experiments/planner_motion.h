@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The motion of a flexible program's window, made by the look-ahead of the virtual machine: what
-/// the probability of a failed run is computed with. @threadsafety `move` from any thread.
+/// The motion of a flexible program's window, computed with the look-ahead of the virtual machine:
+/// input of the probability of a failed run. @threadsafety `move` from any thread.
 #pragma once
 
 #include "feasibility/probability.h"

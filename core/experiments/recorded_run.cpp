@@ -24,7 +24,7 @@ namespace {
 using base::Result;
 using base::Vec3;
 
-/// A recording of this size is no recording.
+/// A file of this size cannot be a recording.
 constexpr unsigned long long kBytesMax = 1ull << 30;
 
 Result<std::string> readFile(const std::filesystem::path& path) {
@@ -47,7 +47,7 @@ Result<std::string> decompress(const std::string& packed, const std::string& nam
       return text;
     }
   }
-  // Streams do not say how large they are.
+  // Streams do not contain their size.
   text.clear();
   const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(),
                                                                              ZSTD_freeDStream);
@@ -118,7 +118,7 @@ machine::ArcPath arcPath(Vec3 from, Vec3 to, Vec3 centre, bool clockwise) {
   const double end = std::atan2(to.y - centre.y, to.x - centre.x);
   double sweep = clockwise ? begin - end : end - begin;
   while (sweep <= 1e-9) {
-    sweep += 2.0 * std::numbers::pi;  // where it ends where it began, it is a full circle
+    sweep += 2.0 * std::numbers::pi;  // if it ends where it began, it is a full circle
   }
   arc.sweepRad = sweep;
   return arc;

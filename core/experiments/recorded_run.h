@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Runs of another motion controller, recorded: its program and what its planner commanded. They
-/// are compared with the look-ahead of the virtual machine. @threadsafety pure.
+/// Recorded runs of another motion controller: its programs and the set points of its planner, to
+/// be compared with the look-ahead of the virtual machine. @threadsafety pure.
 #pragma once
 
 #include <filesystem>
@@ -29,15 +29,15 @@ struct RecordedSample {
 
 struct RecordedRun {
   std::string name;
-  /// Lines and arcs of the program; dwells are left out (each stands between two blocks of
-  /// `ExactStop`). Ends and rounding as the program orders (G61, G64 P).
+  /// Lines and arcs of the program; dwells are left out (each is between two blocks of
+  /// `ExactStop`). Block ends and rounding as programmed (G61, G64 P).
   std::vector<machine::PreparedMotion> blocks;
   std::vector<RecordedSample> samples;
 };
 
 /// Straight and circular blocks of a program in the XY plane: G1, G2, G3 with X Y Z I J F, G61,
 /// G64 P, comments in parentheses.
-/// @param startMm  where the tool stands before it
+/// @param startMm  the tool's position before it
 [[nodiscard]] base::Result<std::vector<machine::PreparedMotion>> parseRecordedProgram(
     std::string_view text, base::Vec3 startMm);
 

@@ -19,14 +19,14 @@ using feasibility::SweepAxis;
 
 /// A run without progress is abandoned after this time.
 constexpr base::Duration kStallDeadline = std::chrono::seconds{3};
-/// A run that repeats points takes longer than planned. It is watched for the planned time times
-/// this factor, plus this rest.
+/// A run that repeats points takes longer than planned. It is limited to the planned time
+/// multiplied by this factor, plus this rest.
 constexpr double kLimitFactor = 1.5;
 constexpr double kLimitRestS = 5.0;
 /// Distance from the start to the first point, in addition to δ.
 constexpr double kApproachMm = 1.0;
 
-/// Time at the programmed feed, plus a stand-still at every signal.
+/// Time at the programmed feed, plus a standstill at every signal.
 double plannedSeconds(const streaming::Scenario& scenario) {
   const std::vector<gcode::TrajectoryPoint>& points = scenario.program->trajectory.points;
   double lengthMm = 0.0;

@@ -29,7 +29,7 @@ using streaming::RunReport;
 using streaming::Scenario;
 
 constexpr int kPointsPerLoop = 7;     // N of the paper's experiments
-constexpr double kRestMmMean = 0.15;  // what a step of the contour has beyond d_min, on average
+constexpr double kRestMmMean = 0.15;  // mean excess of a step of the contour over d_min
 
 Scenario scenarioOf(const ExperimentOptions& options, MethodKind method, double feedMmPerMin,
                     double deltaMm, const std::vector<Vec3>& contour, std::uint64_t seed) {
@@ -40,9 +40,9 @@ Scenario scenarioOf(const ExperimentOptions& options, MethodKind method, double 
   scenario.settings.parameters.pointsPerLoop = kPointsPerLoop;
   scenario.settings.deltaMm = deltaMm;
   scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
-  // As in the paper: the client reads nothing but what its method needs.
+  // As in the paper: the client reads only what its method needs.
   scenario.settings.monitor = false;
-  // A run that gets nowhere is over soon.
+  // A run without progress is ended soon.
   scenario.settings.stallDeadline = std::chrono::seconds{3};
   scenario.seed = seed;
   scenario.limit = std::chrono::minutes{10};
@@ -126,7 +126,7 @@ std::vector<Vec3> contourWithTinySteps(std::size_t points, double windowMmMin, s
   std::vector<Vec3> contour{{}};
   double courseRad = 0.0;
   while (contour.size() < points) {
-    // One step in ten is as small as can be.
+    // One step in ten has the smallest length.
     double step = kTinyMm + (random.below(10) == 0 ? 0.0 : kRestMmMean * random.exponential());
     double window = step;
     for (std::size_t i = 0; i + 1 < kWindowSteps && i < steps.size(); ++i) {
@@ -184,7 +184,7 @@ Result<Experiment> runFigure3(const ExperimentOptions& options) {
       for (const trace::Pause& pause : report.pauses) {
         durationsMs.push_back(base::toMilliseconds(pause.duration));
       }
-      pauses += report.pauses.size() + 1;  // behind the last loop nothing moves: no pause
+      pauses += report.pauses.size() + 1;  // after the last loop nothing moves: no pause
     }
     const double perLoop = static_cast<double>(pauses) / (kLoops * static_cast<double>(seeds));
     const std::string name(base::methodName(method));

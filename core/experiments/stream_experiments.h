@@ -10,9 +10,9 @@
 
 namespace rivulet::experiments {
 
-/// Stand-stills of both methods.
+/// Standstills of both methods.
 [[nodiscard]] base::Result<Experiment> runFigure3(const ExperimentOptions& options);
-/// Smallest d_min over the feed, method position, beside equation (1).
+/// Smallest d_min over the feed, method position, and equation (1).
 [[nodiscard]] base::Result<Experiment> runFigure4(const ExperimentOptions& options);
 /// Method signal with steps down to 0.001 mm.
 [[nodiscard]] base::Result<Experiment> runMethod2(const ExperimentOptions& options);

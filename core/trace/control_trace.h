@@ -22,14 +22,14 @@ namespace rivulet::trace {
 struct ControlSample {
   base::Instant at{};
   base::Vec3 commandMm;   ///< set point, workpiece frame
-  base::Vec3 actualMm;    ///< behind the servo
-  double feedMmPerS = 0;  ///< path speed of the set point; deg/s where only rotary axes turn
+  base::Vec3 actualMm;    ///< after the servo
+  double feedMmPerS = 0;  ///< path speed of the set point; deg/s if only rotary axes turn
   base::LineNumber line;  ///< block in motion, line of the NC program on the control
   base::RotaryDeg commandDeg{};
   base::RotaryDeg actualDeg{};
 };
 
-/// One motion block, from the moment the main run took it up to its end.
+/// One motion block, from the moment the main run started it to its end.
 struct ExecutedBlock {
   base::Instant from{};
   base::Instant to{};
@@ -39,7 +39,7 @@ struct ExecutedBlock {
   base::RotaryDeg targetDeg{};
   double turnDeg = 0.0;  ///< how far the rotary axes turn, as `base::turnDeg` says
 
-  /// False for a block that moves nothing.
+  /// False if the block moves nothing.
   [[nodiscard]] bool moves() const { return lengthMm > 0.0 || turnDeg > 0.0; }
 };
 
@@ -62,7 +62,7 @@ enum class TraceError {
 [[nodiscard]] std::error_code make_error_code(TraceError code);
 
 /// Versioned line format (docs/formats.md). `parse(print(t))` equals `t`. A trace without rotary
-/// axes is written as it always was.
+/// axes is written in format 1.
 [[nodiscard]] std::string printControlTrace(const ControlTrace& trace);
 [[nodiscard]] base::Result<ControlTrace> parseControlTrace(std::string_view text);
 

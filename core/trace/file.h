@@ -22,9 +22,9 @@ inline constexpr std::uintmax_t kFileBytesMax = std::uintmax_t{2} << 30;
 [[nodiscard]] base::Result<std::string> readFile(const std::filesystem::path& path);
 
 /// Replaces the file as a whole: the text goes to a temporary file in the same folder, which then
-/// takes the file's name. Whatever happens, the old or the new text is there, never a part. What
-/// is no ordinary file (a device, a pipe) is written to directly.
-/// @return error FileNotWritable; a file that was there before is unchanged then
+/// takes the file's name. Whatever happens, the file holds the old or the new text, never a part.
+/// Anything but an ordinary file (a device, a pipe) is written to directly.
+/// @return error FileNotWritable; an existing file is then unchanged
 [[nodiscard]] base::Result<void> writeFile(const std::filesystem::path& path,
                                            std::string_view text);
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// How one line of a trace file is taken apart and put together; shared by the two formats of
-/// docs/formats.md and by nobody else. A line is a keyword and fields separated by blanks;
-/// numbers are locale-free and doubles read back to the bit. @threadsafety pure.
+/// Parsing and printing one line of a trace file; shared only by the two formats of
+/// docs/formats.md. A line is a keyword and fields separated by blanks; numbers are locale-free and
+/// doubles read back to the bit. @threadsafety pure.
 #pragma once
 
 #include <charconv>
@@ -19,11 +19,11 @@
 
 namespace rivulet::trace::lines {
 
-/// The lines of a text, one after another. A line without its line feed is not whole.
+/// The lines of a text, one after another. A line without a line feed is not whole.
 class LineReader {
  public:
   struct Line {
-    std::string_view text;   ///< without line end; a CR an editor may have added is gone too
+    std::string_view text;   ///< without line end, also without a CR that an editor may have added
     std::size_t number = 0;  ///< from 1
     bool whole = true;       ///< false: the text ends within this line
   };
@@ -56,9 +56,9 @@ class Fields {
   [[nodiscard]] base::Instant instant() { return base::Instant{duration()}; }
   /// A text in double quotes, as `appendQuoted` writes it.
   [[nodiscard]] std::string quoted();
-  /// The name in front of '=': `key()` and then one value function reads "key=value".
+  /// The name before '=': `key()` and then one value function reads "key=value".
   [[nodiscard]] std::string_view key();
-  /// Takes a value of any kind without looking at it.
+  /// Skips a value of any kind.
   void skipValue();
 
   void refuse() { m_ok = false; }
@@ -75,7 +75,7 @@ class Fields {
 /// Appends `text` in double quotes; quotes, backslashes and line ends are escaped.
 void appendQuoted(std::string& out, std::string_view text);
 
-/// @param rotaryAxes  whose angles stand at the end of the line
+/// @param rotaryAxes  whose angles are at the end of the line
 void appendSample(std::string& out, const ControlSample& sample, const base::RotarySet& rotaryAxes);
 void appendBlock(std::string& out, const ExecutedBlock& block, const base::RotarySet& rotaryAxes);
 /// Reads what follows the keyword; nothing if a field is missing, wrong or left over.
@@ -84,13 +84,13 @@ void appendBlock(std::string& out, const ExecutedBlock& block, const base::Rotar
 [[nodiscard]] std::optional<ExecutedBlock> readBlock(Fields fields,
                                                      const base::RotarySet& rotaryAxes);
 
-/// Angles of those axes, each behind a blank.
+/// Angles of those axes, each after a blank.
 void appendAngles(std::string& out, const base::RotaryDeg& angles, const base::RotarySet& of);
 [[nodiscard]] base::RotaryDeg readAngles(Fields& fields, const base::RotarySet& of);
 /// The axes in a word as `base::rotaryNames` writes it; anything else is refused.
 [[nodiscard]] base::RotarySet readRotaryNames(Fields& fields);
 
-/// What the first line of a file says: "<name> <version> ...".
+/// The first line of a file: "<name> <version> ...".
 struct Header {
   bool known = false;  ///< the name is the expected one and the version a number
   int version = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A stand-still of the path, with how we know of it. @threadsafety plain values.
+/// A standstill of the path, and how it is known. @threadsafety plain values.
 #pragma once
 
 #include <string_view>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The recording of one run: what was ordered, what was sent, what was seen and what came out.
-/// It is the interface between streaming and everything that looks at a run afterwards. Format:
-/// docs/formats.md. @threadsafety plain values; one writer, one thread.
+/// The recording of one run: what was requested, sent and seen, and the result. It is the interface
+/// between streaming and everything that looks at a run afterwards. Format: docs/formats.md.
+/// @threadsafety plain values; one writer, one thread.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@
 
 namespace rivulet::trace {
 
-/// What the run was ordered to do.
+/// Settings of the run.
 struct RunStart {
   std::string toolVersion;
   std::string method;  ///< `base::methodName`
@@ -35,11 +35,11 @@ struct RunStart {
   std::string programName;
   std::string programHash;
   std::string endpoint;      ///< of the OPC UA server, or "simulated <preset> <seed>"
-  std::string startedAtUtc;  ///< ISO 8601, given by the caller (core asks no clock); may be empty
+  std::string startedAtUtc;  ///< ISO 8601, given by the caller (core reads no clock); may be empty
   std::string axes{};        ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
 };
 
-/// One live observation. What was not read stays empty.
+/// One live observation. Values that were not read stay empty.
 struct LiveSample {
   base::Instant at{};
   std::optional<base::Vec3> positionMm;
@@ -83,8 +83,8 @@ struct Recording {
   std::optional<RunEnd> end;
 
   bool complete = false;  ///< an end record was found: the writer was not interrupted
-  /// False if points are missing or could not be read. The list must not be used to judge a run
-  /// then: the indices of the points would be wrong.
+  /// False if points are missing or could not be read. Then the list must not be used to judge a
+  /// run, because the indices of the points would be wrong.
   bool pointsComplete = false;
   std::size_t unreadableLines = 0;  ///< left out; a last line that was cut off counts too
 };
@@ -92,9 +92,9 @@ struct Recording {
 /// Takes text that ends with a whole line. @return false if it could not be stored
 using RecordingSink = std::function<bool(std::string_view)>;
 
-/// Puts a recording together while the run lasts. Every call hands whole lines to the sink, so
-/// that a file which is cut off anywhere can be read up to its last whole line. After the sink
-/// has refused once, nothing more is handed to it: a recording has no holes.
+/// Writes a recording during the run. Every call passes whole lines to the sink, so that a file
+/// that is cut off anywhere can be read up to its last whole line. After the sink has refused once,
+/// it gets nothing more: a recording has no holes.
 class RecordingWriter {
  public:
   /// @param sink  not empty; called on the thread that calls the functions below
@@ -116,7 +116,7 @@ class RecordingWriter {
 
  private:
   bool flush();
-  /// Hands over what has gathered when it is large enough.
+  /// Passes the buffered text on once it is large enough.
   bool flushIfLarge();
 
   RecordingSink m_sink;
@@ -125,10 +125,10 @@ class RecordingWriter {
   bool m_ok = true;
 };
 
-/// The same text a writer makes, record by record. An absent `end` leaves the recording open.
+/// The same text as that of a writer, record by record. Without `end` the recording stays open.
 [[nodiscard]] std::string printRecording(const Recording& recording);
 
-/// Reads as much as is there: lines that cannot be read are left out and counted.
+/// Reads as much as possible: unreadable lines are left out and counted.
 /// @return error NotATrace, NewerVersion; Damaged if not even the first line is whole
 [[nodiscard]] base::Result<Recording> parseRecording(std::string_view text);
 

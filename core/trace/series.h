@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Storage that only grows, in chunks: appending never moves what is there, so a long run costs
+/// Storage that only grows, in chunks: appending never moves existing values, so a long run causes
 /// no sudden copy of everything. @threadsafety one object, one thread.
 #pragma once
 

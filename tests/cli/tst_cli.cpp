@@ -329,7 +329,7 @@ class TestCli : public QObject {
     QVERIFY(refused.output.contains(QStringLiteral("has no axis A and C")));
     const Outcome beside = stream({simulate, preset, QStringLiteral("dmu75-5axis"),
                                    QStringLiteral("--axes"), QStringLiteral("XYZA")});
-    QVERIFY(beside.output.contains(QStringLiteral("Choose XYZAC")));
+    QVERIFY(beside.output.contains(QStringLiteral("Select XYZAC")));
     QCOMPARE(stream({simulate, QStringLiteral("--axes"), QStringLiteral("XQ")}).exit, 2);
     const Outcome text = run(words("template --axes XYZAC --points 5 --verify"));
     QVERIFY2(text.exit == 0, qPrintable(text.output + text.errors));

@@ -114,7 +114,7 @@ class TestMachineProfile : public QObject {
     other.applicationUri = "urn:other";
     QVERIFY(why(kEndpoint, other).contains(QStringLiteral("has not been tested")));
     QVERIFY(report::saveCreditTest(path, makeTest(false)).has_value());
-    QVERIFY(why(kEndpoint, test.server).contains(QStringLiteral("failed it on 2026-05-04")));
+    QVERIFY(why(kEndpoint, test.server).contains(QStringLiteral("failed the test on 2026-05-04")));
     // A file that cannot be read is no permission either.
     QVERIFY(trace::writeFile(report::profilePath(path, kEndpoint, test.server), "x").has_value());
     QCOMPARE(why(kEndpoint, test.server), QStringLiteral("?"));

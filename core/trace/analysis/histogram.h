@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// How a set of durations is spread: percentiles as far as their number carries them, and a
+/// The distribution of a set of durations: the percentiles that their number allows, and a
 /// histogram as data. @threadsafety pure.
 #pragma once
 
@@ -30,14 +30,14 @@ struct Percentile {
 /// Bins of the same width; bin i counts from + i·width <= duration < from + (i + 1)·width.
 struct Histogram {
   base::Duration from{};
-  base::Duration width{};  ///< zero where there are no durations
+  base::Duration width{};  ///< zero if there are no durations
   std::vector<std::size_t> counts;
-  std::size_t above = 0;  ///< beyond the last bin: the few that would stretch the picture
+  std::size_t above = 0;  ///< after the last bin: the few that would stretch the picture
   friend bool operator==(const Histogram&, const Histogram&) = default;
 };
 
 /// The width is about 2·IQR/∛n, and 1, 2 or 5 times a power of ten so that the borders are round
-/// numbers; there are never more than 41 bins. The bins end shortly beyond the 99th percentile.
+/// numbers; there are never more than 41 bins. The bins end shortly after the 99th percentile.
 /// @param ascending  sorted
 /// @source D. Freedman, P. Diaconis: On the histogram as a density estimator (1981), the width
 [[nodiscard]] Histogram histogram(const std::vector<base::Duration>& ascending);

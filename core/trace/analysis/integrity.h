@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The independent oracle: was each point executed exactly once, in order? It works from what
-/// the control executed and from the list of points alone, and knows nothing of methods, slots
-/// or of what the client believes. @threadsafety pure.
+/// The independent oracle: was each point executed exactly once, in order? It uses only what the
+/// control executed and the list of points. It knows nothing of methods and slots, nor of the
+/// client's view. @threadsafety pure.
 #pragma once
 
 #include <cstddef>
@@ -28,28 +28,28 @@ struct Integrity {
   bool judged = false;       ///< false: no trace of the control was available
   std::size_t executed = 0;  ///< points executed at least once
   std::size_t repeated = 0;  ///< executions beyond the first that moved an axis
-  std::size_t skipped = 0;   ///< points never executed though a later one was
-  std::size_t foreign = 0;   ///< moving blocks whose end is no point of the program
+  std::size_t skipped = 0;   ///< points never executed although a later one was
+  std::size_t foreign = 0;   ///< moving blocks whose end is not a point of the program
   /// Points executed at the wrong place: the fewest that have to be left out so that the first
   /// executions of all others are in program order.
   std::size_t outOfOrder = 0;
   std::vector<IntegrityFault> faults;  ///< at most 100, in time order
 
-  /// Nothing repeated, skipped, foreign or out of order. Whether the run reached its end is told by
+  /// Nothing repeated, skipped, foreign or out of order. Whether the run was complete is told by
   /// `executed`: a run that was stopped in the middle is faultless too.
   [[nodiscard]] bool isFaultless() const {
     return judged && repeated + skipped + foreign + outOfOrder == 0;
   }
 };
 
-/// Judges what was executed. A block that moves nothing (1e-9 mm, 1e-9 deg) is no execution,
-/// except that it stands for the point due if that is where the axes stand. Where several points
-/// of the program coincide, a block is taken for the point due; only if that does not fit, for the
-/// one that the following blocks speak for. O(blocks) for a faultless run; otherwise the points
-/// are sorted once and each fault costs O(log(points)).
+/// Judges what was executed. A block that moves nothing (1e-9 mm, 1e-9 deg) is not an execution,
+/// unless the axes are at the point due: then it executes that point. If several points of the
+/// program coincide, a block is assigned to the point due; if that does not fit, to the point that
+/// the following blocks indicate. O(blocks) for a faultless run; otherwise the points are sorted
+/// once and each fault costs O(log(points)).
 /// @param points  in program order, finite, workpiece frame
 /// @param blocks  in time order; all of them: a truncated trace cannot be judged
-/// @param toleranceMm  how far a block's end may lie from its point (numbers in R-parameters are
+/// @param toleranceMm  how far a block's end may be from its point (numbers in R-parameters are
 ///        doubles: 1e-6 suffices for the virtual machine); for angles as many degrees
 /// @param rotaryAxes  those that were streamed: their angles have to be right too
 [[nodiscard]] Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
