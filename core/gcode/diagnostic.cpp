@@ -3,152 +3,206 @@
 
 #include "gcode/diagnostic.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 
-#include "base/contract.h"
 #include "base/text.h"
 
 namespace rivulet::gcode {
 
 namespace {
 
+/// The sentences of findings, each once: for the log in English, for the window as the source of
+/// its translation. lupdate finds them by this name; "%1" is the argument.
+#define RIVULET_SENTENCE(context, sentence) sentence
+
 struct CodeText {
+  DiagnosticCode code;
   std::string_view name;
-  std::string_view sentence;  ///< {} is the argument
+  const char* sentence;
 };
 
-CodeText textOf(DiagnosticCode code) {
-  switch (code) {
-    case DiagnosticCode::UnexpectedCharacter:
-      return {"unexpected-character",
-              "The character \"{}\" has no meaning here: remove it or put it into a comment."};
-    case DiagnosticCode::NumberMissing:
-      return {"number-missing", "The word {} has no number behind it."};
-    case DiagnosticCode::NumberMalformed:
-      return {"number-malformed",
-              "\"{}\" is not a number: write digits with a point for the decimals."};
-    case DiagnosticCode::CommentNotClosed:
-      return {"comment-not-closed",
-              "A bracket is opened and not closed on this line: the rest of the line is not read."};
-    case DiagnosticCode::UnknownGCode:
-      return {"unknown-g-code",
-              "{} is not a G function Rivulet knows: what it does to the path is unknown."};
-    case DiagnosticCode::UnknownWord:
-      return {"unknown-word",
-              "The word {} is not understood here: what it does to the path is unknown."};
-    case DiagnosticCode::UnsupportedGCode:
-      return {"unsupported-g-code",
-              "{} changes the path or the feed in a way Rivulet does not support: post-process the "
-              "program without it."};
-    case DiagnosticCode::UnsupportedExpression:
-      return {"unsupported-expression",
-              "\"{}\" is not run by Rivulet: what it does to the path is unknown."};
-    case DiagnosticCode::IgnoredCode:
-      return {"ignored-code", "{} is not sent to the control: it does not change the path."};
-    case DiagnosticCode::ConflictingGCodes:
-      return {"conflicting-g-codes", "{} contradict each other in one block: keep one of them."};
-    case DiagnosticCode::RepeatedWord:
-      return {"repeated-word", "The word {} appears twice in one block: keep one of them."};
-    case DiagnosticCode::ArcWithoutCentre:
-      return {"arc-without-centre",
-              "The arc has no centre: give I, J, K, or a radius with an end point away from the "
-              "start."};
-    case DiagnosticCode::ArcRadiusMismatch:
-      return {"arc-radius-mismatch",
-              "The arc's radius differs by {} mm between start and end: check the centre, which is "
-              "read as an increment from the start."};
-    case DiagnosticCode::ArcRadiusTooSmall:
-      return {
-          "arc-radius-too-small",
-          "The arc's radius is too small to reach its end point (radius < half chord, mm: {})."};
-    case DiagnosticCode::ArcFromUnknownPosition:
-      return {"arc-from-unknown-position",
-              "The arc starts at an unknown place: program {} with G0 or G1 before it."};
-    case DiagnosticCode::RelativeFromUnknownPosition:
-      return {"relative-from-unknown-position",
-              "The increment of {} starts at an unknown place: program {} with G90 before it."};
-    case DiagnosticCode::FeedMissing:
-      return {"feed-missing",
-              "A block moves with G1, G2 or G3 before any feed F: the feed of the run is used."};
-    case DiagnosticCode::FeedNotPositive:
-      return {"feed-not-positive", "The feed F{} is not greater than 0."};
-    case DiagnosticCode::ValueOutOfRange:
-      return {"value-out-of-range", "The value of {} is outside of what Rivulet accepts."};
-    case DiagnosticCode::TextAfterProgramEnd:
-      return {"text-after-program-end",
-              "The blocks from here on stand behind the end of the "
-              "program (M30, M2, M17 or %): they are not read."};
-    case DiagnosticCode::MotionModeAssumed:
-      return {
-          "motion-mode-assumed",
-          "An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the "
-          "control."};
-    case DiagnosticCode::CentreOutsidePlane:
-      return {"centre-outside-plane",
-              "The centre word {} does not lie in the plane of the arc: check G17, G18, G19."};
-    case DiagnosticCode::TooManyPoints:
-      return {"too-many-points",
-              "The program has more than {} points: it is not read further. Split it."};
-    case DiagnosticCode::EndlessLoop:
-      return {"endless-loop",
-              "The loop that ends here does not come to an end: {} blocks were run again, then "
-              "reading stopped. Check its condition."};
-    case DiagnosticCode::ExpressionFault:
-      return {"expression-fault", "The calculation has no result: {}."};
-    case DiagnosticCode::FlowFault:
-      return {"flow-fault", "The order of the blocks is not known from here on: {}."};
-    case DiagnosticCode::SubprogramMissing:
-      return {
-          "subprogram-missing",
-          "The subprogram {} is not in this file and not beside it: the points it would give are "
-          "missing."};
-    case DiagnosticCode::CycleNotRun:
-      return {"cycle-not-run",
-              "{} is a cycle of the control: the motions it makes are missing here."};
-    case DiagnosticCode::MachineCoordinates:
-      return {
-          "machine-coordinates",
-          "{} moves in machine coordinates, whose place in the workpiece is not known: the move "
-          "is left out."};
-    case DiagnosticCode::RotaryAxes:
-      return {"rotary-axes",
-              "{} turns on the path: only method window streams it, with this axis among those "
-              "chosen."};
-    case DiagnosticCode::ToolTip:
-      return {"tool-tip",
-              "{} makes X, Y and Z those of the tool's tip while rotary axes turn, and no method "
-              "switches it on at the control. Have the program written for the axes."};
-    case DiagnosticCode::ToolDirections:
-      return {"tool-directions",
-              "{} give the direction of the tool: the points carry it, but only the control could "
-              "make rotary axes of it. Have the program written with A, B or C."};
-    case DiagnosticCode::NotAnyDialect:
-      return {"not-any-dialect",
-              "The file holds bytes that no NC text has: choose a text file, not an archive or a "
-              "picture."};
-    case DiagnosticCode::CentreReading:
-      return {"centre-reading",
-              "All arcs of the program fit if I, J and K are read as {}: check how the "
-              "post-processor writes them, and load the program that way."};
-    case DiagnosticCode::NoMotion:
-      return {
-          "no-motion",
-          "The program moves no axis: there is nothing to stream. Choose a program with G0, G1, "
-          "G2 or G3 and X, Y or Z."};
-    case DiagnosticCode::LatheAssumed:
-      return {"lathe-assumed",
-              "{} is a turning cycle, so this is a program for a lathe: X is read as a diameter, U "
-              "and W as increments, the plane is Z X."};
-    case DiagnosticCode::Accepted:
-      return {"accepted",
-              "{} is left out, as you have accepted: the path may differ from the "
-              "control's."};
-    case DiagnosticCode::MoreFindings:
-      return {"more-findings", "{} more findings from here on are not listed."};
+constexpr std::array kTexts{
+    CodeText{DiagnosticCode::UnexpectedCharacter, "unexpected-character",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "The character \"%1\" has no meaning here: remove it or put it into a comment.")},
+    CodeText{DiagnosticCode::NumberMissing, "number-missing",
+             RIVULET_SENTENCE("DiagnosticTexts", "The word %1 has no number behind it.")},
+    CodeText{
+        DiagnosticCode::NumberMalformed, "number-malformed",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "\"%1\" is not a number: write digits with a point for the decimals.")},
+    CodeText{
+        DiagnosticCode::CommentNotClosed, "comment-not-closed",
+        RIVULET_SENTENCE(
+            "DiagnosticTexts",
+            "A bracket is opened and not closed on this line: the rest of the line is not read.")},
+    CodeText{DiagnosticCode::UnknownGCode, "unknown-g-code",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "%1 is not a G function Rivulet knows: what it does to the path is unknown.")},
+    CodeText{DiagnosticCode::UnknownWord, "unknown-word",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "The word %1 is not understood here: what it does to the path is unknown.")},
+    CodeText{DiagnosticCode::UnsupportedGCode, "unsupported-g-code",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 changes the path or the feed in a way Rivulet does not support: "
+                              "post-process the program without it.")},
+    CodeText{
+        DiagnosticCode::UnsupportedExpression, "unsupported-expression",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "\"%1\" is not run by Rivulet: what it does to the path is unknown.")},
+    CodeText{DiagnosticCode::IgnoredCode, "ignored-code",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 is not sent to the control: it does not change the path.")},
+    CodeText{DiagnosticCode::ConflictingGCodes, "conflicting-g-codes",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 contradict each other in one block: keep one of them.")},
+    CodeText{DiagnosticCode::RepeatedWord, "repeated-word",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The word %1 appears twice in one block: keep one of them.")},
+    CodeText{DiagnosticCode::ArcWithoutCentre, "arc-without-centre",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The arc has no centre: give I, J, K, or a radius with an end point "
+                              "away from the start.")},
+    CodeText{DiagnosticCode::ArcRadiusMismatch, "arc-radius-mismatch",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The arc's radius differs by %1 mm between start and end: check the "
+                              "centre, which is read as an increment from the start.")},
+    CodeText{
+        DiagnosticCode::ArcRadiusTooSmall, "arc-radius-too-small",
+        RIVULET_SENTENCE(
+            "DiagnosticTexts",
+            "The arc's radius is too small to reach its end point (radius < half chord, mm: %1).")},
+    CodeText{DiagnosticCode::ArcFromUnknownPosition, "arc-from-unknown-position",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "The arc starts at an unknown place: program %1 with G0 or G1 before it.")},
+    CodeText{DiagnosticCode::RelativeFromUnknownPosition, "relative-from-unknown-position",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "The increment of %1 starts at an unknown place: program %1 with G90 before it.")},
+    CodeText{
+        DiagnosticCode::FeedMissing, "feed-missing",
+        RIVULET_SENTENCE(
+            "DiagnosticTexts",
+            "A block moves with G1, G2 or G3 before any feed F: the feed of the run is used.")},
+    CodeText{DiagnosticCode::FeedNotPositive, "feed-not-positive",
+             RIVULET_SENTENCE("DiagnosticTexts", "The feed F%1 is not greater than 0.")},
+    CodeText{
+        DiagnosticCode::ValueOutOfRange, "value-out-of-range",
+        RIVULET_SENTENCE("DiagnosticTexts", "The value of %1 is outside of what Rivulet accepts.")},
+    CodeText{DiagnosticCode::TextAfterProgramEnd, "text-after-program-end",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The blocks from here on stand behind the end of the program (M30, "
+                              "M2, M17 or %): they are not read.")},
+    CodeText{DiagnosticCode::MotionModeAssumed, "motion-mode-assumed",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "An axis is programmed before any of G0 to G3: G1 is assumed, as "
+                              "after a reset of the control.")},
+    CodeText{DiagnosticCode::CentreOutsidePlane, "centre-outside-plane",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "The centre word %1 does not lie in the plane of the arc: check G17, G18, G19.")},
+    CodeText{
+        DiagnosticCode::TooManyPoints, "too-many-points",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "The program has more than %1 points: it is not read further. Split it.")},
+    CodeText{DiagnosticCode::EndlessLoop, "endless-loop",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The loop that ends here does not come to an end: %1 blocks were run "
+                              "again, then reading stopped. Check its condition.")},
+    CodeText{DiagnosticCode::ExpressionFault, "expression-fault",
+             RIVULET_SENTENCE("DiagnosticTexts", "The calculation has no result: %1.")},
+    CodeText{DiagnosticCode::FlowFault, "flow-fault",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The order of the blocks is not known from here on: %1.")},
+    CodeText{DiagnosticCode::SubprogramMissing, "subprogram-missing",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The subprogram %1 is not in this file and not beside it: the points "
+                              "it would give are missing.")},
+    CodeText{
+        DiagnosticCode::CycleNotRun, "cycle-not-run",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "%1 is a cycle of the control: the motions it makes are missing here.")},
+    CodeText{DiagnosticCode::MachineCoordinates, "machine-coordinates",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 moves in machine coordinates, whose place in the workpiece is "
+                              "not known: the move is left out.")},
+    CodeText{DiagnosticCode::RotaryAxes, "rotary-axes",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 turns on the path: only method window streams it, with this axis "
+                              "among those chosen.")},
+    CodeText{DiagnosticCode::ToolTip, "tool-tip",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "%1 makes X, Y and Z those of the tool's tip while rotary axes turn, and no "
+                 "method switches it on at the control. Have the program written for the axes.")},
+    CodeText{DiagnosticCode::ToolDirections, "tool-directions",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "%1 give the direction of the tool: the points carry it, but only the control "
+                 "could make rotary axes of it. Have the program written with A, B or C.")},
+    CodeText{DiagnosticCode::NotAnyDialect, "not-any-dialect",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The file holds bytes that no NC text has: choose a text file, not "
+                              "an archive or a picture.")},
+    CodeText{DiagnosticCode::CentreReading, "centre-reading",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "All arcs of the program fit if I, J and K are read as %1: check how "
+                              "the post-processor writes them, and load the program that way.")},
+    CodeText{DiagnosticCode::NoMotion, "no-motion",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The program moves no axis: there is nothing to stream. Choose a "
+                              "program with G0, G1, G2 or G3 and X, Y or Z.")},
+    CodeText{DiagnosticCode::LatheAssumed, "lathe-assumed",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 is a turning cycle, so this is a program for a lathe: X is read "
+                              "as a diameter, U and W as increments, the plane is Z X.")},
+    CodeText{DiagnosticCode::Accepted, "accepted",
+             RIVULET_SENTENCE(
+                 "DiagnosticTexts",
+                 "%1 is left out, as you have accepted: the path may differ from the control's.")},
+    CodeText{DiagnosticCode::MoreFindings, "more-findings",
+             RIVULET_SENTENCE("DiagnosticTexts", "%1 more findings from here on are not listed.")},
+};
+
+constexpr bool isInOrder() {
+  for (std::size_t i = 0; i < kTexts.size(); ++i) {
+    if (kTexts[i].code != static_cast<DiagnosticCode>(i)) {
+      return false;
+    }
   }
-  base::contractViolated("every code has a text", __FILE__, __LINE__);
+  return kTexts.back().code == DiagnosticCode::MoreFindings;
+}
+static_assert(isInOrder(), "one text for each code, in the order of the codes");
+
+const CodeText& textOf(DiagnosticCode code) {
+  return kTexts[static_cast<std::size_t>(code)];
+}
+
+/// Words that command the machine and leave the path alone deserve a sentence of their own.
+const char* ignoredPattern(const Diagnostic& diagnostic) {
+  const std::string& word = diagnostic.argument;
+  if (diagnostic.severity == Severity::Warning) {
+    return RIVULET_SENTENCE(
+        "DiagnosticTexts",
+        "%1 is not sent to the control: the run does not wait here, and no tool is changed.");
+  }
+  if (word == "/") {
+    return RIVULET_SENTENCE(
+        "DiagnosticTexts",
+        "A block with \"/\" is executed: Rivulet reads the program with block skip off.");
+  }
+  const bool isCommand = !word.empty() &&
+                         std::string_view("MST").find(word[0]) != std::string::npos &&
+                         (word.size() == 1 || base::isDigit(word[1]));
+  return isCommand ? RIVULET_SENTENCE(
+                         "DiagnosticTexts",
+                         "%1 is not sent to the control: set spindle, tool and coolant there.")
+                   : textOf(DiagnosticCode::IgnoredCode).sentence;
 }
 
 }  // namespace
@@ -200,28 +254,15 @@ std::string acceptableName(const Diagnostic& diagnostic) {
   return name;
 }
 
+const char* sentencePattern(const Diagnostic& diagnostic) {
+  return diagnostic.code == DiagnosticCode::IgnoredCode ? ignoredPattern(diagnostic)
+                                                        : textOf(diagnostic.code).sentence;
+}
+
 std::string describe(const Diagnostic& diagnostic) {
-  // Words that are no path but an order to the machine deserve to be said as such.
-  if (diagnostic.code == DiagnosticCode::IgnoredCode) {
-    const std::string& word = diagnostic.argument;
-    if (diagnostic.severity == Severity::Warning) {
-      return fmt::format(
-          "{} is not sent to the control: the run does not wait here, and no tool is "
-          "changed.",
-          word);
-    }
-    if (word == "/") {
-      return "A block with \"/\" is executed: Rivulet reads the program with block skip off.";
-    }
-    if (!word.empty() && (word[0] == 'M' || word[0] == 'S' || word[0] == 'T') &&
-        (word.size() == 1 || (word[1] >= '0' && word[1] <= '9'))) {
-      return fmt::format("{} is not sent to the control: set spindle, tool and coolant there.",
-                         word);
-    }
-  }
-  std::string sentence(textOf(diagnostic.code).sentence);
-  for (std::size_t at = sentence.find("{}"); at != std::string::npos;
-       at = sentence.find("{}", at + diagnostic.argument.size())) {
+  std::string sentence(sentencePattern(diagnostic));
+  for (std::size_t at = sentence.find("%1"); at != std::string::npos;
+       at = sentence.find("%1", at + diagnostic.argument.size())) {
     sentence.replace(at, 2, diagnostic.argument);
   }
   return sentence;

@@ -78,6 +78,10 @@ struct Diagnostic {
 /// "CYCLE83"; empty if it cannot be accepted. See `LoadOptions::accepted`.
 [[nodiscard]] std::string acceptableName(const Diagnostic& diagnostic);
 
+/// The English sentence with "%1" in place of the argument: the source of its translation, context
+/// "DiagnosticTexts".
+[[nodiscard]] const char* sentencePattern(const Diagnostic& diagnostic);
+
 /// One English sentence: what was found and what Rivulet does about it.
 [[nodiscard]] std::string describe(const Diagnostic& diagnostic);
 

@@ -5,6 +5,7 @@
 
 #include <QFile>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -69,13 +70,13 @@ class TestTranslations : public QObject {
     const QString path = folder.filePath(QStringLiteral("rivulet_de.ts"));
     QVERIFY(QFile::copy(QStringLiteral(RIVULET_SOURCE_DIR "/translations/rivulet_de.ts"), path));
     QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
-    QProcess lupdate;
-    lupdate.setWorkingDirectory(QStringLiteral(RIVULET_SOURCE_DIR));
-    lupdate.start(QStringLiteral(RIVULET_LUPDATE),
-                  {"-silent", "-no-obsolete", "-locations", "none", "-I", ".", "-I", "core",
-                   "widgets", "app", "-ts", path});
-    QVERIFY(lupdate.waitForFinished());
-    QCOMPARE(lupdate.exitCode(), 0);
+    QProcess update;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("LUPDATE"), QStringLiteral(RIVULET_LUPDATE));
+    update.setProcessEnvironment(environment);
+    update.start(QStringLiteral(RIVULET_SOURCE_DIR "/scripts/translations"), {path});
+    QVERIFY(update.waitForFinished());
+    QCOMPARE(update.exitCode(), 0);
     const QList<Message> messages = messagesOf(path);
     QVERIFY(messages.size() > 300);
     for (const Message& message : messages) {
