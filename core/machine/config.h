@@ -51,7 +51,7 @@ struct AxisLimits {
   double startMm = 0.0;             ///< where the axis stands when the machine is switched on
 };
 
-/// A rotary axis. Its angle counts on beyond a full turn, as far as the limits reach.
+/// A rotary axis. Its angle is not reduced to one turn; it is bounded by the limits only.
 struct RotaryLimits {
   double positionDegMin = 0.0;
   double positionDegMax = 0.0;
@@ -62,14 +62,14 @@ struct RotaryLimits {
   double startDeg = 0.0;            ///< where the axis stands when the machine is switched on
 };
 
-/// What happens to an array of R-parameters that a client writes as one node.
+/// Effect of writing an array of R-parameters as one node.
 enum class ArrayWrite {
   All,        ///< every element is written
   Refused,    ///< arrays can only be read
-  FirstOnly,  ///< reported as done, though only the first element was written
+  FirstOnly,  ///< reported as done, but only the first element was written
 };
 
-/// What the variable service charges an array node.
+/// What the variable service charges for an array node.
 enum class ArrayCharge {
   Node,     ///< as much as one variable
   Element,  ///< as much as its elements one by one
@@ -104,15 +104,15 @@ struct MachineConfig {
   base::Duration positionCycle{};                                              ///< servo
   base::Duration blockPreparation{};  ///< pre-run time per block
   int bufferedBlocksMax = 0;          ///< prepared blocks the main run has not finished
-  base::Duration standstillMean{};    ///< axes at rest around a STOPRE
+  base::Duration standstillMean{};    ///< standstill of the axes at a STOPRE
   base::Duration standstillDeviation{};
-  base::Duration relatch{};  ///< from standstill to the pre-run going on
+  base::Duration relatch{};  ///< from standstill until the pre-run continues
   RRead rRead = RRead::AtInterpretation;
   bool jumpStops = false;                    ///< jumps stop the pre-run as STOPRE does
   Dynamics resetDynamics = Dynamics::Brisk;  ///< until the program says otherwise (MD20150)
   double blocksPerCycleMax = 0.0;  ///< path speed within a block: blocks per IPO cycle; 0: any
-  /// MD36750 of X, Y and Z: 1 $AA_OFF adds up what it is given, 2 it stays when the channel is
-  /// reset, also at the end of a program. May be missing in a preset: 0.
+  /// MD36750 of X, Y and Z: 1 $AA_OFF adds up the values written, 2 it is kept at a reset of the
+  /// channel and at the end of a program. Optional in a preset: 0.
   int overlayMode = 0;
   double roundingMm = 0.0;      ///< deviation at corners that G64 and G642 allow
   int rParameterCount = 0;      ///< MD28050
@@ -126,7 +126,7 @@ struct MachineConfig {
   /// The rotary axis that is axis `index` of the channel: the rotary ones follow X, Y and Z without
   /// a gap. @param index  from 0 @return 0 to 2 for A, B, C; nothing for a geometry axis or none
   [[nodiscard]] std::optional<std::size_t> rotaryAt(int index) const;
-  /// Where all axes stand when the machine is switched on.
+  /// Positions of all axes when the machine is switched on.
   [[nodiscard]] base::AxisPosition start() const;
 };
 
@@ -137,8 +137,8 @@ struct MachineConfig {
 /// @return PresetMissing (the message lists the names), PresetMalformed (line and key)
 [[nodiscard]] base::Result<MachineConfig> loadPreset(const std::string& nameOrPath);
 
-/// Parses the text of a preset. Every key is required but those of A, B and C, which a machine need
-/// not have; an unknown key is an error.
+/// Parses the text of a preset. All keys are required except those of A, B and C, which a machine
+/// need not have; an unknown key is an error.
 [[nodiscard]] base::Result<MachineConfig> parsePreset(std::string_view text,
                                                       const std::string& origin);
 

@@ -3,9 +3,9 @@
 
 /// @file
 /// The virtual machine: NC text → pre-run → buffer → look-ahead → interpolator → servo, and the
-/// variable service beside it. Time is an argument: `advance` moves the machine to a time, and
-/// nothing inside reads a clock. The OPC UA front advances it with the wall clock, the
-/// simulated link with the virtual one. Same config, seed and calls: same run, to the bit.
+/// variable service. Time is an argument: `advance` moves the machine to a time, and nothing inside
+/// reads a clock. The OPC UA front advances it with the wall clock, the simulated link with the
+/// virtual clock. The same config, seed and calls give the same run, to the bit.
 /// @threadsafety one object, one thread at a time.
 #pragma once
 
@@ -29,14 +29,14 @@ enum class ProgramStatus { Interrupted = 1, Stopped = 2, Running = 3, Waiting = 
 struct MachineState {
   ChannelStatus channel = ChannelStatus::Reset;
   ProgramStatus program = ProgramStatus::Aborted;  ///< SINUMERIK shows "aborted" in reset
-  base::Vec3 actualMm;                             ///< workpiece frame, behind the servo
+  base::Vec3 actualMm;                             ///< workpiece frame, after the servo
   base::Vec3 commandMm;                            ///< set point
-  base::Vec3 overlayMm;         ///< part of it that is laid over the path ($AA_OFF)
+  base::Vec3 overlayMm;         ///< part of it that is an overlay on the path ($AA_OFF)
   base::Vec3 distanceToGoMm;    ///< to the end of the block in motion
-  base::RotaryDeg actualDeg{};  ///< A, B, C; 0 where there is none
+  base::RotaryDeg actualDeg{};  ///< A, B, C; 0 if there is no such axis
   base::RotaryDeg commandDeg{};
   base::RotaryDeg distanceToGoDeg{};
-  double feedMmPerS = 0.0;  ///< path speed of the set point; deg/s where only rotary axes turn
+  double feedMmPerS = 0.0;  ///< path speed of the set point; deg/s if only rotary axes turn
   double feedCommandMmPerS = 0.0;
   unsigned line = 0;  ///< block in motion
   int bufferedBlocks = 0;
@@ -57,15 +57,15 @@ class Machine {
 
   [[nodiscard]] const MachineConfig& config() const;
 
-  /// Moves the machine on. @param until not before `now()` (earlier: no effect)
+  /// Advances the machine. @param until not before `now()` (earlier: no effect)
   void advance(base::Instant until);
   [[nodiscard]] base::Instant now() const;
   [[nodiscard]] MachineState state() const;
 
   // --- R-parameters -----------------------------------------------------------------------
   [[nodiscard]] bool hasRParameter(int index) const;
-  /// As the variable service answers it: after a write the new value, although the NC program
-  /// sees it only from the next interpolation boundary on. @param index hasRParameter
+  /// As the variable service returns it: after a write the new value, although the NC program sees
+  /// it only from the next interpolation boundary on. @param index hasRParameter
   [[nodiscard]] double rParameter(int index) const;
   /// As the NC program sees it at this moment. @param index hasRParameter
   [[nodiscard]] double ncRParameter(int index) const;
@@ -73,7 +73,7 @@ class Machine {
   void writeRParameter(int index, double value);
 
   // --- variable service: the cost of OPC UA access ------------------------------------------
-  /// Begins a request that arrived at `arrival`; it waits its turn behind earlier ones.
+  /// Begins a request that arrived at `arrival`; it waits until earlier ones are served.
   /// @return when the first node's turn comes
   base::Instant beginRequest(AccessKind kind, base::Instant arrival);
   /// Serves the next node of the request begun last. @return when the node is done: advance
@@ -89,7 +89,7 @@ class Machine {
   [[nodiscard]] std::vector<std::string> programNames() const;
   base::Result<void> selectProgram(const std::string& name);
   base::Result<void> cycleStart();
-  /// Ends whatever runs; the axes brake to a stand first. Always allowed.
+  /// Ends whatever is in progress; the axes brake to a standstill first. Always allowed.
   void reset();
 
   /// The control's own trace since the last cycle start.

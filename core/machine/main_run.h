@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the main run shows of itself: to synchronized actions in every interpolation cycle, and to
-/// the pre-run behind an implicit preprocessing stop. @threadsafety one object, one thread.
+/// The variables of the main run: read by synchronized actions in every interpolation cycle, and by
+/// the pre-run after an implicit preprocessing stop. @threadsafety one object, one thread.
 #pragma once
 
 #include <cstddef>
@@ -24,9 +24,9 @@ enum class SystemVariable {
   AcTimer,      ///< $AC_TIMER[n]: s, counts up unless negative; writable
   AcMarker,     ///< $AC_MARKER[n]; writable
   AcParam,      ///< $AC_PARAM[n]; writable
-  AaOffVal,     ///< $AA_OFF_VAL[axis]: what is laid over the axis now, mm
+  AaOffVal,     ///< $AA_OFF_VAL[axis]: present overlay of the axis, mm
   MaAaOffMode,  ///< $MA_AA_OFF_MODE[axis]: MD36750, bits
-  AcIpoBuf,     ///< $AC_IPO_BUF: blocks not finished; the program may ask without a stop
+  AcIpoBuf,     ///< $AC_IPO_BUF: blocks not finished; the program may read it without a stop
 };
 
 /// Numbers of timers, markers and parameters.
@@ -35,7 +35,7 @@ inline constexpr int kSystemElements = 32;
 class MainRun {
  public:
   virtual ~MainRun() = default;
-  /// @param index  axis (0 to 2) or element; 0 where there is none
+  /// @param index axis (0 to 2) or element; 0 if there is none
   /// @return nothing for an index that does not exist
   [[nodiscard]] virtual std::optional<double> systemValue(SystemVariable variable,
                                                           int index) const = 0;

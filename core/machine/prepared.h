@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the interpreter hands on when it has prepared a block: everything the main run needs,
-/// as numbers. Rewriting an R-parameter changes nothing in here any more.
+/// The result of the interpreter for one block: everything the main run needs, as numbers.
+/// Rewriting an R-parameter has no effect on it.
 /// @threadsafety plain values.
 #pragma once
 
@@ -22,7 +22,7 @@ namespace rivulet::machine {
 
 struct SyncAction;
 
-/// A circle or helix from the end of the block before to the block's target: the start point
+/// A circle or helix from the end of the previous block to the block's target: the start point
 /// turns by `sweepRad` about the axis and rises evenly along it. Workpiece frame.
 struct ArcPath {
   base::Vec3 centreMm;    ///< any point on the axis
@@ -30,15 +30,15 @@ struct ArcPath {
   double sweepRad = 0.0;  ///< > 0; more than a full circle with TURN=
 };
 
-/// How the path goes on behind the block.
+/// How the path continues after the block.
 enum class BlockEnd {
-  ExactStop,  ///< G60, G9: the axes stand
+  ExactStop,  ///< G60, G9: the axes stop
   Rounded,    ///< G64 and G641 to G645: the corner is rounded within `roundingMm`
 };
 
 /// What `roundingMm` bounds.
 enum class RoundingKind {
-  Deviation,  ///< G64, G642: how far the rounded path may pass from the corner
+  Deviation,  ///< G64, G642: largest distance of the rounded path from the corner
   Distance,   ///< G641 ADIS=, ADISPOS=: path length before the corner at which rounding may begin
 };
 
@@ -85,7 +85,7 @@ struct PreparedCancel {
 struct PreparedStopre {};
 struct PreparedEnd {};
 
-/// What one block came to.
+/// Result of one block.
 using Prepared = std::variant<PreparedNothing, PreparedMotion, PreparedDwell, PreparedMessage,
                               PreparedSync, PreparedCancel, PreparedStopre, PreparedEnd, Alarm>;
 

@@ -31,14 +31,15 @@ class Prerun {
   [[nodiscard]] std::optional<base::Instant> nextEvent() const;
   void handle(base::Instant now, PathPlanner& planner);
 
-  /// After each cycle of the main run: room in the buffer, or the axes stand.
+  /// After each cycle of the main run: there may be room in the buffer, or the axes may have
+  /// stopped.
   void mainRunAdvanced(base::Instant now, PathPlanner& planner);
 
-  /// A STOPRE has found the axes at rest since the last call: the stand-still it causes begins.
+  /// Since the last call, the axes have stopped at a STOPRE: the standstill it causes begins.
   [[nodiscard]] bool takeStandstill();
 
   [[nodiscard]] bool hasEnded() const { return m_state == State::Ended; }
-  /// Set once everything in front of the faulty block has been executed.
+  /// Set as soon as everything before the faulty block has been executed.
   [[nodiscard]] const std::optional<Alarm>& alarm() const { return m_alarm; }
   [[nodiscard]] const std::string& message() const { return m_message; }
 
@@ -48,8 +49,8 @@ class Prerun {
     Preparing,   ///< m_prepared is ready at m_at
     BufferFull,  ///< m_prepared waits for room
     AwaitStand,  ///< STOPRE: waits for the main run
-    Relatching,  ///< the axes stand; goes on at m_at
-    AwaitEnd,    ///< M30 or an alarm: the main run works off the buffer
+    Relatching,  ///< the axes have stopped; continues at m_at
+    AwaitEnd,    ///< M30 or an alarm: the main run empties the buffer
     Ended,
     Alarmed,
   };

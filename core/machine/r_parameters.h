@@ -25,8 +25,8 @@ class RParameters {
   }
   [[nodiscard]] const std::vector<double>& values() const { return m_values; }
 
-  /// As the variable service answers: a client reads what it has written, though the NC sees it
-  /// only from the boundary on.
+  /// As the variable service returns it: a client reads what it has written, although the NC sees
+  /// it only from the boundary on.
   [[nodiscard]] double serviceValue(int index) const {
     for (auto write = m_pending.rbegin(); write != m_pending.rend(); ++write) {
       if (write->index == index) {
@@ -48,7 +48,8 @@ class RParameters {
     m_pending.push_back({index, value});
   }
   [[nodiscard]] bool hasPending() const { return !m_pending.empty(); }
-  /// The interpolation boundary has come: pending writes act, in the order they were made.
+  /// At an interpolation boundary: pending writes take effect, in the order in which they were
+  /// made.
   void applyPending() {
     for (const auto& [index, value] : m_pending) {
       set(index, value);

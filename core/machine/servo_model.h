@@ -3,7 +3,7 @@
 
 /// @file
 /// From set point to actual position. The first model is a first-order lag per axis; a learned
-/// emulator can take its place. @threadsafety one object, one thread.
+/// emulator can replace it. @threadsafety one object, one thread.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace rivulet::machine {
 class ServoModel {
  public:
   virtual ~ServoModel() = default;
-  /// One interpolation cycle during which the set point goes straight from `fromMm` to `toMm`.
+  /// One interpolation cycle, in which the set point moves straight from `fromMm` to `toMm`.
   /// @return the actual position at its end, mm. Called every cycle: no allocation.
   virtual base::Vec3 follow(base::Vec3 fromMm, base::Vec3 toMm) = 0;
   [[nodiscard]] virtual base::Vec3 actualMm() const = 0;

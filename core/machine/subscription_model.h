@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What a client sees of an R-parameter through a subscription, in virtual time: the server looks
-/// at the value at fixed intervals, keeps the newest change, and sends it with the next
-/// publication. A value sampled at a publication leaves with the following one: the publication
-/// is put together first. @threadsafety one object, one thread.
+/// An R-parameter as a client sees it through a subscription, in virtual time: the server samples
+/// the value at fixed intervals, keeps the newest change, and sends it with the next publication. A
+/// value sampled at the time of a publication is sent with the following one, because the
+/// publication is assembled first. @threadsafety one object, one thread.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ class SubscriptionModel {
     double value = 0.0;
   };
 
-  /// @param interval  asked for; not shorter than the preset allows. Sampling and publishing alike
+  /// @param interval requested; at least the preset's minimum. For both sampling and publishing
   /// @param start     first sample
   SubscriptionModel(Machine& machine, int rParameter, base::Duration interval, base::Instant start);
 

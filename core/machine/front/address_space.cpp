@@ -30,7 +30,7 @@ struct VariableRow {
 
 namespace {
 
-/// Of X Y Z in mm, of A B C behind them in degrees.
+/// Of X Y Z in mm, then of A B C in degrees.
 double ofAxis(base::Vec3 mm, const base::RotaryDeg& deg, std::size_t axis) {
   return axis < base::kAxisCount ? mm[axis] : deg[axis - base::kAxisCount];
 }
@@ -326,7 +326,7 @@ UA_StatusCode AddressSpace::addNode(std::string_view folder, std::string_view id
     attributes.accessLevel |= UA_ACCESSLEVELMASK_WRITE;
     source.write = &onWrite;
   }
-  // A node without parent exists and is never met when browsing.
+  // A node without a parent exists but is never found by browsing.
   const bool listed = !folder.empty();
   UA_QualifiedName browseName{m_namespace, opcua::borrow(name)};
   return UA_Server_addDataSourceVariableNode(
@@ -380,7 +380,7 @@ const UA_Node* AddressSpace::arrayNode(UA_Nodestore& store, const UA_NodeId& id)
     variable.value.dataSource.write = &onWriteArray;
   }
   if (store.insertNode(store.context, node, nullptr) != UA_STATUSCODE_GOOD) {
-    return nullptr;  // the store has cleaned up
+    return nullptr;  // the store has released everything
   }
   ++m_arrayCount;
   return store.getNode(store.context, &id, UA_NODEATTRIBUTESMASK_ALL, UA_REFERENCETYPESET_ALL,

@@ -18,9 +18,9 @@
 
 namespace rivulet::machine {
 
-struct VariableRow;  ///< one line of the table of variables
+struct VariableRow;  ///< one row of the table of variables
 
-/// What a node's callbacks need; one per node, at a stable address.
+/// Context of a node's callbacks; one per node, at a stable address.
 struct VariableNode {
   VariableService* service = nullptr;
   const VariableRow* row = nullptr;  ///< null: an R-parameter
@@ -30,15 +30,15 @@ struct VariableNode {
 
 class AddressSpace {
  public:
-  /// @param server,service outlive the address space and are outlived by nothing that calls back
+  /// @param server,service outlive the address space and everything that calls back
   AddressSpace(UA_Server* server, VariableService& service)
       : m_server(server), m_service(service) {}
 
   /// Creates everything but the methods. @return SetUpFailed
   [[nodiscard]] base::Result<void> build();
 
-  /// The node of an R-parameter array, made when a client first asks for it: there are too many to
-  /// make all of them. It is in no folder. @param store  the server's own store
+  /// The node of an R-parameter array, created when a client first requests it: there are too many
+  /// to create all of them. It is not in any folder. @param store the server's own store
   /// @return null if there is no such array, or too many of them have been asked for
   [[nodiscard]] const UA_Node* arrayNode(UA_Nodestore& store, const UA_NodeId& id);
 

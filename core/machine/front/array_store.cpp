@@ -13,7 +13,7 @@ void ArrayStore::install(UA_ServerConfig& config) {
   UA_Nodestore& store = config.nodestore;
   store.context = this;
   store.getNode = &ArrayStore::onGetNode;
-  // All else is handed on as it comes.
+  // Everything else is passed on unchanged.
   store.clear = [](void* context) noexcept {
     UA_Nodestore& inner = self(context).m_inner;
     inner.clear(inner.context);

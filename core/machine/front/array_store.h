@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The node store of the server, asked in front of the library's own: where that knows no node, the
-/// address space may have one to make. So a control's countless array nodes exist without being
-/// there. @threadsafety as the server.
+/// The node store of the server, a wrapper of the library's own: if that has no such node, the
+/// address space may create one. So all array nodes of a control can be used without being created
+/// in advance. @threadsafety as the server.
 #pragma once
 
 #include <open62541/server.h>
@@ -15,11 +15,11 @@ namespace rivulet::machine {
 
 class ArrayStore {
  public:
-  /// Takes the place of the configuration's store, which must be set, and keeps it. Both are
-  /// cleared together, by the server.
+  /// Replaces the configuration's store, which must be set, and keeps it. The server clears both
+  /// together.
   void install(UA_ServerConfig& config);
 
-  /// From here on nodes are made. @param space  outlives the server's last answer
+  /// From now on, nodes are created. @param space outlives the server's last answer
   void setAddressSpace(AddressSpace* space) { m_space = space; }
 
  private:

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Finds out whether a port is free before the library listens on it. The library shares a
-/// port with whoever else shares it, so that two machines would answer in turns; and without
-/// sharing it could not restart on a port that was in use a moment ago.
+/// Finds out whether a port is free before the library listens on it. The library opens the port as
+/// shared, so two machines on one port would answer in turn. Without sharing, it could not restart
+/// on a port that was in use a moment ago.
 /// @threadsafety pure.
 #pragma once
 

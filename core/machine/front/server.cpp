@@ -26,7 +26,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Limits as documented for the 840D sl where there is such a figure.
+/// Limits as documented for the 840D sl, if there is such a figure.
 constexpr UA_UInt16 kSessionsMax = 10;
 constexpr UA_UInt32 kSubscriptionsMax = 10;
 constexpr UA_UInt32 kMonitoredItemsMax = 100;
@@ -53,7 +53,7 @@ constexpr std::string_view kOwnerKey = "rivulet-owner";
                 : fmt::format("opc.tcp://{}:{}", host, port);
 }
 
-// A client may use the machine, never rebuild its address space.
+// A client may use the machine but never change its address space.
 UA_Boolean refuseAddNode(UA_Server*, UA_AccessControl*, const UA_NodeId*, void*,
                          const UA_AddNodesItem*) noexcept {
   return false;
@@ -158,7 +158,7 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   std::memset(&config, 0, sizeof config);
   config.logging = m_logger.handle();
   if (UA_ServerConfig_setMinimal(&config, options.port, nullptr) != UA_STATUSCODE_GOOD) {
-    return setUpFailed("be configured");  // the library has cleaned up
+    return setUpFailed("be configured");  // the library has released everything
   }
   const auto replace = [](UA_String& target, std::string_view text) {
     UA_String_clear(&target);
@@ -172,15 +172,16 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   status |= replace(config.buildInfo.productUri, "urn:rivulet");
   status |= replace(config.buildInfo.manufacturerName, "Rivulet");
   status |= replace(config.buildInfo.productName, "Rivulet virtual machine");
-  // What access costs is the preset's: a client that keeps what it measured must see the change.
+  // The preset determines the cost of access: a client that stores its measurements must see when
+  // the preset has changed.
   status |= replace(config.buildInfo.softwareVersion, RIVULET_VERSION);
   status |= replace(config.buildInfo.buildNumber, m_service.machine().config().name);
   if (status != UA_STATUSCODE_GOOD) {
     UA_ServerConfig_clean(&config);
     return setUpFailed("be configured");
   }
-  // A given port was found free and may still be cooling down from its last user; a port the
-  // system chooses must not be one that others share.
+  // A given port was found free but may still be in time-wait after its last user; a port chosen by
+  // the system must not be shared with others.
   config.tcpReuseAddr = options.port != 0;
   config.tcpMaxMsgSize = kMessageBytesMax;
   config.maxSessions = kSessionsMax;
@@ -252,8 +253,8 @@ base::Result<void> Server::Impl::listen(const ServerOptions& options) {
     return setUpFailed("listen");
   }
   m_running = true;
-  // With port 0 the library lists the port it got beside the 0 it was asked for; clients shall
-  // see the real one only.
+  // With port 0 the library lists both the 0 and the real port; clients are to see only the real
+  // one.
   UA_ApplicationDescription& description = UA_Server_getConfig(m_server)->applicationDescription;
   std::uint16_t port = options.port;
   for (std::size_t i = 0; i < description.discoveryUrlsSize; ++i) {

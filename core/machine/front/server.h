@@ -3,12 +3,12 @@
 
 /// @file
 /// The virtual machine as an OPC UA server that looks like a SINUMERIK: same namespace, same
-/// identifiers, same file methods, same cost of access. Beside it, in a namespace of its own,
-/// what only a virtual machine has: cycle start, reset, and the control's own trace.
+/// identifiers, same file methods, same cost of access. A separate namespace has what only a
+/// virtual machine offers: cycle start, reset, and the control's own trace.
 ///
-/// Machine time is the wall time since the server was started. While a variable is served the
+/// Machine time is the wall time since the server was started. While a variable is served, the
 /// whole server waits: one service for all clients, one node after another, as on the control.
-/// @threadsafety one object, one thread at a time, but for the counters. Starts no thread.
+/// @threadsafety one object, one thread at a time, except the counters. Starts no thread.
 #pragma once
 
 #include <atomic>
@@ -25,13 +25,13 @@ namespace rivulet::machine {
 enum class FrontError {
   PortTaken = 1,    ///< another program listens there
   AddressUnusable,  ///< no address of this computer, or the port is not allowed
-  SetUpFailed,      ///< the OPC UA library refused; the message carries its words
+  SetUpFailed,      ///< the OPC UA library failed; the message contains its text
 };
 
 [[nodiscard]] std::error_code make_error_code(FrontError code);
 
 struct ServerOptions {
-  std::string host = "127.0.0.1";  ///< where to listen; only this computer unless told otherwise
+  std::string host = "127.0.0.1";  ///< where to listen; by default only this computer
   std::uint16_t port = 0;          ///< 0: a free one
   /// False: clients may not write, read and select part programs, as on a control whose OPC UA user
   /// has not been given these rights.
@@ -40,7 +40,7 @@ struct ServerOptions {
 
 class Server {
  public:
-  /// Listens from here on; nobody is answered before `iterate` or `run`.
+  /// Listens from now on; requests are answered only in `iterate` or `run`.
   /// @param machine outlives the server; nothing else may touch it while the server runs
   [[nodiscard]] static base::Result<std::unique_ptr<Server>> start(Machine& machine,
                                                                    const ServerOptions& options);
@@ -52,8 +52,8 @@ class Server {
   /// Address for clients, e.g. "opc.tcp://127.0.0.1:4840", with the real port.
   [[nodiscard]] const std::string& endpoint() const;
 
-  /// Advances the machine to the present and serves what has arrived, waiting no longer than
-  /// `timeout` for it. A request takes as long as its variables cost, whatever the timeout.
+  /// Advances the machine to the present and serves what has arrived; waits for it no longer than
+  /// `timeout`. A request takes the time of its variables, whatever the timeout.
   void iterate(base::Duration timeout);
 
   /// Iterates until `stop` becomes true.

@@ -20,9 +20,9 @@ void VariableService::serve(AccessKind kind) {
   if (m_request != kind) {
     m_request = kind;
     ++m_requests;
-    // The turn it returns is not waited for: the first node's completion lies behind it.
-    // It was sent a moment ago: what the way and the waking of both sides take is part of the
-    // request's overhead, not to be paid twice.
+    // There is no need to wait for the returned turn: the first node is complete only after it. The
+    // request was sent a moment ago. The time of transport and of waking both sides is part of the
+    // request's overhead and must not be paid twice.
     m_machine.beginRequest(kind, now() - kOnTheWay);
   }
   const base::Instant served = m_machine.serveNode();

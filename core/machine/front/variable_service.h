@@ -5,7 +5,7 @@
 /// The cost of variable access in wall time. The library's callbacks see single variables, not
 /// the request they belong to; so a request begins with the first variable after an answer was
 /// sent, and ends when the next message is sent.
-/// @threadsafety one object, one thread at a time, but for the counters.
+/// @threadsafety one object, one thread at a time, except the counters.
 #pragma once
 
 #include <atomic>
@@ -20,22 +20,22 @@ namespace rivulet::machine {
 
 class VariableService {
  public:
-  /// What a request and its answer take beside the service on the loopback of a PC, both programs
-  /// asleep in between (measured: single accesses took 0.5 ms longer than the model). It is part
-  /// of the presets' overheads.
+  /// Time of a request and its answer on the loopback of a PC, in addition to the service, with
+  /// both programs asleep in between (measured: single accesses took 0.5 ms longer than the model).
+  /// The presets' overheads include it.
   static constexpr base::Duration kOnTheWay = std::chrono::microseconds{500};
 
-  /// Machine time goes on from where the machine stands, beginning now.
+  /// Machine time continues now, from the machine's present time.
   explicit VariableService(Machine& machine);
 
-  /// Accesses cost nothing before this: the library reads every variable while it is created.
+  /// Before this, accesses cost nothing: the library reads every variable when it is created.
   void goLive() { m_live = true; }
   [[nodiscard]] Machine& machine() const { return m_machine; }
 
   /// Moves the machine to the present.
   void advance();
-  /// Waits until the next variable of the present request is served and moves the machine to
-  /// that moment; the caller reads or writes there.
+  /// Waits until the next variable of the present request is served, and advances the machine to
+  /// that moment; the caller then reads or writes.
   void serve(AccessKind kind);
   /// Waits until a program of this size is written, a request of its own.
   void serveProgram(std::size_t bytes);
