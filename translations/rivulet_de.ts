@@ -469,6 +469,18 @@
         <source>The control adds up overlaid values (MD36750 bit 0). Set the bit to 0, or do without online correction.</source>
         <translation>Die Steuerung summiert überlagerte Werte auf (MD36750 Bit 0). Das Bit auf 0 setzen oder auf die Online-Korrektur verzichten.</translation>
     </message>
+    <message>
+        <source>This is not a machine file of Rivulet. Move the file away.</source>
+        <translation>Das ist keine Maschinendatei von Rivulet. Bitte verschieben.</translation>
+    </message>
+    <message>
+        <source>This was written by another version of Rivulet. Measure again.</source>
+        <translation>Die Datei stammt von einer anderen Version von Rivulet. Bitte neu messen.</translation>
+    </message>
+    <message>
+        <source>The calibration is damaged. Measure again.</source>
+        <translation>Die Kalibrierung ist beschädigt. Bitte neu messen.</translation>
+    </message>
 </context>
 <context>
     <name>GroupingTexts</name>

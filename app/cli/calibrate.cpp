@@ -11,6 +11,8 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "report/calibration_json.h"
+#include "report/machine_store.h"
+#include "trace/file.h"
 
 namespace rivulet::cli {
 
@@ -129,15 +131,15 @@ Exit calibrate(const CalibrateOptions& options) {
   record.measuredAtUtc = utcNow();
   record.toolVersion = RIVULET_VERSION;
   std::optional<streaming::CalibrationRecord> earlier;
-  const std::filesystem::path folder = report::calibrationFolder();
+  const report::MachineStore store;
   if (!options.simulate) {
     const auto identity = connection->control->identity();
     if (!identity) {
       return reportError(identity.error(), options.json);
     }
     record.server = *identity;
-    // Only for the estimate; a file that cannot be read will be replaced.
-    if (auto found = report::findCalibration(folder, record.endpoint, record.server); found) {
+    // Only for the estimate of the time.
+    if (auto found = store.calibration(record.endpoint, record.server); found) {
       earlier = std::move(*found);
     }
   }
@@ -174,15 +176,18 @@ Exit calibrate(const CalibrateOptions& options) {
   nlohmann::ordered_json json = report::calibrationJson(record);
   std::vector<std::filesystem::path> files;
   if (!options.simulate) {
-    files.push_back(report::calibrationPath(folder, record.endpoint, record.server));
-  }
-  if (!options.output.empty()) {
-    files.emplace_back(options.output);
-  }
-  for (const std::filesystem::path& file : files) {
-    if (const auto saved = report::saveCalibration(file, record); !saved) {
+    if (const auto saved = store.save(record); !saved) {
       return reportError(saved.error(), options.json);
     }
+    files.push_back(store.pathOf(record.endpoint, record.server));
+  }
+  if (!options.output.empty()) {
+    const std::string text =
+        json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    if (const auto saved = trace::writeFile(options.output, text); !saved) {
+      return reportError(saved.error(), options.json);
+    }
+    files.emplace_back(options.output);
   }
   if (options.json) {
     printJson(json);

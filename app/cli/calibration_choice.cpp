@@ -7,18 +7,13 @@
 
 #include <ctime>
 
-#include "report/calibration_json.h"
+#include "report/machine_store.h"
 
 namespace rivulet::cli {
 
 namespace {
 
-std::string versionText(const opcua::ServerIdentity& server) {
-  const std::string text =
-      fmt::format("{} {} {}", server.productName, server.softwareVersion, server.buildNumber);
-  const std::size_t last = text.find_last_not_of(' ');
-  return last == std::string::npos ? "a server without a name" : text.substr(0, last + 1);
-}
+using streaming::versionText;
 
 }  // namespace
 
@@ -32,7 +27,7 @@ base::Result<CalibrationChoice> calibrationOf(const Connection& connection) {
     return base::fail(identity.error());
   }
   CalibrationChoice choice;
-  auto found = report::findCalibration(report::calibrationFolder(), connection.name, *identity);
+  auto found = report::MachineStore().calibration(connection.name, *identity);
   if (!found) {
     choice.unreadable = found.error().text();
   } else if (*found) {

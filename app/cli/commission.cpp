@@ -8,7 +8,8 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
-#include "report/machine_profile.h"
+#include "report/credit_test_json.h"
+#include "report/machine_store.h"
 #include "streaming/commissioning.h"
 
 namespace rivulet::cli {
@@ -69,15 +70,15 @@ Exit commission(const CommissionOptions& options) {
   if (!result) {
     return reportError(result.error(), options.json);
   }
-  const report::CreditTest test{connection->name, *identity, utcNow(), RIVULET_VERSION,
-                                std::move(*result)};
+  const streaming::CreditTest test{connection->name, *identity, utcNow(), RIVULET_VERSION,
+                                   std::move(*result)};
   if (!options.simulate) {
-    if (const auto saved = report::saveCreditTest(report::profileFolder(), test); !saved) {
+    if (const auto saved = report::MachineStore().save(test); !saved) {
       return reportError(saved.error(), options.json);
     }
   }
   if (options.json) {
-    printJson(nlohmann::ordered_json::parse(report::creditTestJson(test)));
+    printJson(report::creditTestJson(test));
   } else {
     print(test.result);
   }

@@ -17,7 +17,7 @@
 #include "gcode/program.h"
 #include "machine/config.h"
 #include "report/calibration_json.h"
-#include "report/machine_profile.h"
+#include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/report_json.h"
 #include "streaming/commissioning.h"
@@ -270,7 +270,9 @@ base::Result<void> requireTest(const StreamOptions& options, const Connection& c
     if (!identity) {
       return base::fail(identity.error());
     }
-    return report::requireCreditTest(report::profileFolder(), connection.name, *identity);
+    const auto test = report::MachineStore().creditTest(connection.name, *identity);
+    return test ? streaming::requireCreditTest(*test, connection.name, *identity)
+                : base::Result<void>(base::fail(test.error()));
   }
   streaming::CommissioningPlan plan;
   plan.firstCell = options.point.baseCell;

@@ -62,11 +62,13 @@ constexpr int kReckonMs = 400;
 /// From here on the points a program leaves open are made anew.
 constexpr double kToolMovedMm = 0.01;
 
-/// Where the command line looks as well.
-std::filesystem::path calibrationFolder() {
-  return std::filesystem::path(
-             QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString()) /
-         "rivulet" / "calibrations";
+/// Where the command line looks as well, except in Qt's test mode.
+report::MachineFolders machineFolders() {
+  const auto path = [](QStandardPaths::StandardLocation location) {
+    return std::filesystem::path(QStandardPaths::writableLocation(location).toStdString());
+  };
+  return report::MachineFolders::below(path(QStandardPaths::GenericDataLocation),
+                                       path(QStandardPaths::GenericConfigLocation));
 }
 
 widgets::ConnectionState connectionState(session::LinkState state) {
@@ -125,7 +127,8 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
     : QMainWindow(parent),
       m_settings(std::move(settings)),
       m_persistent(persistent),
-      m_session(std::move(connector)) {
+      m_machines(machineFolders()),
+      m_session(std::move(connector), m_machines) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
@@ -1151,12 +1154,13 @@ void MainWindow::showCalibrated(const session::CalibrationFinished& finished) {
   m_access.record = finished.record;
   m_access.isOutdated = false;
   m_calibration->setRecord(m_access.record, false);
-  const std::filesystem::path path = report::calibrationPath(
-      calibrationFolder(), finished.record->endpoint, finished.record->server);
-  if (const auto saved = report::saveCalibration(path, *finished.record); !saved) {
+  if (const auto saved = m_machines.save(*finished.record); !saved) {
     m_messages->showMessage(Severity::Error, widgets::errorText(saved.error()));
   } else {
-    log(Severity::Note, tr("Calibrated. Saved %1.").arg(QString::fromStdString(path.string())));
+    log(Severity::Note,
+        tr("Calibrated. Saved %1.")
+            .arg(QString::fromStdString(
+                m_machines.pathOf(finished.record->endpoint, finished.record->server).string())));
   }
   judge();
 }
@@ -1164,8 +1168,7 @@ void MainWindow::showCalibrated(const session::CalibrationFinished& finished) {
 void MainWindow::loadCalibration() {
   m_access.record.reset();
   m_access.isOutdated = false;
-  auto found = report::findCalibration(calibrationFolder(),
-                                       m_settings.endpoint.trimmed().toStdString(), m_link.server);
+  auto found = m_machines.calibration(m_settings.endpoint.trimmed().toStdString(), m_link.server);
   if (!found) {
     log(Severity::Warning, widgets::errorText(found.error()));
   } else if (*found) {

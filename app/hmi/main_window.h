@@ -158,6 +158,7 @@ class MainWindow final : public QMainWindow {
   Settings m_settings;
   bool m_persistent;
   Translator m_translator;
+  report::MachineStore m_machines;
   session::StreamSession m_session;
   session::ProgramLoader m_loader;
   session::ProgramTimer m_timer;

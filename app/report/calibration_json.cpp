@@ -5,12 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <system_error>
-
-#include "report/machine_file.h"
 #include "report/report_json.h"
-#include "trace/control_trace.h"
+#include "streaming/machine_facts.h"
 #include "trace/file.h"
 
 namespace rivulet::report {
@@ -20,6 +16,7 @@ namespace {
 using base::Duration;
 using nlohmann::json;
 using nlohmann::ordered_json;
+using streaming::MachineFileError;
 
 /// 1 had the average of each kind only.
 constexpr int kFormatVersion = 2;
@@ -195,11 +192,11 @@ ordered_json calibrationJson(const streaming::CalibrationRecord& record) {
 base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
                                                          const std::string& origin) {
   if (!from.is_object() || !from.contains("rivulet_calibration")) {
-    return base::fail(trace::TraceError::NotATrace, "This is not a calibration file. Choose one.",
-                      origin);
+    return base::fail(MachineFileError::NotAMachineFile,
+                      "This file has no calibration. Choose another.", origin);
   }
   if (from["rivulet_calibration"] != kFormatVersion) {
-    return base::fail(trace::TraceError::NewerVersion,
+    return base::fail(MachineFileError::OtherVersion,
                       "The calibration was written by another version of Rivulet. Measure again.",
                       origin);
   }
@@ -242,7 +239,7 @@ base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
     return fit != nullptr && fit->at(1.0) > Duration{};
   };
   if (!reader.bad().empty() || !usable(false) || !usable(true)) {
-    return base::fail(trace::TraceError::NotATrace,
+    return base::fail(MachineFileError::Damaged,
                       fmt::format("The calibration is damaged ({}). Measure again.",
                                   reader.bad().empty() ? "no fit of the lists" : reader.bad()),
                       origin);
@@ -255,47 +252,9 @@ base::Result<streaming::CalibrationRecord> readCalibration(const std::filesystem
   if (!text) {
     return base::fail(text.error());
   }
-  return calibrationOf(json::parse(*text, nullptr, false), path.string());
-}
-
-std::filesystem::path calibrationFolder() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return std::filesystem::path(value == nullptr ? "" : value);
-  };
-  const std::filesystem::path data = variable("XDG_DATA_HOME");
-  const std::filesystem::path base = data.is_absolute() ? data : variable("HOME") / ".local/share";
-  return base / "rivulet" / "calibrations";
-}
-
-std::filesystem::path calibrationPath(const std::filesystem::path& folder,
-                                      const std::string& endpoint,
-                                      const opcua::ServerIdentity& server) {
-  return folder / machineFileName(endpoint, server);
-}
-
-base::Result<void> saveCalibration(const std::filesystem::path& path,
-                                   const streaming::CalibrationRecord& record) {
-  std::error_code ignored;  // writing says what is wrong
-  std::filesystem::create_directories(path.parent_path(), ignored);
-  // What a server says of itself may hold bytes that are no UTF-8.
-  return trace::writeFile(
-      path, calibrationJson(record).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
-}
-
-base::Result<std::optional<streaming::CalibrationRecord>> findCalibration(
-    const std::filesystem::path& folder, const std::string& endpoint,
-    const opcua::ServerIdentity& server) {
-  const std::filesystem::path path = calibrationPath(folder, endpoint, server);
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
-    return std::nullopt;
-  }
-  auto record = readCalibration(path);
-  if (!record) {
-    return base::fail(record.error());
-  }
-  return std::optional(std::move(*record));
+  const json file = json::parse(*text, nullptr, false);
+  const bool isMachine = file.is_object() && file.contains("rivulet_machine");
+  return calibrationOf(isMachine ? file.value("calibration", json()) : file, path.string());
 }
 
 feasibility::AccessModel accessModel(const streaming::Calibration& calibration,

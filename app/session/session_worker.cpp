@@ -9,7 +9,6 @@
 
 #include "base/units.h"
 #include "opcua/await.h"
-#include "report/machine_profile.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
@@ -65,8 +64,10 @@ class SessionWorker::Orders final : public streaming::RunOrders {
   SessionWorker& m_worker;
 };
 
-SessionWorker::SessionWorker(opcua::Connector connector)
-    : m_connector(std::move(connector)), m_thread([this] { work(); }) {
+SessionWorker::SessionWorker(opcua::Connector connector, report::MachineStore machines)
+    : m_connector(std::move(connector)),
+      m_machines(std::move(machines)),
+      m_thread([this] { work(); }) {
 }
 
 SessionWorker::~SessionWorker() {
@@ -215,8 +216,11 @@ bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) 
     return false;
   }
   const auto identity = m_connection.control->identity();
-  return identity &&
-         report::requireCreditTest(report::profileFolder(), m_endpoint, *identity).has_value();
+  if (!identity) {
+    return false;
+  }
+  const auto test = m_machines.creditTest(m_endpoint, *identity);
+  return test && streaming::requireCreditTest(*test, m_endpoint, *identity);
 }
 
 void SessionWorker::answer(const ResumeQuestion& question) {

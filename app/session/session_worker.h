@@ -17,6 +17,7 @@
 
 #include "base/spsc_ring.h"
 #include "opcua/connection.h"
+#include "report/machine_store.h"
 #include "session/session_event.h"
 #include "streaming/control_axes.h"
 #include "streaming/job.h"
@@ -26,7 +27,7 @@ namespace rivulet::session {
 class SessionWorker {
  public:
   /// @param connector  called on the streaming thread
-  explicit SessionWorker(opcua::Connector connector);
+  SessionWorker(opcua::Connector connector, report::MachineStore machines);
   /// Orders a stop if a run lasts, waits for it, closes the connection, ends the thread.
   ~SessionWorker();
   SessionWorker(const SessionWorker&) = delete;
@@ -59,7 +60,7 @@ class SessionWorker {
   /// per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartOrder& order, streaming::RunSink& sink);
   void calibrate(const CalibrateOrder& order);
-  /// As the profile of the machine says.
+  /// As the file of the machine says.
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
@@ -76,6 +77,7 @@ class SessionWorker {
   std::mutex m_correctionMutex;  // held for a copy
   base::Vec3 m_correctionMm;
   opcua::Connector m_connector;
+  report::MachineStore m_machines;
   opcua::Connection m_connection;  // streaming thread only
   streaming::ControlAxes m_axes;   // of the control at the other end
   std::string m_proven;            // text of the template proved last; streaming thread only

@@ -22,8 +22,10 @@ base::Result<opcua::Connection> connectByOpcUa(const std::string& endpoint) {
   return opcua::openConnection(options);
 }
 
-StreamSession::StreamSession(opcua::Connector connector, QObject* parent)
-    : QObject(parent), m_worker(std::make_unique<SessionWorker>(std::move(connector))) {
+StreamSession::StreamSession(opcua::Connector connector, report::MachineStore machines,
+                             QObject* parent)
+    : QObject(parent),
+      m_worker(std::make_unique<SessionWorker>(std::move(connector), std::move(machines))) {
   m_timer.setInterval(kDrainIntervalMs);
   connect(&m_timer, &QTimer::timeout, this, &StreamSession::drain);
   m_timer.start();

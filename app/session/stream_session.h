@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "opcua/connection.h"
+#include "report/machine_store.h"
 #include "session/session_event.h"
 
 namespace rivulet::session {
@@ -26,7 +27,10 @@ class StreamSession final : public QObject {
 
  public:
   /// @param connector  called on the streaming thread; by default OPC UA
-  explicit StreamSession(opcua::Connector connector = connectByOpcUa, QObject* parent = nullptr);
+  /// @param machines   what is known about the machines
+  explicit StreamSession(opcua::Connector connector = connectByOpcUa,
+                         report::MachineStore machines = report::MachineStore(),
+                         QObject* parent = nullptr);
   /// Ends a run that lasts (with a stop, waiting for its confirmation) and the connection.
   ~StreamSession() override;
 

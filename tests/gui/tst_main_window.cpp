@@ -519,7 +519,7 @@ class TestMainWindow : public QObject {
   /// not used for another version of the server.
   void calibrates() {
     QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-         QStringLiteral("/rivulet/calibrations"))
+         QStringLiteral("/rivulet/machines"))
         .removeRecursively();
     m_machine = startMachine("dmu75-arrays");
     auto* page = m_window->calibrationPage();

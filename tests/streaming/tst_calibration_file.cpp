@@ -11,15 +11,16 @@
 #include "machine/machine.h"
 #include "report/calibration_json.h"
 #include "streaming/job.h"
+#include "streaming/machine_facts.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
-#include "trace/control_trace.h"
 #include "trace/file.h"
 
 using namespace rivulet;
 using base::Duration;
 using opcua::Grouping;
 using streaming::CalibrationRecord;
+using streaming::MachineFileError;
 
 namespace {
 
@@ -96,10 +97,9 @@ class TestCalibrationFile : public QObject {
     const CalibrationRecord record = recordOf("dmu75-arrays");
     QVERIFY(record.calibration.isCut());
     const QTemporaryDir folder;
-    const auto path =
-        report::calibrationPath(folder.path().toStdString(), record.endpoint, record.server);
-    QVERIFY(report::saveCalibration(path.parent_path() / "new" / path.filename(), record));
-    const auto read = report::readCalibration(path.parent_path() / "new" / path.filename());
+    const std::filesystem::path path = folder.filePath(QStringLiteral("a.json")).toStdString();
+    QVERIFY(trace::writeFile(path, report::calibrationJson(record).dump()));
+    const auto read = report::readCalibration(path);
     QVERIFY2(read, read ? "" : read.error().text().c_str());
     QCOMPARE(report::calibrationJson(*read).dump(), report::calibrationJson(record).dump());
     QVERIFY(read->server == record.server);
@@ -118,28 +118,6 @@ class TestCalibrationFile : public QObject {
     }
   }
 
-  void isFoundByItsMachineOnly() {
-    CalibrationRecord record = recordOf("dmu75");
-    const QTemporaryDir folder;
-    const std::filesystem::path root = folder.path().toStdString();
-    const auto find = [&root](const std::string& endpoint, const opcua::ServerIdentity& server) {
-      return report::findCalibration(root, endpoint, server);
-    };
-    QVERIFY(find(record.endpoint, record.server) && !*find(record.endpoint, record.server));
-    QVERIFY(report::saveCalibration(report::calibrationPath(root, record.endpoint, record.server),
-                                    record));
-    QVERIFY(find(record.endpoint, record.server)->has_value());
-    QVERIFY(!find("opc.tcp://10.0.0.6:4840", record.server)->has_value());
-    opcua::ServerIdentity other = record.server;
-    other.applicationUri = "urn:other";
-    QVERIFY(!find(record.endpoint, other)->has_value());
-    // Another version of the same machine: found, and known to be outdated.
-    other = record.server;
-    QVERIFY(!(*find(record.endpoint, other))->isOutdated(other));
-    other.softwareVersion = "4.96";
-    QVERIFY((*find(record.endpoint, other))->isOutdated(other));
-  }
-
   void refusesWhatIsNoCalibration() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath(QStringLiteral("a.json")).toStdString();
@@ -150,24 +128,24 @@ class TestCalibrationFile : public QObject {
     };
     const nlohmann::ordered_json good = report::calibrationJson(recordOf("dmu75"));
     QVERIFY(!codeOf(good));
-    QVERIFY(codeOf(3) == trace::TraceError::NotATrace);
+    QVERIFY(codeOf(3) == MachineFileError::NotAMachineFile);
     auto bad = good;
     bad["rivulet_calibration"] = 1;
-    QVERIFY(codeOf(bad) == trace::TraceError::NewerVersion);
+    QVERIFY(codeOf(bad) == MachineFileError::OtherVersion);
     bad = good;
     bad["fits"] = nlohmann::json::array();
-    QVERIFY(codeOf(bad) == trace::TraceError::NotATrace);
+    QVERIFY(codeOf(bad) == MachineFileError::Damaged);
     for (const char* key : {"server", "series", "shots_ordered", "took_s", "measured_at_utc"}) {
       bad = good;
       bad.erase(key);
-      QVERIFY2(codeOf(bad) == trace::TraceError::NotATrace, key);
+      QVERIFY2(codeOf(bad) == MachineFileError::Damaged, key);
     }
     bad = good;
     bad["series"][0]["max_ms"] = "long";
-    QVERIFY(codeOf(bad) == trace::TraceError::NotATrace);
+    QVERIFY(codeOf(bad) == MachineFileError::Damaged);
     bad = good;
     bad["series"][0]["form"] = "parcel";
-    QVERIFY(codeOf(bad) == trace::TraceError::NotATrace);
+    QVERIFY(codeOf(bad) == MachineFileError::Damaged);
   }
 
   /// The model of feasibility has the lines of the form; a form that was not measured those of

@@ -10,6 +10,7 @@
 #include "gcode/error.h"
 #include "opcua/error.h"
 #include "streaming/calibration.h"
+#include "streaming/machine_facts.h"
 #include "streaming/run.h"
 #include "templates/cells.h"
 #include "trace/control_trace.h"
@@ -104,6 +105,19 @@ struct ErrorTexts {
         return tr("The recording cannot be read. Check that it exists and that you may read it.");
       case TraceError::FileNotWritable:
         return tr("The recording cannot be written. Check the folder and the free space.");
+    }
+    return {};
+  }
+
+  static QString text(streaming::MachineFileError code) {
+    using streaming::MachineFileError;
+    switch (code) {
+      case MachineFileError::NotAMachineFile:
+        return tr("This is not a machine file of Rivulet. Move the file away.");
+      case MachineFileError::OtherVersion:
+        return tr("This was written by another version of Rivulet. Measure again.");
+      case MachineFileError::Damaged:
+        return tr("The calibration is damaged. Measure again.");
     }
     return {};
   }
@@ -253,6 +267,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<trace::TraceError>(code)) {
     return ErrorTexts::text(static_cast<trace::TraceError>(code.value()));
+  }
+  if (belongsTo<streaming::MachineFileError>(code)) {
+    return ErrorTexts::text(static_cast<streaming::MachineFileError>(code.value()));
   }
   if (belongsTo<opcua::LinkError>(code)) {
     return ErrorTexts::text(static_cast<opcua::LinkError>(code.value()));

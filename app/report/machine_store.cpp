@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/machine_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+#include "base/hash.h"
+#include "report/calibration_json.h"
+#include "report/credit_test_json.h"
+#include "trace/file.h"
+
+namespace rivulet::report {
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::ordered_json;
+using streaming::MachineFileError;
+
+constexpr int kFormatVersion = 1;
+constexpr const char* kFormatKey = "rivulet_machine";
+constexpr const char* kCalibrationKey = "calibration";
+constexpr const char* kCreditTestKey = "credit_test";
+/// Files of earlier versions: a calibration by itself, and a profile with a `credit_test`.
+constexpr const char* kEarlierCalibrationKey = "rivulet_calibration";
+constexpr const char* kEarlierProfileKey = "rivulet_machine_profile";
+
+fs::path variable(const char* name) {
+  const char* value = std::getenv(name);
+  return {value == nullptr ? "" : value};
+}
+
+/// Whether a calibration or a credit test was made on this machine.
+bool isOf(const ordered_json& fact, const std::string& endpoint,
+          const opcua::ServerIdentity& server) {
+  return fact.is_object() && fact.value("endpoint", ordered_json()) == endpoint &&
+         fact.contains("server") && fact["server"].is_object() &&
+         fact["server"].value("application_uri", ordered_json()) == server.applicationUri;
+}
+
+/// The first object in a folder that `pick` finds something in. Names do not matter: earlier
+/// versions made them in different ways. What cannot be read is passed over.
+template <class Pick>
+std::optional<ordered_json> findEarlier(const fs::path& folder, Pick pick) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const base::Result<std::string> text = trace::readFile(entry.path());
+    if (entry.path().extension() != ".json" || !text) {
+      continue;
+    }
+    const ordered_json json = ordered_json::parse(*text, nullptr, false);
+    if (!json.is_object()) {
+      continue;
+    }
+    if (std::optional<ordered_json> found = pick(json)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+MachineFolders MachineFolders::below(const fs::path& data, const fs::path& config) {
+  return {data / "rivulet" / "machines", data / "rivulet" / "calibrations",
+          config / "rivulet" / "machines"};
+}
+
+MachineFolders MachineFolders::ofUser() {
+  const fs::path data = variable("XDG_DATA_HOME");
+  const fs::path config = variable("XDG_CONFIG_HOME");
+  return below(data.is_absolute() ? data : variable("HOME") / ".local/share",
+               config.is_absolute() ? config : variable("HOME") / ".config");
+}
+
+fs::path MachineStore::pathOf(const std::string& endpoint,
+                              const opcua::ServerIdentity& server) const {
+  // Many characters of an endpoint must not stand in a file name.
+  std::string name;
+  for (const char letter : endpoint) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '.';
+    if (plain || (!name.empty() && name.back() != '-')) {
+      name += plain ? letter : '-';
+    }
+  }
+  constexpr std::size_t kNameMax = 100;
+  name.resize(std::min(name.size(), kNameMax));
+  return m_folders.machines / fmt::format("{}-{:016x}.json", name,
+                                          base::hashOf(endpoint + '\n' + server.applicationUri));
+}
+
+base::Result<ordered_json> MachineStore::read(const std::string& endpoint,
+                                              const opcua::ServerIdentity& server) const {
+  const fs::path path = pathOf(endpoint, server);
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) {
+    ordered_json machine{{kFormatKey, kFormatVersion}};
+    const auto own = [&](const ordered_json& fact) { return isOf(fact, endpoint, server); };
+    const auto calibration = findEarlier(m_folders.earlierCalibrations, [&](const auto& json) {
+      return json.contains(kEarlierCalibrationKey) && own(json) ? std::optional(json)
+                                                                : std::nullopt;
+    });
+    // The whole profile is taken over: other members of it may be somebody's, too.
+    const auto profile = findEarlier(m_folders.earlierProfiles, [&](const auto& json) {
+      return json.contains(kEarlierProfileKey) && json.contains(kCreditTestKey) &&
+                     own(json[kCreditTestKey])
+                 ? std::optional(json)
+                 : std::nullopt;
+    });
+    if (profile) {
+      machine.update(*profile);
+      machine.erase(kEarlierProfileKey);
+    }
+    if (calibration) {
+      machine[kCalibrationKey] = *calibration;
+    }
+    return machine;
+  }
+  const base::Result<std::string> text = trace::readFile(path);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  ordered_json machine = ordered_json::parse(*text, nullptr, false);
+  if (!machine.is_object() || !machine.contains(kFormatKey) ||
+      !machine[kFormatKey].is_number_integer()) {
+    return base::fail(MachineFileError::NotAMachineFile,
+                      "This is not a machine file of Rivulet. Move the file away.", path.string());
+  }
+  if (machine[kFormatKey].get<int>() > kFormatVersion) {
+    return base::fail(MachineFileError::OtherVersion,
+                      "The machine file was written by a later version of Rivulet. Use that one.",
+                      path.string());
+  }
+  return machine;
+}
+
+base::Result<std::optional<streaming::CalibrationRecord>> MachineStore::calibration(
+    const std::string& endpoint, const opcua::ServerIdentity& server) const {
+  const base::Result<ordered_json> machine = read(endpoint, server);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  if (!machine->contains(kCalibrationKey)) {
+    return std::nullopt;
+  }
+  auto record = calibrationOf((*machine)[kCalibrationKey], pathOf(endpoint, server).string());
+  if (!record) {
+    return base::fail(record.error());
+  }
+  return std::optional(std::move(*record));
+}
+
+base::Result<std::optional<streaming::CreditTest>> MachineStore::creditTest(
+    const std::string& endpoint, const opcua::ServerIdentity& server) const {
+  const base::Result<ordered_json> machine = read(endpoint, server);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  const auto test = machine->find(kCreditTestKey);
+  return test == machine->end() || !test->is_object() ? std::nullopt
+                                                      : std::optional(creditTestOf(*test));
+}
+
+base::Result<void> MachineStore::saveMember(const std::string& endpoint,
+                                            const opcua::ServerIdentity& server, const char* key,
+                                            ordered_json value) const {
+  base::Result<ordered_json> machine = read(endpoint, server);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  (*machine)[key] = std::move(value);
+  std::error_code ignored;  // writing says what is wrong
+  fs::create_directories(m_folders.machines, ignored);
+  // What a server says of itself may hold bytes that are not UTF-8.
+  return trace::writeFile(
+      pathOf(endpoint, server),
+      machine->dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+}
+
+base::Result<void> MachineStore::save(const streaming::CalibrationRecord& record) const {
+  return saveMember(record.endpoint, record.server, kCalibrationKey, calibrationJson(record));
+}
+
+base::Result<void> MachineStore::save(const streaming::CreditTest& test) const {
+  return saveMember(test.endpoint, test.server, kCreditTestKey, creditTestJson(test));
+}
+
+}  // namespace rivulet::report

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The one store of facts about machines: one JSON file per machine, all in one folder, shared by
+/// command line and HMI (docs/cli.md names every field). Files are replaced as a whole; members
+/// that this version does not know are kept. @threadsafety reads and writes files; shares nothing.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "streaming/machine_facts.h"
+
+namespace rivulet::report {
+
+struct MachineFolders {
+  std::filesystem::path machines;
+  /// Where earlier versions kept calibrations and profiles. Read while a machine has no file in
+  /// `machines` yet; never written. Empty: none.
+  std::filesystem::path earlierCalibrations;
+  std::filesystem::path earlierProfiles;
+
+  /// @param data  e.g. ~/.local/share  @param config  e.g. ~/.config
+  [[nodiscard]] static MachineFolders below(const std::filesystem::path& data,
+                                            const std::filesystem::path& config);
+  /// Below $XDG_DATA_HOME (or ~/.local/share) and $XDG_CONFIG_HOME (or ~/.config).
+  [[nodiscard]] static MachineFolders ofUser();
+};
+
+class MachineStore {
+ public:
+  explicit MachineStore(MachineFolders folders = MachineFolders::ofUser())
+      : m_folders(std::move(folders)) {}
+
+  /// The file of a machine: readable, and different for every machine.
+  [[nodiscard]] std::filesystem::path pathOf(const std::string& endpoint,
+                                             const opcua::ServerIdentity& server) const;
+
+  /// The last calibration of this machine; nothing if there is none. `isOutdated` says whether it
+  /// still holds. @return FileUnreadable, NotAMachineFile, OtherVersion, Damaged
+  [[nodiscard]] base::Result<std::optional<streaming::CalibrationRecord>> calibration(
+      const std::string& endpoint, const opcua::ServerIdentity& server) const;
+  /// The last test of method credit on this machine; nothing if there is none.
+  /// @return as `calibration`
+  [[nodiscard]] base::Result<std::optional<streaming::CreditTest>> creditTest(
+      const std::string& endpoint, const opcua::ServerIdentity& server) const;
+
+  /// Makes the folder if it is missing. @return FileNotWritable, and as `calibration`: a file that
+  /// cannot be read is not overwritten
+  [[nodiscard]] base::Result<void> save(const streaming::CalibrationRecord& record) const;
+  [[nodiscard]] base::Result<void> save(const streaming::CreditTest& test) const;
+
+ private:
+  [[nodiscard]] base::Result<nlohmann::ordered_json> read(
+      const std::string& endpoint, const opcua::ServerIdentity& server) const;
+  [[nodiscard]] base::Result<void> saveMember(const std::string& endpoint,
+                                              const opcua::ServerIdentity& server, const char* key,
+                                              nlohmann::ordered_json value) const;
+
+  MachineFolders m_folders;
+};
+
+}  // namespace rivulet::report

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The file of a machine: its calibration and its test of method credit, what the files of earlier
+/// versions had, and that nothing else in it is lost.
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "report/calibration_json.h"
+#include "report/credit_test_json.h"
+#include "report/machine_store.h"
+#include "streaming/run.h"
+#include "support/test_program.h"
+#include "trace/file.h"
+
+using namespace rivulet;
+using report::MachineStore;
+using streaming::CalibrationRecord;
+using streaming::CreditTest;
+using streaming::MachineFileError;
+
+namespace {
+
+const std::string kEndpoint = "opc.tcp://192.168.214.1:4840";
+const opcua::ServerIdentity kServer{"urn:control", "Control", "4.95", "7"};
+
+CreditTest makeTest(bool passed = true) {
+  CreditTest test;
+  test.endpoint = kEndpoint;
+  test.server = kServer;
+  test.testedAtUtc = "2026-05-04T09:30:00Z";
+  test.toolVersion = "0.1.0";
+  test.result.checks = {{"answers-while-busy", passed, "20 of 20"}, {"buffer-level", true, "yes"}};
+  test.result.asked = 20;
+  test.result.answered = passed ? 20 : 0;
+  test.result.slowestAnswer = std::chrono::milliseconds{42};
+  return test;
+}
+
+CalibrationRecord makeRecord() {
+  CalibrationRecord record;
+  record.endpoint = kEndpoint;
+  record.server = kServer;
+  record.measuredAtUtc = "2026-05-03T08:00:00Z";
+  record.toolVersion = "0.1.0";
+  record.calibration.plan.firstCell = 50;
+  record.calibration.plan.lastCell = 99;
+  for (const bool write : {false, true}) {
+    streaming::AccessFit fit;
+    fit.write = write;
+    fit.overheadMs = 1.0;
+    fit.nodeMs = 4.25;
+    record.calibration.fits.push_back(fit);
+  }
+  return record;
+}
+
+std::string textOf(const nlohmann::ordered_json& json) {
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+class TestMachineStore : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+  report::MachineFolders m_folders;
+
+  [[nodiscard]] MachineStore store() const { return MachineStore(m_folders); }
+  void write(const std::filesystem::path& path, const std::string& text) {
+    std::filesystem::create_directories(path.parent_path());
+    QVERIFY(trace::writeFile(path, text).has_value());
+  }
+
+ private Q_SLOTS:
+  void init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    const std::filesystem::path root = m_folder->path().toStdString();
+    m_folders = report::MachineFolders::below(root / "data", root / "config");
+  }
+
+  void oneFileKeepsBothFacts() {
+    QVERIFY(!store().calibration(kEndpoint, kServer)->has_value());
+    QVERIFY(!store().creditTest(kEndpoint, kServer)->has_value());
+    QVERIFY(store().save(makeRecord()).has_value());
+    QVERIFY(store().save(makeTest()).has_value());
+    const auto record = store().calibration(kEndpoint, kServer);
+    QVERIFY(record && *record);
+    QCOMPARE(report::calibrationJson(**record).dump(),
+             report::calibrationJson(makeRecord()).dump());
+    const auto test = store().creditTest(kEndpoint, kServer);
+    QVERIFY(test && *test);
+    QCOMPARE(report::creditTestJson(**test).dump(), report::creditTestJson(makeTest()).dump());
+    const std::filesystem::path path = store().pathOf(kEndpoint, kServer);
+    QVERIFY(std::filesystem::exists(path));
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(path.parent_path())) {
+      files += entry.is_regular_file() ? 1 : 0;
+    }
+    QCOMPARE(files, std::size_t{1});
+    // `feasibility --calibration` takes the file of a machine as well.
+    QVERIFY(report::readCalibration(path).has_value());
+  }
+
+  void whatItDoesNotKnowStays() {
+    const std::filesystem::path path = store().pathOf(kEndpoint, kServer);
+    write(path, R"({"rivulet_machine":1,"x":[1,2],"credit_test":{"passed":true}})");
+    QVERIFY(store().save(makeTest(false)).has_value());
+    const auto json = nlohmann::json::parse(trace::readFile(path).value());
+    QCOMPARE(json["x"].size(), std::size_t{2});
+    QVERIFY(!json["credit_test"]["passed"].get<bool>());
+  }
+
+  /// A calibration and a profile that an earlier version left in two folders, under other names.
+  void factsOfEarlierVersionsAreFound() {
+    write(m_folders.earlierCalibrations / "opc.tcp-192.168.214.1-4840-0123456789abcdef.json",
+          textOf(report::calibrationJson(makeRecord())));
+    CalibrationRecord other = makeRecord();
+    other.server.applicationUri = "urn:other";
+    write(m_folders.earlierCalibrations / "other.json", textOf(report::calibrationJson(other)));
+    write(m_folders.earlierCalibrations / "damaged.json", "{");
+    const nlohmann::ordered_json profile{{"rivulet_machine_profile", 1},
+                                         {"credit_test", report::creditTestJson(makeTest())},
+                                         {"note", "by the window"}};
+    write(m_folders.earlierProfiles / "opc.tcp-192.168.214.1-4840-0123456789abcdef.json",
+          textOf(profile));
+    QVERIFY(store().calibration(kEndpoint, kServer)->has_value());
+    QVERIFY(store().creditTest(kEndpoint, kServer)->has_value());
+    QVERIFY(!std::filesystem::exists(store().pathOf(kEndpoint, kServer)));
+
+    // Saving one fact takes the other over; from then on the file of the machine counts.
+    QVERIFY(store().save(makeTest(false)).has_value());
+    QVERIFY(!(*store().creditTest(kEndpoint, kServer))->result.passed());
+    QVERIFY(store().calibration(kEndpoint, kServer)->has_value());
+    const auto json =
+        nlohmann::json::parse(trace::readFile(store().pathOf(kEndpoint, kServer)).value());
+    QCOMPARE(json["note"], "by the window");
+    QVERIFY(!json.contains("rivulet_machine_profile"));
+    std::filesystem::remove_all(m_folders.earlierCalibrations);
+    QVERIFY(store().calibration(kEndpoint, kServer)->has_value());
+  }
+
+  void machinesAreToldApart() {
+    QVERIFY(store().save(makeRecord()).has_value());
+    QVERIFY(!store().calibration("opc.tcp://192.168.214.2:4840", kServer)->has_value());
+    opcua::ServerIdentity other = kServer;
+    other.applicationUri = "urn:other";
+    QVERIFY(!store().calibration(kEndpoint, other)->has_value());
+    // Another version of the same machine: found, and known to be outdated.
+    other = kServer;
+    QVERIFY(!(*store().calibration(kEndpoint, other))->isOutdated(other));
+    other.softwareVersion = "4.96";
+    QVERIFY((*store().calibration(kEndpoint, other))->isOutdated(other));
+  }
+
+  /// Nothing that is said beside the checks makes a test a passed one.
+  void onlyChecksCount() {
+    for (const char* section :
+         {R"({"passed":true})", R"({"passed":true,"checks":[]})", R"({"checks":"all"})",
+          R"({"checks":[{"name":"a","passed":"yes"}]})", R"({"checks":[7],"server":3})"}) {
+      const CreditTest test = report::creditTestOf(nlohmann::ordered_json::parse(section));
+      QVERIFY2(!test.result.passed(), section);
+    }
+  }
+
+  void otherFilesAreRefusedAndKept() {
+    const std::filesystem::path path = store().pathOf(kEndpoint, kServer);
+    for (const char* text : {"no json", "[]", "{}", R"({"rivulet_machine":"1"})"}) {
+      write(path, text);
+      const auto test = store().creditTest(kEndpoint, kServer);
+      QVERIFY(!test && test.error().code == MachineFileError::NotAMachineFile);
+      QVERIFY(!store().calibration(kEndpoint, kServer));
+      QVERIFY(!store().save(makeTest()));
+      QCOMPARE(trace::readFile(path).value(), std::string(text));
+    }
+    write(path, R"({"rivulet_machine":2})");
+    const auto newer = store().creditTest(kEndpoint, kServer);
+    QVERIFY(!newer && newer.error().code == MachineFileError::OtherVersion);
+  }
+
+  void creditNeedsAPassedTestOfThisVersion() {
+    const auto why = [](const std::optional<CreditTest>& test, const opcua::ServerIdentity& now) {
+      const auto allowed = streaming::requireCreditTest(test, kEndpoint, now);
+      if (allowed) {
+        return QString();
+      }
+      const bool isRefusal = allowed.error().code == streaming::StreamError::NotCommissioned;
+      return isRefusal ? QString::fromStdString(allowed.error().message) : QStringLiteral("?");
+    };
+    QVERIFY(why(std::nullopt, kServer).contains(QStringLiteral("has not been tested")));
+    QVERIFY(why(std::nullopt, kServer)
+                .contains(QStringLiteral("rivulet-cli commission --endpoint opc.tcp://192")));
+    QVERIFY(why(makeTest(), kServer).isEmpty());
+    opcua::ServerIdentity later = kServer;
+    later.softwareVersion = "4.96";
+    QVERIFY(
+        why(makeTest(), later).contains(QStringLiteral("Control 4.95 7; now it is Control 4.96")));
+    QVERIFY(why(makeTest(false), kServer).contains(QStringLiteral("failed the test on 2026-05-04")));
+  }
+};
+
+RIVULET_TEST(TestMachineStore)
+#include "tst_machine_store.moc"
