@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The two pictures of a calibration: averages and fitted lines over the number of cells, and how
-/// the shots of one kind are spread. @threadsafety GUI thread.
+/// The two pictures of a calibration: averages and fitted lines over the number of cells, and the
+/// distribution of the shots of one kind. @threadsafety GUI thread.
 #pragma once
 
 #include <QChartView>
@@ -17,23 +17,23 @@ class QValueAxis;
 
 namespace rivulet::widgets {
 
-/// What both have in common: two axes with nice numbers, margins that hold their labels.
+/// Common to both: two axes with round numbers, margins that hold their labels.
 class CalibrationChart : public QChartView {
   Q_OBJECT
 
  public:
   /// Sets titles and numbers in the present language.
   virtual void retranslate() = 0;
-  /// @param palette  of the page, which learns of a new theme before its children do
+  /// @param palette  of the page, which gets a new theme before its children
   void restyle(const QPalette& palette);
   [[nodiscard]] virtual std::vector<LegendEntry> legend() const = 0;
 
  protected:
   explicit CalibrationChart(QWidget* parent);
   void resizeEvent(QResizeEvent* event) override;
-  /// Draws everything anew.
+  /// Redraws everything.
   virtual void redraw() = 0;
-  /// Takes away what is drawn.
+  /// Removes the drawing.
   void clear();
   void add(QAbstractSeries* series);
   void setRange(double xMin, double xMax, double yMax);

@@ -21,7 +21,7 @@ class SeriesModel final : public TableModel<streaming::AccessSeries> {
 
   explicit SeriesModel(QObject* parent = nullptr);
 
-  /// @param shots  requested of each kind; series with fewer stand out
+  /// @param shots  requested of each kind; series with fewer are shown in bold
   void setSeries(const std::vector<streaming::AccessSeries>& series, int shots);
 
  private:

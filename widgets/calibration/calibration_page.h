@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Measuring what access to the control costs: which cells, how long it will take, how far it is,
-/// and what came out, now or earlier. @threadsafety GUI thread.
+/// Measuring the cost of access to the control: cells, expected time, progress, and the result,
+/// present or earlier. @threadsafety GUI thread.
 #pragma once
 
 #include <memory>
@@ -36,16 +36,16 @@ class CalibrationPage final : public Page {
  public:
   explicit CalibrationPage(QWidget* parent = nullptr);
 
-  /// @param reason  why no calibration can be made now; empty: it can
+  /// @param reason  why no calibration is possible now; empty: it is
   void setBlocked(const QString& reason);
-  /// What was measured on this machine, now or earlier; null: nothing.
+  /// The measurement on this machine, present or earlier; null: none.
   void setRecord(std::shared_ptr<const streaming::CalibrationRecord> record, bool outdated);
-  /// @param progress  of the calibration under way; none: there is none
+  /// @param progress  of the calibration in progress; none: there is none
   void setProgress(const std::optional<streaming::CalibrationProgress>& progress);
-  /// What the operator has chosen. The cells are confirmed only with the signal.
+  /// The operator's settings. The cells are confirmed only with the signal.
   [[nodiscard]] streaming::CalibrationPlan plan() const;
   void setPlan(const streaming::CalibrationPlan& plan);
-  /// Shows the spread of a kind in place of the lines. @param row  of the table
+  /// Shows the distribution of a kind instead of the lines. @param row  of the table
   void showSpread(int row);
 
  Q_SIGNALS:

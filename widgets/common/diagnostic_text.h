@@ -15,7 +15,7 @@ namespace rivulet::widgets {
 /// "Note", "Warning", "Error".
 [[nodiscard]] QString severityText(gcode::Severity severity);
 
-/// Icon of a severity: each has a shape of its own.
+/// Icon of a severity: each has its own shape.
 [[nodiscard]] QString severityIconName(gcode::Severity severity);
 
 /// One sentence: what was found and what Rivulet does about it.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Failures in the language of the operator: what happened and what to do. Codes without a
-/// sentence of their own show the English message that came with them.
+/// Failures in the language of the operator: what happened and what to do. Codes without their own
+/// sentence show the English message of the error.
 /// @threadsafety GUI thread.
 #pragma once
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The icons of resources/icons in the colour they are needed in. The files draw in
-/// `currentColor`, so one file serves both themes.
+/// The icons of resources/icons in the required colour. The files draw in `currentColor`, so one
+/// file serves both themes.
 /// @threadsafety GUI thread.
 #pragma once
 

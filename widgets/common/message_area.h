@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The one place where the application speaks to the operator: the newest message with its
-/// severity in shape and words, to be copied or dismissed. Hidden while there is nothing to say.
+/// The one place for messages to the operator: the newest message, with its severity as shape and
+/// text, to be copied or dismissed. Hidden while there is none.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -24,7 +24,7 @@ class MessageArea final : public Page {
   explicit MessageArea(QWidget* parent = nullptr);
 
   void showMessage(Severity severity, const QString& text);
-  /// Takes the message away without a signal.
+  /// Removes the message without a signal.
   void clear();
   [[nodiscard]] QString text() const;
 

@@ -15,7 +15,7 @@
 
 namespace rivulet::widgets {
 
-/// What stands where a number is not known.
+/// Shown if a number is not known.
 [[nodiscard]] QString noValue();
 
 /// A number without unit. Not finite: `noValue()`. @param decimals >= 0
@@ -27,7 +27,7 @@ namespace rivulet::widgets {
 /// "12.345 mm".
 [[nodiscard]] QString lengthText(double lengthMm, int decimals = 3);
 
-/// "500 mm/min", with as many decimals as the size of the value asks for.
+/// "500 mm/min", with decimals according to the size of the value.
 [[nodiscard]] QString feedText(double feedMmPerS);
 
 /// "12.3 s".

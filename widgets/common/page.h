@@ -29,13 +29,13 @@ class Page : public QWidget {
   void changeEvent(QEvent* event) override;
 };
 
-/// A button a finger can hit.
+/// A button large enough for a finger.
 [[nodiscard]] QPushButton* makeTouchButton(QWidget* parent);
 
 /// A label whose text can be selected and copied.
 [[nodiscard]] QLabel* makeValueLabel(QWidget* parent);
 
-/// A label in bold that heads a group.
+/// A bold label as the heading of a group.
 [[nodiscard]] QLabel* makeHeading(QWidget* parent);
 
 /// Gives a widget the colour of secondary text.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A state in shape and words: icon and text, coloured only when it is abnormal.
+/// A state as icon and text, coloured only if it is abnormal.
 /// @threadsafety GUI thread.
 #pragma once
 

@@ -3,9 +3,9 @@
 
 /// @file
 /// The colours of the HMI. The screen is calm grey; colour means "look here". Every colour is a
-/// function of the palette, so a page needs no setting: it asks `themeColors(palette())` and is
-/// told of a change by `QEvent::PaletteChange`. Start is never red, Stop never green: both stay
-/// neutral and speak by shape and text.
+/// function of the palette, so a page needs no setting: it calls `themeColors(palette())` and is
+/// notified of a change by `QEvent::PaletteChange`. Start is never red, Stop never green: both stay
+/// neutral and differ by shape and text.
 /// @threadsafety GUI thread.
 #pragma once
 

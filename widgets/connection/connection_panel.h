@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the operator connects to a machine and sees its state: what it does, where it stands,
-/// how fast it moves, and whether what is shown is fresh.
+/// Where the operator connects to a machine and sees its state: what it does, its position and
+/// speed, and whether the values are up to date.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -33,7 +33,7 @@ class ConnectionPanel final : public Page {
   /// @param detail  one sentence on why, for Lost; may be empty
   void setConnectionState(ConnectionState state, const QString& detail = {});
   void setMachineState(const MachineView& machine);
-  /// While a run lasts, disconnecting is not offered.
+  /// During a run, disconnecting is not possible.
   void setDisconnectEnabled(bool enabled);
 
  Q_SIGNALS:
@@ -61,7 +61,7 @@ class ConnectionPanel final : public Page {
   StatusLabel* m_virtualBadge;
 
   QGroupBox* m_positionGroup;
-  /// X Y Z, then A B C, which are hidden where the machine has none.
+  /// X Y Z, then A B C, which are hidden if the machine has none.
   static constexpr std::size_t kReadoutCount = base::kAxisCount + base::kRotaryAxisCount;
   std::array<QLabel*, kReadoutCount> m_axisNames{};
   std::array<QLabel*, kReadoutCount> m_axisValues{};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What is known of the machine at a moment, as the HMI shows it. What was not read stays empty.
+/// The state of the machine at a moment, as the HMI shows it. Values that were not read stay empty.
 /// @threadsafety plain values.
 #pragma once
 
@@ -29,7 +29,7 @@ struct MachineView {
   QString alarmText;               ///< may be empty: the number alone is shown
   std::optional<QString> message;  ///< what MSG("…") of the program on the control shows
   std::optional<base::Vec3> positionMm;
-  base::RotarySet rotaryAxes{};  ///< those the machine is known to have
+  base::RotarySet rotaryAxes{};  ///< those that the machine is known to have
   std::optional<base::RotaryDeg> rotaryDeg;
   std::optional<double> feedMmPerS;
   bool isStale = false;        ///< the values are older than they should be

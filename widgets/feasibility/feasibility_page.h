@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The feasibility region over d_min, N and δ, with what can be read from it.
+/// The feasibility region over d_min, N and δ, with its explanation.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -29,13 +29,13 @@ class FeasibilityPage final : public Page {
 
   /// Shows the region around an operating point; at once, also while it is being dragged.
   void setModel(const FeasibilityModel& model);
-  /// Shows simulated points beside the borders, on the chart they belong to.
+  /// Shows simulated points together with the limits, on the chart they belong to.
   void setRegion(const SimulatedRegion& region);
-  /// The program is another one: what was simulated no longer holds.
+  /// The program has changed: the simulation no longer applies.
   void clearRegions();
-  /// @param percent  of the simulation under way; none: there is none
+  /// @param percent  of the simulation in progress; none: there is none
   void setSimulationProgress(std::optional<int> percent);
-  /// While a run lasts the operating point cannot be dragged, nor anything simulated.
+  /// During a run the operating point cannot be dragged and nothing can be simulated.
   void setEditable(bool editable);
   [[nodiscard]] RegionChart* chart(feasibility::SweepAxis axis) const;
   void showChart(feasibility::SweepAxis axis);

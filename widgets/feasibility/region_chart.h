@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The feasibility region over one quantity: the borders of the equations, with safety factor
+/// The feasibility region over one quantity: the limits of the equations, with safety factor
 /// (solid) and as published (dashed), the area below them, the program's own points and the
 /// operating point, which can be dragged.
 /// @threadsafety GUI thread.
@@ -25,7 +25,7 @@ namespace rivulet::widgets {
 
 class RegionOverlay;
 
-/// All the region is made of.
+/// Everything the region is computed from.
 struct FeasibilityModel {
   feasibility::OperatingPoint operatingPoint;
   feasibility::ProgramDistances distances;
@@ -42,7 +42,7 @@ class RegionChart final : public QChartView {
   explicit RegionChart(feasibility::SweepAxis axis, QWidget* parent = nullptr);
 
   void setModel(const FeasibilityModel& model);
-  /// Simulated points and the band of the extended model; none takes them away.
+  /// Simulated points and the band of the extended model; none removes them.
   void setRegion(const std::optional<SimulatedRegion>& region);
   [[nodiscard]] const std::optional<SimulatedRegion>& region() const { return m_region; }
   /// Colours of simulated points that ran, failed sometimes, failed always; and of the band.
@@ -50,18 +50,18 @@ class RegionChart final : public QChartView {
   [[nodiscard]] static QBrush bandBrush(const QPalette& palette);
   /// A grid over the picture, with the operating point's own abscissa; empty without a model.
   [[nodiscard]] SimulationWanted simulationWanted() const;
-  /// While a run lasts the operating point stays where it is.
+  /// During a run the operating point cannot be moved.
   void setEditable(bool editable) { m_editable = editable; }
   /// Sets titles and numbers in the present language.
   void retranslate();
-  /// @param palette  of the page, which learns of a new theme before its children do
+  /// @param palette  of the page, which gets a new theme before its children
   void restyle(const QPalette& palette);
 
   /// Where the operating point is, in pixels of the chart.
   [[nodiscard]] QPointF operatingPixel() const;
-  /// Equations with a border in this chart.
+  /// Equations with a limit in this chart.
   [[nodiscard]] const std::vector<feasibility::Border>& borders() const { return m_borders; }
-  /// A border that enters the verdict, not one shown for information.
+  /// A limit that counts for the verdict, not one shown for information.
   [[nodiscard]] bool decides(const feasibility::Border& border) const;
 
  Q_SIGNALS:
@@ -104,7 +104,7 @@ class RegionChart final : public QChartView {
   QLineSeries* m_bandLower;
   QAreaSeries* m_safeArea;
   QAreaSeries* m_bandArea;
-  std::vector<QLineSeries*> m_lines;  ///< one per border shown
+  std::vector<QLineSeries*> m_lines;  ///< one per limit shown
   QScatterSeries* m_points;
   QLineSeries* m_half;
   QLineSeries* m_rare;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What a simulation of the region asks for and what it brings, as the page shows it.
+/// Request and result of a simulation of the region, as the page shows them.
 /// @threadsafety plain values.
 #pragma once
 
@@ -28,7 +28,7 @@ struct SimulatedPoint {
   std::size_t failures = 0;  ///< of these
 };
 
-/// Feeds between which a run becomes probable to fail, from the extended model.
+/// Feeds between which the probability of a failed run rises, from the extended model.
 struct ProbabilityBand {
   double abscissa = 0.0;
   double rareMmPerS = 0.0;  ///< one run of a thousand fails
@@ -38,7 +38,7 @@ struct ProbabilityBand {
 struct SimulatedRegion {
   feasibility::SweepAxis axis = feasibility::SweepAxis::PointDistance;
   feasibility::OperatingPoint operatingPoint;  ///< method, N and δ it was made with
-  std::size_t programPoints = 0;               ///< points of the stretch that was simulated
+  std::size_t programPoints = 0;               ///< points of the simulated section
   std::vector<SimulatedPoint> points;
   std::vector<ProbabilityBand> band;  ///< ascending
 };

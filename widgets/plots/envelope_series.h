@@ -18,7 +18,7 @@ namespace rivulet::widgets {
 
 class EnvelopeSeries {
  public:
-  /// @param atS seconds, not before the one appended last  @param value NaN begins a gap
+  /// @param atS  seconds, not before the last one @param value  NaN begins a gap
   void append(double atS, double value);
   void clear() { m_envelope.clear(); }
   [[nodiscard]] bool isEmpty() const { return m_envelope.empty(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A legend that wraps instead of cutting its texts.
+/// A legend that wraps its texts instead of cutting them off.
 /// @threadsafety GUI thread.
 #pragma once
 

@@ -3,7 +3,7 @@
 
 /// @file
 /// The pauses of a run as bands behind a curve: plain for measured, hatched for inferred, dotted
-/// for predicted ones, with duration and origin where there is room for it.
+/// for predicted ones, with duration and origin if there is room for them.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace rivulet::widgets {
 
-/// "M", "I" or "P" in the language of the operator, and the word behind it.
+/// "M", "I" or "P" in the language of the operator, and the word for it.
 [[nodiscard]] QString pauseOriginLetter(trace::PauseOrigin origin);
 [[nodiscard]] QString pauseOriginText(trace::PauseOrigin origin);
 /// How the bands of an origin are filled.

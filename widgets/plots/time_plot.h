@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Signals over time in one chart. Samples may come as fast as they like: the chart asks the
-/// envelopes for what is visible and is redrawn at most 25 times a second, with one `replace` per
-/// line. Several plots share a `TimeWindow` and so their time axis.
+/// Signals over time in one chart. Samples may arrive at any rate: the chart asks the envelopes for
+/// the visible range and is redrawn at most 25 times a second, with one `replace` per line. Several
+/// plots share a `TimeWindow` and so their time axis.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -38,19 +38,19 @@ class TimePlot final : public Page {
 
   /// Title of the value axis, with its unit.
   void setTitle(const QString& title);
-  /// Only the lowest of stacked plots writes the times.
+  /// Only the lowest of stacked plots shows the times.
   void setTimeLabels(bool visible, const QString& title);
-  /// Least extent of the value axis, so that noise is not blown up.
+  /// Least extent of the value axis, so that noise is not magnified.
   void setLeastSpan(double span) { m_leastSpan = span; }
   /// The value axis begins at 0 (a feed is never negative).
   void setFromZero(bool fromZero) { m_fromZero = fromZero; }
   void append(double atS, double value);
-  /// Takes over a whole recording at once.
+  /// Shows a whole recording at once.
   void setSeries(std::unique_ptr<EnvelopeSeries> series);
   void clear();
   void setPauses(const std::vector<trace::Pause>* pauses, bool labels);
   void scheduleRedraw();
-  /// Draws at once what is due: for pictures and tests.
+  /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
 
  Q_SIGNALS:
@@ -73,7 +73,7 @@ class TimePlot final : public Page {
   QChartView* m_view;
   QValueAxis* m_timeAxis;
   QValueAxis* m_valueAxis;
-  std::vector<QLineSeries*> m_lines;  ///< one per stretch without gap
+  std::vector<QLineSeries*> m_lines;  ///< one per section without a gap
   PauseBands* m_bands;
   QTimer m_redraw;
   double m_leastSpan = 1.0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The stretch of time several plots show together. Live, it follows the newest sample; a pan or
-/// a zoom leaves live until the operator asks for it again.
+/// The time range that several plots show together. Live, it follows the newest sample; a pan or a
+/// zoom leaves live until the operator asks for it again.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -21,11 +21,11 @@ class TimeWindow final : public QObject {
   [[nodiscard]] double toS() const { return m_toS; }
   [[nodiscard]] bool isLive() const { return m_isLive; }
 
-  /// The data now reaches to here.
+  /// The data now extends to this time.
   void setEnd(double endS);
   void clear();
   void goLive();
-  /// Everything there is.
+  /// The whole range of the data.
   void showAll();
   void pan(double byS);
   /// @param factor < 1 magnifies  @param aroundS stays where it is on the screen

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// How often which distance of neighbouring points occurs, as bars over a logarithmic axis. Classes
-/// that hold any point have a bar that can be seen. @threadsafety GUI thread.
+/// How often each distance of neighbouring points occurs, as bars over a logarithmic axis. Every
+/// class that holds a point has a visible bar. @threadsafety GUI thread.
 #pragma once
 
 #include <QWidget>

@@ -3,7 +3,7 @@
 
 /// @file
 /// Two bars over the pages: a program is being read, and the file of the loaded one has changed.
-/// Each is hidden while there is nothing to say. @threadsafety GUI thread.
+/// Each is hidden while it does not apply. @threadsafety GUI thread.
 #pragma once
 
 #include <QTimer>
@@ -23,7 +23,8 @@ class LoadBar final : public Page {
  public:
   explicit LoadBar(QWidget* parent = nullptr);
 
-  /// Shown when it takes longer than a moment: a small program is there before the bar would be.
+  /// Shown only if reading takes longer than a moment: a small program is loaded before the bar
+  /// appears.
   /// @param share  0 to 1; nothing: no program is being read
   void setProgress(const std::optional<double>& share, const QString& name = {});
 
@@ -48,7 +49,7 @@ class FileBanner final : public Page {
  public:
   enum class State {
     Same,     ///< nothing to say
-    Changed,  ///< another text lies under the name
+    Changed,  ///< the file has another text
     Gone,     ///< deleted or moved away
   };
 
@@ -56,9 +57,9 @@ class FileBanner final : public Page {
 
   void setState(State state);
   [[nodiscard]] State state() const { return m_state; }
-  /// @param hash  of the program as loaded: what a run keeps
+  /// @param hash  of the program as loaded, which a run keeps
   void setProgram(const QString& name, const QString& hash);
-  /// While a run lasts nothing can be read again.
+  /// During a run the file cannot be reloaded.
   void setRunning(bool running);
 
  Q_SIGNALS:

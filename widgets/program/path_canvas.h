@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Paints a program's path, what of it is executed, and the tool. A frame draws a bounded number
-/// of points, whatever the program: the level of detail is as fine as the screen can show if that
-/// is few enough, else coarser; the fine picture is then made in slices while nothing moves. A
+/// Paints a program's path, its executed part, and the tool. A frame draws a bounded number of
+/// points, whatever the program: the level of detail is as fine as the screen can show if these are
+/// few enough, otherwise coarser. The fine picture is then drawn in slices while nothing moves. A
 /// move of the tool costs one copy of the picture, and newly executed points are added to it.
 ///
-/// Pauses are marks in a picture of their own over that. Of those in sight a bounded number is
-/// looked at, and of marks that would lie on one another one is drawn, a pause in the cut first.
+/// Pauses are marks in a separate picture on top. A bounded number of the visible ones is examined,
+/// and of marks that would overlap only one is drawn, a pause in the cut first.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -34,19 +34,20 @@ class PathCanvas final : public QWidget {
  public:
   using View = PathProjection;
 
-  /// Moves of the path drawn in one go at most, and as many of its executed part: what one event
-  /// of the GUI thread may cost.
+  /// Largest number of moves of the path drawn in one event, and of its executed part: this bounds
+  /// the time of one event of the GUI thread.
   static constexpr std::size_t kPathMoves = 12'000;
   static constexpr std::size_t kFrameMoves = 2 * kPathMoves;
-  /// Pauses of each kind that are looked at for a picture at most: a look costs some nanoseconds.
+  /// Largest number of pauses of each kind that are examined for a picture, at some nanoseconds
+  /// each.
   static constexpr std::size_t kPausesSeen = 200'000;
 
-  /// What the canvas writes on itself, in the language of the operator.
+  /// Texts on the canvas, in the language of the operator.
   struct Texts {
     QString empty;
     QString start;
     QString tool;
-    QString pauseOffCut;  ///< %1: number of the point behind which it is, %2: its line
+    QString pauseOffCut;  ///< %1: number of the point after which it is, %2: its line
     QString pauseInCut;
   };
 
@@ -61,15 +62,15 @@ class PathCanvas final : public QWidget {
   void setTexts(const Texts& texts);
   /// @param view  null: none. The picture is fitted to it.
   void setProgram(std::shared_ptr<const ProgramView> view);
-  /// Points of the program made for another place of the tool; the picture stays as it is.
+  /// The program's points for another position of the tool; the picture stays as it is.
   void replaceProgram(std::shared_ptr<const ProgramView> view);
   void setStyle(Style style);
-  /// How many of the points are behind the tool.
+  /// How many of the points the tool has passed.
   void setExecuted(std::size_t count);
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
-  /// Points whose moves are shown as chosen.
+  /// Points whose moves are shown as selected.
   void setSelected(std::vector<std::uint32_t> points);
-  /// The point the scrub slider stands at.
+  /// The point at the slider's position.
   void setMarked(std::optional<std::size_t> point);
   /// Marks where a run will pause. @param pauses  null: no marks
   void setPauses(std::shared_ptr<const PauseMap> pauses);
@@ -85,21 +86,21 @@ class PathCanvas final : public QWidget {
     std::size_t point = 0;
     bool inCut = false;
   };
-  /// The pause that is marked nearest to a place of the widget; nothing within a finger's width.
+  /// The marked pause nearest to a place of the widget; nothing within a finger's width.
   [[nodiscard]] std::optional<Pause> pauseNear(QPointF place) const;
   /// Where a point is drawn.
   [[nodiscard]] QPointF placeOf(std::size_t point) const;
 
   [[nodiscard]] QSize sizeHint() const override { return {520, 400}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
-  /// Moves of the path in the picture, and the most drawn in one go since the last question: for
+  /// Moves of the path in the picture, and the most drawn in one event since the last call: for
   /// tests of speed.
   [[nodiscard]] std::size_t drawnMoves() const { return m_drawnMoves; }
   [[nodiscard]] std::size_t takeMostAtOnce() { return std::exchange(m_mostAtOnce, 0); }
-  /// Marks of pauses in the picture, and pauses that were looked at for it: for tests of speed.
+  /// Marks of pauses in the picture, and pauses examined for it: for tests of speed.
   [[nodiscard]] std::size_t drawnPauses() const { return m_drawnPauses; }
   [[nodiscard]] std::size_t pausesSeen() const { return m_pausesSeen; }
-  /// The picture shows all the screen can.
+  /// The picture is as fine as the screen can show.
   [[nodiscard]] bool isFine() const { return !m_picture.isNull() && m_isFine; }
 
  Q_SIGNALS:
@@ -138,7 +139,7 @@ class PathCanvas final : public QWidget {
   /// Collects the moves [from, to) of a level; `isExecuted`: as class 0 (rapid) and 1.
   void collect(std::size_t level, std::size_t from, std::size_t to, bool isExecuted,
                Strokes& strokes) const;
-  /// @param isSlice  of a picture that is made in slices
+  /// @param isSlice  of a picture that is drawn in slices
   void stroke(QImage& picture, const Strokes& strokes, const std::vector<QPen>& pens, bool isSlice);
   void drawExecuted(QImage& picture, std::size_t from, std::size_t to);
   void makeMarks();
@@ -151,7 +152,7 @@ class PathCanvas final : public QWidget {
   void drawChosen(QPainter& painter) const;
   void drawTool(QPainter& painter) const;
   [[nodiscard]] QPointF onScreen(PlanePoint place) const;
-  /// Whether something in the box may be as near as a finger is.
+  /// Whether something in the box may be within a finger's width.
   [[nodiscard]] bool isNear(const PlaneBox& box, QPointF place) const;
   [[nodiscard]] double gridStepMm() const;
 
@@ -173,7 +174,7 @@ class PathCanvas final : public QWidget {
   QPointF m_pressedAt;
   bool m_dragged = false;
 
-  QImage m_picture;  ///< null: to be made
+  QImage m_picture;  ///< null: to be drawn
   std::size_t m_executedInPicture = 0;
   std::size_t m_drawnMoves = 0;
   std::size_t m_nowDrawn = 0;  ///< moves drawn by the present event

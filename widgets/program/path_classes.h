@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// In which class each move of a program falls: by kind, feed, margin of the method or time. What
-/// a class looks like is not known here. @threadsafety pure; O(points).
+/// The class of each move of a program: by kind, feed, margin of the method or time. The appearance
+/// of a class is not defined here. @threadsafety pure; O(points).
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct PathClasses {
   PathColouring colouring = PathColouring::Kind;
   std::vector<std::uint8_t> ofPoint;  ///< class of the move that ends at each streamed point
   std::size_t count = 0;
-  /// Where several moves are drawn as one, the highest class is shown; else that of the last.
+  /// If several moves are drawn as one, show the highest class; otherwise that of the last.
   bool highestWins = false;
   /// Kind: empty. Feed (mm/s), margin and time (s): class i (feed: i + 1) reaches from
   /// borders[i] to borders[i + 1]; feeds of few values: class i + 1 is borders[i] itself.
@@ -44,16 +44,17 @@ inline constexpr std::size_t kTimeClasses = 5;
 
 [[nodiscard]] PathClasses classesByKind(const ProgramView& view);
 
-/// Feeds of few values are a class each; of many, classes of equal ratio.
+/// With few values of the feed, each is a class; with many, the classes have equal ratios.
 [[nodiscard]] PathClasses classesByFeed(const ProgramView& view);
 
-/// By the margin each move has: with the method position its own length in (1), with signal the
-/// shortest window of ⌊N/2⌋ steps it belongs to in (3), with window that of M steps in the reach.
-/// The smallest margin of moves drawn as one is shown. @param access  as in the verdict
+/// By the margin of each move: with method position from its own length in (1); with signal from
+/// the shortest window of ⌊N/2⌋ steps it belongs to, in (3); with window from that of M steps, in
+/// the reach. Moves drawn as one show their smallest margin. @param access  as in the verdict
 [[nodiscard]] PathClasses classesByMargin(const ProgramView& view,
                                           const feasibility::OperatingPoint& point,
                                           const feasibility::AccessModel& access = {});
-/// The margins themselves; infinite for the first point, which no move of the program leads to.
+/// The margins themselves; infinite for the first point, because no move of the program leads to
+/// it.
 [[nodiscard]] std::vector<float> localMargins(const ProgramView& view,
                                               const feasibility::OperatingPoint& point,
                                               const feasibility::AccessModel& access = {});

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A path in levels of detail, so that a picture of a million points costs what the screen can
-/// show.
+/// A path in levels of detail, so that the cost of a picture of a million points depends on what
+/// the screen can show.
 ///
-/// How it works. Level 0 has every point. Each further level is made from the one before: points
-/// are left out as long as they stay near the line that replaces them, and the distance allowed
-/// doubles (at least) from level to level. Half of a level's tolerance goes to its own step, the
-/// other half covers all steps before, so no point left out is farther than the tolerance from
-/// the line drawn in its place. In space a distance is never smaller than in a picture of it,
-/// therefore one set of levels serves every view.
+/// How it works. Level 0 has every point. Each further level is made from the previous one: points
+/// are left out as long as they are near the line that replaces them, and the allowed distance (at
+/// least) doubles from level to level. Half of a level's tolerance is for its own step, the other
+/// half covers all previous steps, so no omitted point is farther than the tolerance from the line
+/// drawn in its place. A distance in space is never smaller than in a picture of it, so one set of
+/// levels serves every view.
 ///
-/// The points of a level are cut into chunks with the box each fills in a view: what lies outside
-/// the window is left out chunk by chunk.
+/// The points of a level are divided into chunks, each with its box in a view: chunks outside the
+/// window are not drawn.
 ///
-/// Made away from the GUI thread, in linear time. @threadsafety immutable once made.
+/// Made outside the GUI thread, in linear time. @threadsafety immutable once made.
 #pragma once
 
 #include <array>
@@ -46,11 +46,11 @@ struct PlaneBox {
   float high = 0.0F;
 };
 
-/// Moves of a chunk: those that end at the points behind its first one.
+/// Moves of a chunk: those that end at the points after its first one.
 inline constexpr std::size_t kChunkMoves = 128;
 
 struct PathLevel {
-  double toleranceMm = 0.0;         ///< no point left out is farther from the line drawn
+  double toleranceMm = 0.0;         ///< no omitted point is farther from the drawn line
   std::vector<std::uint32_t> kept;  ///< indices of the points, ascending; the first and last are in
   /// Per projection the box of each chunk; chunk c has the kept points from c·kChunkMoves to
   /// (c+1)·kChunkMoves, both included.
@@ -61,8 +61,8 @@ class PathLevels {
  public:
   PathLevels() = default;
   /// @param isRapid  one per point: the move that ends there; levels keep the points where rapid
-  ///                 and cutting moves meet as long as that leaves anything out
-  /// @param goOn     asked now and then; false: give up (the levels are then those made so far)
+  ///                 and cutting moves meet, as long as other points can be left out
+  /// @param goOn  called now and then; false: cancel (the levels are then those made so far)
   PathLevels(const std::vector<gcode::StreamPoint>& points, const std::vector<bool>& isRapid,
              const std::function<bool()>& goOn = {});
 

@@ -29,9 +29,9 @@ class PathView final : public Page {
  public:
   explicit PathView(QWidget* parent = nullptr);
 
-  /// @param view  null: none. Forgets progress, choice and times of the one before.
+  /// @param view  null: none. Forgets progress, selection and times of the previous one.
   void setProgram(std::shared_ptr<const ProgramView> view);
-  /// The same program with points made for another place of the tool.
+  /// The same program with points for another position of the tool.
   void replaceProgram(std::shared_ptr<const ProgramView> view);
   /// When each point is passed; null: not known (yet).
   void setTimes(std::shared_ptr<const ProgramTimes> times);
@@ -39,7 +39,7 @@ class PathView final : public Page {
   void setPauses(std::shared_ptr<const PauseMap> pauses);
   /// Pauses are marked on the path, if they are known.
   void setPausesShown(bool shown);
-  /// What margins are reckoned for.
+  /// The settings for which margins are computed.
   void setOperatingPoint(const feasibility::OperatingPoint& point,
                          const feasibility::AccessModel& access = {});
   /// Counts in the streamed points.
@@ -49,10 +49,10 @@ class PathView final : public Page {
   void setIsometric(bool isometric);
   void setColouring(PathColouring colouring);
   [[nodiscard]] PathColouring colouring() const { return m_colouring; }
-  /// Marks a point and moves the picture to it if need be. The slider follows; nothing is
-  /// signalled.
+  /// Marks a point and, if necessary, moves the picture to it. The slider follows; no signal is
+  /// emitted.
   void markPoint(std::size_t point);
-  /// Shows the moves of these points as chosen, and marks the first.
+  /// Shows the moves of these points as selected, and marks the first.
   void selectPoints(const std::vector<std::uint32_t>& points);
   void fit();
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The page of the program: path, text and figures, linked with each other. What is chosen in one
-/// is shown in the others. @threadsafety GUI thread.
+/// The page of the program: path, text and figures, linked with each other. A selection in one is
+/// shown in the others. @threadsafety GUI thread.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ class ProgramPage final : public Page {
 
   /// @param view  null: none
   void setProgram(const std::shared_ptr<const ProgramView>& view);
-  /// The same program with points made for another place of the tool.
+  /// The same program with points for another position of the tool.
   void replaceProgram(const std::shared_ptr<const ProgramView>& view);
   void setTimes(const std::shared_ptr<const ProgramTimes>& times);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The loaded CAM program: where it comes from, its dialect, its figures and what is wrong with
-/// it. Files come by button, by the list of recent files, or dropped anywhere on the panel.
+/// The loaded CAM program: its origin, dialect, figures and findings. Files come by button, by the
+/// list of recent files, or dropped anywhere on the panel.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -39,10 +39,10 @@ class ProgramPanel final : public Page {
 
   /// @param view  null: none is loaded
   void setProgram(std::shared_ptr<const ProgramView> view);
-  /// How the program was ordered to be read.
+  /// The settings with which the program was read.
   /// @param dialect   nothing: as detected
-  /// @param accepted  names of what was accepted without being understood
-  /// @param centres   what I, J and K are taken for
+  /// @param accepted  names of the words that were accepted without being understood
+  /// @param centres  meaning of I, J and K
   void setReading(std::optional<gcode::Dialect> dialect, const std::vector<std::string>& accepted,
                   gcode::CentreReading centres = gcode::CentreReading::AsProgrammed);
   /// d_min and d_min^N of the points that will be streamed; nothing if there are none.
@@ -51,7 +51,7 @@ class ProgramPanel final : public Page {
   void setTimes(std::shared_ptr<const ProgramTimes> times);
   /// @param paths  newest first
   void setRecentFiles(const QStringList& paths);
-  /// While a run lasts another program cannot be opened.
+  /// During a run no other program can be opened.
   void setOpenEnabled(bool enabled);
   /// Asks for a file, as the button does.
   void chooseFile();
@@ -65,13 +65,13 @@ class ProgramPanel final : public Page {
  Q_SIGNALS:
   void openRequested(const QString& path);
   void fileDropped(const QString& path);
-  /// A place in the text is to be seen.
+  /// The operator wants to see a place in the text.
   void lineChosen(std::size_t line);
   void dialectRequested(const std::optional<rivulet::gcode::Dialect>& dialect);
   /// The operator was asked and takes the responsibility.
   void acceptRequested(const QString& name);
   void takeBackRequested(const QString& name);
-  /// I, J and K are to be taken for something else.
+  /// The operator wants another meaning of I, J and K.
   void centresRequested(rivulet::gcode::CentreReading centres);
 
  protected:
@@ -146,7 +146,7 @@ class ProgramPanel final : public Page {
   DistanceChart* m_chart = nullptr;
   DiagnosticModel* m_findings;
   QTableView* m_findingsTable;
-  QLabel* m_finding;  ///< the whole sentence of the finding chosen in the table
+  QLabel* m_finding;  ///< the whole sentence of the finding selected in the table
   QPushButton* m_accept;
   QWidget* m_acceptedArea;
   QVBoxLayout* m_acceptedRows;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The text of a program, to be read and pointed at. Paints the lines in sight and nothing else,
-/// so a million lines cost what a hundred cost. @threadsafety GUI thread.
+/// The text of a program, with selection of lines. Paints only the visible lines, so a million
+/// lines cost no more than a hundred. @threadsafety GUI thread.
 #pragma once
 
 #include <QAbstractScrollArea>
@@ -25,7 +25,7 @@ class ProgramTextView final : public QAbstractScrollArea {
 
   /// @param view  null: none
   void setProgram(std::shared_ptr<const ProgramView> view);
-  /// Highlights a line and scrolls to it if it is not in sight. Nothing is signalled.
+  /// Highlights a line and scrolls to it if it is not visible. No signal is emitted.
   /// @param line  from 1; beyond the text: nothing happens
   void setCurrentLine(std::size_t line);
   /// From 1; 0: none.

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Everything the page shows of a program, made from it away from the GUI thread: streamed points
-/// with their kind and feed, levels of detail, line index, figures. A million points take a
-/// second or so; the page then only hands pointers around.
+/// Everything the page shows of a program, computed outside the GUI thread: streamed points with
+/// their kind and feed, levels of detail, line index, figures. A million points take about a
+/// second; after that the page only passes pointers.
 /// @threadsafety immutable once made; `makeProgramView` is pure.
 #pragma once
 
@@ -34,11 +34,11 @@ struct KindLengths {
 struct ProgramView {
   std::shared_ptr<const gcode::Program> program;
   base::Vec3 startMm;
-  /// The program leaves coordinates open: its points depend on where the tool stands.
+  /// The program leaves coordinates open: its points depend on the tool's position.
   bool dependsOnStart = false;
 
   gcode::PointList points;
-  base::RotarySet turnedAxes{};  ///< rotary axes the program turns on its path
+  base::RotarySet turnedAxes{};  ///< rotary axes that the program moves on its path
   /// One per streamed point: the move that ends there.
   std::vector<gcode::MoveKind> kinds;
   std::vector<float> feedsMmPerS;
@@ -48,8 +48,8 @@ struct ProgramView {
   TextIndex text;
   std::optional<feasibility::PathStatistics> statistics;  ///< of two points or more
   KindLengths lengths;
-  std::vector<double> smallestDistancesMm;  ///< ascending, at most 200: what the region shows
-  /// d_min and d_min^N for the N asked for; nothing for less than two points.
+  std::vector<double> smallestDistancesMm;  ///< ascending, at most 200: shown in the region
+  /// d_min and d_min^N for the requested N; nothing for fewer than two points.
   std::optional<feasibility::ProgramDistances> distances;
   int distancesFor = 0;  ///< that N
 
@@ -62,8 +62,8 @@ struct ProgramView {
 
 /// @param startMm        present tool position, all finite
 /// @param pointsPerLoop  N of the distances, >= 2
-/// @param progress       told the share done, 0 to 1; false: give up
-/// @return null if it was given up
+/// @param progress  called with the share done, 0 to 1; false: cancel
+/// @return null if it was cancelled
 [[nodiscard]] std::shared_ptr<const ProgramView> makeProgramView(
     std::shared_ptr<const gcode::Program> program, base::Vec3 startMm, int pointsPerLoop,
     const std::function<bool(double)>& progress = {});
@@ -71,16 +71,16 @@ struct ProgramView {
 /// How long a run takes: with its feed and its pauses.
 struct RunTime {
   double totalS = 0.0;
-  double standingS = 0.0;  ///< of it, in pauses
+  double standingS = 0.0;  ///< part of it that is standstill in pauses
   std::size_t pauses = 0;
-  double withoutPausesS = 0.0;  ///< what it would take with the same feed
+  double withoutPausesS = 0.0;  ///< time with the same feed and no pauses
 
-  /// What the pauses cost: standing, braking and accelerating.
+  /// Cost of the pauses: standstill, braking and acceleration.
   [[nodiscard]] double pausesCostS() const { return totalS - withoutPausesS; }
 };
 
-/// Where a run will pause: streamed points behind which the axes stand, each list ascending. What
-/// off the cut means is told in streaming/pause_placement.h.
+/// Where a run will pause: streamed points after which the axes stop, each list ascending.
+/// streaming/pause_placement.h defines "off the cut".
 struct PauseMap {
   std::vector<std::uint32_t> offCut;
   std::vector<std::uint32_t> inCut;
@@ -93,7 +93,7 @@ struct ProgramTimes {
   std::vector<float> atS;      ///< one per streamed point, without pauses
   double programmedS = 0.0;    ///< with the feeds of the program, without pauses
   std::optional<RunTime> run;  ///< nothing: not known yet
-  std::string machine;         ///< whose axes were taken
+  std::string machine;         ///< whose axes were used
 };
 
 }  // namespace rivulet::widgets

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the lines of a program text begin, so that a view finds any of a million at once.
-/// Made away from the GUI thread. @threadsafety immutable once made.
+/// Where the lines of a program text begin, so that a view finds any of a million at once. Made
+/// outside the GUI thread. @threadsafety immutable once made.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class TextIndex {
   [[nodiscard]] std::string_view line(std::string_view text, std::size_t line) const;
   /// Bytes of the longest line.
   [[nodiscard]] std::size_t longestBytes() const { return m_longestBytes; }
-  /// The bytes are UTF-8; if not they are to be read as Latin-1, in which nothing is invalid.
+  /// The bytes are UTF-8; if not, read them as Latin-1, in which every byte is valid.
   [[nodiscard]] bool isUtf8() const { return m_isUtf8; }
 
  private:

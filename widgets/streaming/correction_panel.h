@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Online correction of a run: what is laid over the path of each axis, by hand or from a live
-/// source, and what the control has confirmed of it. A source that falls silent changes nothing:
-/// the last value is held, and the panel says so.
+/// Online correction of a run: the overlay on the path of each axis, set by hand or by a live
+/// source, and the value that the control has confirmed. If a source becomes silent, the last value
+/// is held, and the panel says so.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -36,12 +36,12 @@ struct CorrectionInput {
   friend bool operator==(const CorrectionInput&, const CorrectionInput&) = default;
 };
 
-/// What a live source is doing.
+/// State of a live source.
 struct LiveSourceView {
   bool isOpen = false;      ///< the port could be opened
-  bool hasValue = false;    ///< a correction has come since the run began
+  bool hasValue = false;    ///< a correction has been received since the run began
   bool isSilent = false;    ///< nothing for longer than `CorrectionInput::silenceS`
-  std::size_t unknown = 0;  ///< lines that were no correction
+  std::size_t unknown = 0;  ///< lines that were not corrections
 };
 
 class CorrectionPanel final : public Page {
@@ -50,11 +50,11 @@ class CorrectionPanel final : public Page {
  public:
   explicit CorrectionPanel(QWidget* parent = nullptr);
 
-  /// Shown only where there is a limit. @param limitMm  0: the program has no correction
+  /// Shown only if there is a limit. @param limitMm  0: the program has no correction
   void setLimit(double limitMm, const std::array<bool, base::kAxisCount>& axes);
   /// A run has begun (everything begins at zero) or ended.
   void setRunning(bool running);
-  /// What the stream reports.
+  /// State as reported by the stream.
   void setCorrection(const std::optional<streaming::Correction>& correction);
   void setLiveSource(const LiveSourceView& view);
   [[nodiscard]] const CorrectionInput& input() const { return m_input; }
@@ -67,7 +67,7 @@ class CorrectionPanel final : public Page {
  protected:
   void retranslate() override;
   void restyle() override;
-  /// A wheel that scrolls the column must not move the machine.
+  /// Scrolling the column with the wheel must not move the machine.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

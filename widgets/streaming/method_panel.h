@@ -3,7 +3,7 @@
 
 /// @file
 /// Method, N, δ and feed, with the verdict on them: feasible or not, which equation limits, where
-/// in the program, and the change that costs least.
+/// in the program, and the smallest change that helps.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -25,11 +25,12 @@ namespace rivulet::widgets {
 
 class StatusLabel;
 
-/// Largest feed an offer names: just below the limit, rounded down to what an operator would type.
+/// Largest feed to be suggested: just below the limit, rounded down to a value that an operator
+/// would type.
 /// @return mm/s; nothing if no such feed is left
 [[nodiscard]] std::optional<double> offeredFeedMmPerS(double feedMmPerSMax);
 
-/// What is known of the pauses of a run before its start.
+/// The pauses of a run, as known before its start.
 struct PauseSummary {
   std::size_t count = 0;
   std::size_t inCut = 0;
@@ -51,7 +52,7 @@ class MethodPanel final : public Page {
                   const std::optional<QString>& problem);
   /// @param pauses  nothing: not known
   void setPauses(const std::optional<PauseSummary>& pauses);
-  /// While a run lasts nothing can be changed.
+  /// During a run nothing can be changed.
   void setEditable(bool editable);
 
  Q_SIGNALS:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What came out of a run: did it do what was ordered, how long did it take, where did it stand.
+/// The result of a run: was the motion right, how long did it take, where were the pauses.
 /// @threadsafety GUI thread.
 #pragma once
 

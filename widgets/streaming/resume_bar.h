@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A bar over the foot of the window: a run was left, the control has been asked where, and this is
-/// where it would go on. Nothing moves until the operator says so here. Hidden while there is
-/// nothing to say. @threadsafety GUI thread.
+/// A bar above the bottom of the window: the control has been asked where an interrupted run was
+/// left, and the bar shows where it would resume. Nothing moves until the operator confirms it
+/// here. Hidden while there is no such run. @threadsafety GUI thread.
 #pragma once
 
 #include <optional>
@@ -18,13 +18,13 @@ class QPushButton;
 
 namespace rivulet::widgets {
 
-/// Where a run would be taken up again.
+/// Where a run would resume.
 struct ResumePlace {
   std::size_t point = 0;  ///< index of the first to be executed
   std::size_t points = 0;
   base::LineNumber line;             ///< of that point
   base::Vec3 positionMm;             ///< of that point, workpiece frame
-  std::optional<double> approachMm;  ///< straight way from the tool to it, if it is known
+  std::optional<double> approachMm;  ///< straight distance from the tool to it, if known
 };
 
 class ResumeBar final : public Page {
@@ -42,7 +42,7 @@ class ResumeBar final : public Page {
   [[nodiscard]] const std::optional<ResumePlace>& place() const { return m_place; }
 
  Q_SIGNALS:
-  /// The operator has read the place and wants to go on there.
+  /// The operator has seen the place and wants to resume there.
   void goOnRequested();
   void dismissed();
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Start, stop and what a run does meanwhile. Stop is there in every state in which something
-/// may move, asks nothing back and says when the control has confirmed it. It is a programmed
+/// Start, stop and the state of a run. Stop is available in every state in which something may
+/// move, needs no confirmation, and shows when the control has confirmed it. It is a programmed
 /// stop at the end of a window, not a safety function.
 /// @threadsafety GUI thread.
 #pragma once
@@ -34,21 +34,21 @@ class RunPanel final : public Page {
   void setUpdate(const streaming::LiveUpdate& update);
   /// Number of points of the loaded program, before a run reports it.
   void setTotal(std::size_t points);
-  /// Why Start is not possible; an empty text: it is.
+  /// Why Start is not possible; empty: it is.
   void setStartBlocked(const QString& reason);
-  /// The run that lasts, or the next one, can be held in front of a window.
+  /// The present run, or the next one, can be held before a window.
   void setCanHold(bool canHold);
-  /// A run was left that can be taken up again. @param reason  why not (now); empty: it can
+  /// An interrupted run can be resumed. @param reason  why it cannot (now); empty: it can
   void setResumeBlocked(const QString& reason);
-  /// The stop was asked for and its deadline passed without an answer from the control.
+  /// The stop was requested, and its deadline has passed without an answer of the control.
   void setStopUnconfirmed();
 
  Q_SIGNALS:
   void startRequested();
   void stopRequested();
-  /// @param hold  false: go on
+  /// @param hold  false: continue
   void holdRequested(bool hold);
-  /// Nothing is to move yet: the place is to be asked for.
+  /// Nothing moves yet: the control is to be asked for the place.
   void resumeRequested();
 
  protected:

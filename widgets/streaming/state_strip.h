@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where a run stands: Idle → Armed → Running → Stopping → Done or Aborted. The present state is
-/// told by a filled arrow, a mark and bold text.
+/// The state of a run: Idle → Armed → Running → Stopping → Done or Aborted. The present state has a
+/// filled arrow, a mark and bold text.
 /// @threadsafety GUI thread.
 #pragma once
 

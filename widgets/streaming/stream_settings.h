@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the operator sets for a run. @threadsafety plain values.
+/// The operator's settings for a run. @threadsafety plain values.
 #pragma once
 
 #include "templates/cells.h"
@@ -11,7 +11,7 @@ namespace rivulet::widgets {
 
 /// How R-parameters are to be written and read.
 enum class AccessOrder : unsigned char {
-  Automatic,  ///< method window: the best form that is proved before the start; else lists
+  Automatic,  ///< method window: the best form that is proved before the start; otherwise lists
   Array,      ///< the best array form that is proved, or no start
   List,
   Single,
@@ -22,7 +22,7 @@ struct StreamSettings {
   double deltaMm = 0.3;                      ///< δ, > 0; used by method position
   double feedMmPerS = 500.0 / 60.0;          ///< > 0
   AccessOrder access = AccessOrder::Automatic;
-  bool transferByHand = false;  ///< a person brings the template to the control; not remembered
+  bool transferByHand = false;  ///< a person copies the template to the control; not stored
 };
 
 }  // namespace rivulet::widgets

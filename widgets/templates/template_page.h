@@ -30,8 +30,8 @@ class TemplatePage final : public Page {
  public:
   explicit TemplatePage(QWidget* parent = nullptr);
 
-  /// @param fileName  name on the control  @param layoutNumber  what the program writes into its
-  /// layout cell
+  /// @param fileName  name on the control @param layoutNumber  the number that the program writes
+  /// into its layout cell
   void setTemplate(const QString& text, const QString& fileName, const templates::CellMap& cells,
                    int layoutNumber);
   /// There is no template for these settings; one sentence says why.

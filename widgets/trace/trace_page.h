@@ -3,8 +3,8 @@
 
 /// @file
 /// The axes over time: X, Y, Z and the path feed on one time axis, the pauses as bands and as a
-/// table. While a run lasts it shows the live samples; afterwards the control's own trace takes
-/// their place. A line says which of the two is shown.
+/// table. During a run it shows the live samples; afterwards the control's own trace, if there is
+/// one, replaces them. A line says which of the two is shown.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -31,9 +31,9 @@ class StatusLabel;
 class TimePlot;
 class TimeWindow;
 
-/// One live observation; what was not read stays empty.
+/// One live observation; values that were not read stay empty.
 struct TraceSample {
-  double atS = 0.0;  ///< from the beginning of the run, not before the sample before
+  double atS = 0.0;  ///< from the beginning of the run, not before the previous sample
   std::optional<base::Vec3> positionMm;
   std::optional<double> feedMmPerS;
 };
@@ -50,14 +50,14 @@ class TracePage final : public Page {
   void append(const TraceSample& sample);
   /// Adds a pause that has become known; its start counts from the same origin as the samples.
   void addPause(const trace::Pause& pause);
-  /// Shows the control's own trace in place of the live samples. Times are shown from its first
+  /// Shows the control's own trace instead of the live samples. Times are shown from its first
   /// sample on; the pauses are on the time line of the trace.
   void showControlTrace(const std::shared_ptr<const trace::ControlTrace>& trace,
                         const std::vector<trace::Pause>& pauses);
-  /// What is shown, when it is neither of the two (a recording opened from a file).
-  /// An empty text: the page says it itself.
+  /// Description of the samples if they are neither of the two (a recording opened from a file).
+  /// Empty: the page describes them itself.
   void setSourceNote(const QString& note);
-  /// Draws at once what is due: for pictures and tests.
+  /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
 
  protected:
