@@ -75,27 +75,27 @@
         <translation>Das Zeichen „%1“ hat hier keine Bedeutung: entfernen oder in einen Kommentar setzen.</translation>
     </message>
     <message>
-        <source>The word %1 has no number behind it.</source>
-        <translation>Hinter dem Wort %1 steht keine Zahl.</translation>
+        <source>The word %1 has no number.</source>
+        <translation>Dem Wort %1 fehlt die Zahl.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a number: write digits with a point for the decimals.</source>
-        <translation>„%1“ ist keine Zahl: Ziffern mit Punkt vor den Nachkommastellen schreiben.</translation>
+        <source>&quot;%1&quot; is not a number: write digits with a decimal point.</source>
+        <translation>„%1“ ist keine Zahl: Ziffern mit Dezimalpunkt schreiben.</translation>
     </message>
     <message>
-        <source>A bracket is opened and not closed on this line: the rest of the line is not read.</source>
-        <translation>Eine Klammer wird in dieser Zeile geöffnet und nicht geschlossen: Der Rest der Zeile wird nicht gelesen.</translation>
+        <source>A bracket is opened but not closed in this line: the rest of the line is not read.</source>
+        <translation>Eine Klammer wird in dieser Zeile geöffnet, aber nicht geschlossen: Der Rest der Zeile wird nicht gelesen.</translation>
     </message>
     <message>
-        <source>%1 is not a G function Rivulet knows: what it does to the path is unknown.</source>
-        <translation>%1 ist keine G-Funktion, die Rivulet kennt: Ihre Wirkung auf die Bahn ist unbekannt.</translation>
+        <source>Rivulet does not know the G function %1: its effect on the path is unknown.</source>
+        <translation>Rivulet kennt die G-Funktion %1 nicht: Ihre Wirkung auf die Bahn ist unbekannt.</translation>
     </message>
     <message>
-        <source>The word %1 is not understood here: what it does to the path is unknown.</source>
+        <source>The word %1 is not understood here: its effect on the path is unknown.</source>
         <translation>Das Wort %1 wird hier nicht verstanden: Seine Wirkung auf die Bahn ist unbekannt.</translation>
     </message>
     <message>
-        <source>%1 changes the path or the feed in a way Rivulet does not support: post-process the program without it.</source>
+        <source>%1 changes the path or the feed in a way that Rivulet does not support: post-process the program without it.</source>
         <translation>%1 ändert Bahn oder Vorschub auf eine Weise, die Rivulet nicht unterstützt: Das Programm ohne diese Funktion ausgeben.</translation>
     </message>
     <message>
@@ -111,116 +111,116 @@
         <translation>Das Wort %1 steht zweimal in einem Satz: nur eines davon behalten.</translation>
     </message>
     <message>
-        <source>The arc has no centre: give I, J, K, or a radius with an end point away from the start.</source>
-        <translation>Der Kreisbogen hat keinen Mittelpunkt: I, J, K angeben oder einen Radius mit einem Endpunkt, der nicht der Anfang ist.</translation>
+        <source>The arc has no centre: give I, J, K, or a radius with an end point that differs from the start.</source>
+        <translation>Der Kreisbogen hat keinen Mittelpunkt: I, J, K angeben oder einen Radius mit einem Endpunkt, der nicht der Anfangspunkt ist.</translation>
     </message>
     <message>
         <source>The arc&apos;s radius differs by %1 mm between start and end: check the centre, which is read as an increment from the start.</source>
-        <translation>Der Radius des Bogens unterscheidet sich zwischen Anfang und Ende um %1 mm: den Mittelpunkt prüfen, er wird als Abstand vom Anfang gelesen.</translation>
+        <translation>Der Radius des Bogens unterscheidet sich zwischen Anfangs- und Endpunkt um %1 mm: den Mittelpunkt prüfen, er wird relativ zum Anfangspunkt gelesen.</translation>
     </message>
     <message>
         <source>The arc&apos;s radius is too small to reach its end point (radius &lt; half chord, mm: %1).</source>
         <translation>Der Radius des Bogens ist zu klein für seinen Endpunkt (Radius &lt; halbe Sehne, mm: %1).</translation>
     </message>
     <message>
-        <source>The arc starts at an unknown place: program %1 with G0 or G1 before it.</source>
-        <translation>Der Bogen beginnt an unbekannter Stelle: vorher %1 mit G0 oder G1 programmieren.</translation>
+        <source>The arc starts at an unknown position: program %1 with G0 or G1 before it.</source>
+        <translation>Der Bogen beginnt an unbekannter Position: vorher %1 mit G0 oder G1 programmieren.</translation>
     </message>
     <message>
-        <source>The increment of %1 starts at an unknown place: program %1 with G90 before it.</source>
-        <translation>Das Kettenmaß von %1 beginnt an unbekannter Stelle: vorher %1 mit G90 programmieren.</translation>
+        <source>The increment of %1 starts at an unknown position: program %1 with G90 before it.</source>
+        <translation>Das Kettenmaß von %1 beginnt an unbekannter Position: vorher %1 mit G90 programmieren.</translation>
     </message>
     <message>
-        <source>A block moves with G1, G2 or G3 before any feed F: the feed of the run is used.</source>
-        <translation>Ein Satz fährt mit G1, G2 oder G3 vor dem ersten Vorschub F: Es gilt der Vorschub des Laufs.</translation>
+        <source>A block moves with G1, G2 or G3 before a feed F is programmed: the feed of the run is used.</source>
+        <translation>Ein Satz fährt mit G1, G2 oder G3, bevor ein Vorschub F programmiert ist: Es gilt der Vorschub des Laufs.</translation>
     </message>
     <message>
         <source>The feed F%1 is not greater than 0.</source>
         <translation>Der Vorschub F%1 ist nicht größer als 0.</translation>
     </message>
     <message>
-        <source>The value of %1 is outside of what Rivulet accepts.</source>
-        <translation>Der Wert von %1 liegt außerhalb dessen, was Rivulet annimmt.</translation>
+        <source>The value of %1 is outside the range that Rivulet accepts.</source>
+        <translation>Der Wert von %1 liegt außerhalb des zulässigen Bereichs.</translation>
     </message>
     <message>
-        <source>The blocks from here on stand behind the end of the program (M30, M2, M17 or %): they are not read.</source>
-        <translation>Die Sätze ab hier stehen hinter dem Programmende (M30, M2, M17 oder %): Sie werden nicht gelesen.</translation>
+        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
+        <translation>Die Sätze ab hier stehen nach dem Programmende (M30, M2, M17 oder %): Sie werden nicht gelesen.</translation>
     </message>
     <message>
         <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
         <translation>Eine Achse ist vor dem ersten G0 bis G3 programmiert: Es wird G1 angenommen, wie nach einem Reset der Steuerung.</translation>
     </message>
     <message>
-        <source>The centre word %1 does not lie in the plane of the arc: check G17, G18, G19.</source>
+        <source>The centre word %1 is not in the plane of the arc: check G17, G18, G19.</source>
         <translation>Das Mittelpunktwort %1 liegt nicht in der Ebene des Bogens: G17, G18, G19 prüfen.</translation>
     </message>
     <message>
         <source>The program has more than %1 points: it is not read further. Split it.</source>
-        <translation>Das Programm hat mehr als %1 Punkte: Es wird nicht weiter gelesen. Bitte aufteilen.</translation>
+        <translation>Das Programm hat mehr als %1 Punkte: Es wird nicht weiter gelesen. Das Programm aufteilen.</translation>
     </message>
     <message>
         <source>%1 more findings from here on are not listed.</source>
         <translation>%1 weitere Befunde ab hier sind nicht aufgeführt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not run by Rivulet: what it does to the path is unknown.</source>
-        <translation>„%1“ führt Rivulet nicht aus: Was es mit der Bahn macht, ist unbekannt.</translation>
+        <source>Rivulet does not execute &quot;%1&quot;: its effect on the path is unknown.</source>
+        <translation>Rivulet führt „%1“ nicht aus: Die Wirkung auf die Bahn ist unbekannt.</translation>
     </message>
     <message>
-        <source>The loop that ends here does not come to an end: %1 blocks were run again, then reading stopped. Check its condition.</source>
-        <translation>Die Schleife, die hier endet, kommt zu keinem Ende: %1 Sätze liefen erneut, dann wurde nicht weiter gelesen. Ihre Bedingung prüfen.</translation>
+        <source>The loop that ends here does not terminate: reading stopped after %1 repeated blocks. Check its condition.</source>
+        <translation>Die Schleife, die hier endet, wird nicht verlassen: Nach %1 wiederholten Sätzen wurde nicht weiter gelesen. Ihre Bedingung prüfen.</translation>
     </message>
     <message>
         <source>The calculation has no result: %1.</source>
         <translation>Die Rechnung hat kein Ergebnis: %1.</translation>
     </message>
     <message>
-        <source>The order of the blocks is not known from here on: %1.</source>
+        <source>The sequence of the blocks is not known from here on: %1.</source>
         <translation>Die Reihenfolge der Sätze ist ab hier unbekannt: %1.</translation>
     </message>
     <message>
-        <source>The subprogram %1 is not in this file and not beside it: the points it would give are missing.</source>
-        <translation>Das Unterprogramm %1 steht weder in dieser Datei noch daneben: Seine Punkte fehlen.</translation>
+        <source>The subprogram %1 is neither in this file nor in a file beside it: its points are missing.</source>
+        <translation>Das Unterprogramm %1 steht weder in dieser Datei noch in einer Datei daneben: Seine Punkte fehlen.</translation>
     </message>
     <message>
-        <source>%1 is a cycle of the control: the motions it makes are missing here.</source>
+        <source>%1 is a cycle of the control: its motions are missing here.</source>
         <translation>%1 ist ein Zyklus der Steuerung: Seine Bewegungen fehlen hier.</translation>
     </message>
     <message>
-        <source>%1 moves in machine coordinates, whose place in the workpiece is not known: the move is left out.</source>
+        <source>%1 moves in machine coordinates, whose position in the workpiece is not known: the move is left out.</source>
         <translation>%1 fährt in Maschinenkoordinaten, deren Lage im Werkstück unbekannt ist: Die Bewegung wird ausgelassen.</translation>
     </message>
     <message>
-        <source>The file holds bytes that no NC text has: choose a text file, not an archive or a picture.</source>
-        <translation>Die Datei enthält Bytes, die kein NC-Text hat: eine Textdatei wählen, kein Archiv oder Bild.</translation>
+        <source>The file holds bytes that do not occur in NC text: choose a text file, not an archive or a picture.</source>
+        <translation>Die Datei enthält Bytes, die in NC-Text nicht vorkommen: eine Textdatei wählen, kein Archiv oder Bild.</translation>
     </message>
     <message>
         <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
         <translation>%1 ist ein Drehzyklus, das Programm also für eine Drehmaschine: X wird als Durchmesser gelesen, U und W als Inkremente, die Ebene ist Z X.</translation>
     </message>
     <message>
-        <source>%1 is left out, as you have accepted: the path may differ from the control&apos;s.</source>
-        <translation>%1 wird ausgelassen, wie hingenommen: Die Bahn kann von der der Steuerung abweichen.</translation>
+        <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
+        <translation>%1 wird ausgelassen, wie akzeptiert: Die Bahn kann von der Bahn an der Steuerung abweichen.</translation>
     </message>
     <message>
         <source>All arcs of the program fit if I, J and K are read as %1: check how the post-processor writes them, and load the program that way.</source>
-        <translation>Alle Bögen des Programms passen, wenn I, J und K als %1 gelesen werden: prüfen, wie der Postprozessor sie schreibt, und das Programm so laden.</translation>
+        <translation>Alle Bögen des Programms passen, wenn I, J und K als %1 gelesen werden: prüfen, wie der Postprozessor sie ausgibt, und das Programm so laden.</translation>
     </message>
     <message>
         <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
         <translation>Das Programm bewegt keine Achse: Es gibt nichts zu streamen. Ein Programm mit G0, G1, G2 oder G3 und X, Y oder Z wählen.</translation>
     </message>
     <message>
-        <source>%1 turns on the path: only method window streams it, with this axis among those chosen.</source>
-        <translation>%1 dreht auf der Bahn: nur die Methode window streamt das, mit dieser Achse unter den gewählten.</translation>
+        <source>%1 moves on the path: only method window streams it, and only if this axis is selected.</source>
+        <translation>%1 bewegt sich auf der Bahn: Nur das Verfahren Fenster streamt diese Achse, und nur, wenn sie gewählt ist.</translation>
     </message>
     <message>
-        <source>%1 makes X, Y and Z those of the tool&apos;s tip while rotary axes turn, and no method switches it on at the control. Have the program written for the axes.</source>
-        <translation>%1 macht X, Y und Z zu denen der Werkzeugspitze, während Rundachsen drehen, und keine Methode schaltet das an der Steuerung ein. Das Programm für die Achsen ausgeben lassen.</translation>
+        <source>With %1, X, Y and Z are those of the tool tip while rotary axes turn, and no method switches it on at the control. Post-process the program for the axes of the machine.</source>
+        <translation>Mit %1 gelten X, Y und Z für die Werkzeugspitze, während Rundachsen drehen, und kein Verfahren schaltet das an der Steuerung ein. Das Programm für die Achsen der Maschine ausgeben.</translation>
     </message>
     <message>
-        <source>%1 give the direction of the tool: the points carry it, but only the control could make rotary axes of it. Have the program written with A, B or C.</source>
-        <translation>%1 geben die Richtung des Werkzeugs an: die Punkte tragen sie, aber nur die Steuerung könnte daraus Rundachsen machen. Das Programm mit A, B oder C ausgeben lassen.</translation>
+        <source>%1 give the tool direction. The points keep it, but only the control could convert it to rotary axes. Post-process the program with A, B or C.</source>
+        <translation>%1 geben die Werkzeugrichtung an. Die Punkte behalten sie, aber nur die Steuerung könnte sie in Rundachsen umrechnen. Das Programm mit A, B oder C ausgeben.</translation>
     </message>
 </context>
 <context>

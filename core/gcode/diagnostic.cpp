@@ -28,32 +28,31 @@ constexpr std::array kTexts{
                  "DiagnosticTexts",
                  "The character \"%1\" has no meaning here: remove it or put it into a comment.")},
     CodeText{DiagnosticCode::NumberMissing, "number-missing",
-             RIVULET_SENTENCE("DiagnosticTexts", "The word %1 has no number behind it.")},
-    CodeText{
-        DiagnosticCode::NumberMalformed, "number-malformed",
-        RIVULET_SENTENCE("DiagnosticTexts",
-                         "\"%1\" is not a number: write digits with a point for the decimals.")},
+             RIVULET_SENTENCE("DiagnosticTexts", "The word %1 has no number.")},
+    CodeText{DiagnosticCode::NumberMalformed, "number-malformed",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "\"%1\" is not a number: write digits with a decimal point.")},
     CodeText{
         DiagnosticCode::CommentNotClosed, "comment-not-closed",
         RIVULET_SENTENCE(
             "DiagnosticTexts",
-            "A bracket is opened and not closed on this line: the rest of the line is not read.")},
+            "A bracket is opened but not closed in this line: the rest of the line is not read.")},
     CodeText{DiagnosticCode::UnknownGCode, "unknown-g-code",
              RIVULET_SENTENCE(
                  "DiagnosticTexts",
-                 "%1 is not a G function Rivulet knows: what it does to the path is unknown.")},
-    CodeText{DiagnosticCode::UnknownWord, "unknown-word",
-             RIVULET_SENTENCE(
-                 "DiagnosticTexts",
-                 "The word %1 is not understood here: what it does to the path is unknown.")},
+                 "Rivulet does not know the G function %1: its effect on the path is unknown.")},
+    CodeText{
+        DiagnosticCode::UnknownWord, "unknown-word",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "The word %1 is not understood here: its effect on the path is unknown.")},
     CodeText{DiagnosticCode::UnsupportedGCode, "unsupported-g-code",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "%1 changes the path or the feed in a way Rivulet does not support: "
-                              "post-process the program without it.")},
+                              "%1 changes the path or the feed in a way that Rivulet does not "
+                              "support: post-process the program without it.")},
     CodeText{
         DiagnosticCode::UnsupportedExpression, "unsupported-expression",
         RIVULET_SENTENCE("DiagnosticTexts",
-                         "\"%1\" is not run by Rivulet: what it does to the path is unknown.")},
+                         "Rivulet does not execute \"%1\": its effect on the path is unknown.")},
     CodeText{DiagnosticCode::IgnoredCode, "ignored-code",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "%1 is not sent to the control: it does not change the path.")},
@@ -66,7 +65,7 @@ constexpr std::array kTexts{
     CodeText{DiagnosticCode::ArcWithoutCentre, "arc-without-centre",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The arc has no centre: give I, J, K, or a radius with an end point "
-                              "away from the start.")},
+                              "that differs from the start.")},
     CodeText{DiagnosticCode::ArcRadiusMismatch, "arc-radius-mismatch",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The arc's radius differs by %1 mm between start and end: check the "
@@ -79,25 +78,25 @@ constexpr std::array kTexts{
     CodeText{DiagnosticCode::ArcFromUnknownPosition, "arc-from-unknown-position",
              RIVULET_SENTENCE(
                  "DiagnosticTexts",
-                 "The arc starts at an unknown place: program %1 with G0 or G1 before it.")},
-    CodeText{DiagnosticCode::RelativeFromUnknownPosition, "relative-from-unknown-position",
-             RIVULET_SENTENCE(
-                 "DiagnosticTexts",
-                 "The increment of %1 starts at an unknown place: program %1 with G90 before it.")},
+                 "The arc starts at an unknown position: program %1 with G0 or G1 before it.")},
     CodeText{
-        DiagnosticCode::FeedMissing, "feed-missing",
+        DiagnosticCode::RelativeFromUnknownPosition, "relative-from-unknown-position",
         RIVULET_SENTENCE(
             "DiagnosticTexts",
-            "A block moves with G1, G2 or G3 before any feed F: the feed of the run is used.")},
+            "The increment of %1 starts at an unknown position: program %1 with G90 before it.")},
+    CodeText{DiagnosticCode::FeedMissing, "feed-missing",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "A block moves with G1, G2 or G3 before a feed F is programmed: the "
+                              "feed of the run is used.")},
     CodeText{DiagnosticCode::FeedNotPositive, "feed-not-positive",
              RIVULET_SENTENCE("DiagnosticTexts", "The feed F%1 is not greater than 0.")},
-    CodeText{
-        DiagnosticCode::ValueOutOfRange, "value-out-of-range",
-        RIVULET_SENTENCE("DiagnosticTexts", "The value of %1 is outside of what Rivulet accepts.")},
+    CodeText{DiagnosticCode::ValueOutOfRange, "value-out-of-range",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The value of %1 is outside the range that Rivulet accepts.")},
     CodeText{DiagnosticCode::TextAfterProgramEnd, "text-after-program-end",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "The blocks from here on stand behind the end of the program (M30, "
-                              "M2, M17 or %): they are not read.")},
+                              "The blocks from here on are after the end of the program (M30, M2, "
+                              "M17 or %): they are not read.")},
     CodeText{DiagnosticCode::MotionModeAssumed, "motion-mode-assumed",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "An axis is programmed before any of G0 to G3: G1 is assumed, as "
@@ -105,50 +104,49 @@ constexpr std::array kTexts{
     CodeText{DiagnosticCode::CentreOutsidePlane, "centre-outside-plane",
              RIVULET_SENTENCE(
                  "DiagnosticTexts",
-                 "The centre word %1 does not lie in the plane of the arc: check G17, G18, G19.")},
+                 "The centre word %1 is not in the plane of the arc: check G17, G18, G19.")},
     CodeText{
         DiagnosticCode::TooManyPoints, "too-many-points",
         RIVULET_SENTENCE("DiagnosticTexts",
                          "The program has more than %1 points: it is not read further. Split it.")},
     CodeText{DiagnosticCode::EndlessLoop, "endless-loop",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "The loop that ends here does not come to an end: %1 blocks were run "
-                              "again, then reading stopped. Check its condition.")},
+                              "The loop that ends here does not terminate: reading stopped after "
+                              "%1 repeated blocks. Check its condition.")},
     CodeText{DiagnosticCode::ExpressionFault, "expression-fault",
              RIVULET_SENTENCE("DiagnosticTexts", "The calculation has no result: %1.")},
     CodeText{DiagnosticCode::FlowFault, "flow-fault",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "The order of the blocks is not known from here on: %1.")},
+                              "The sequence of the blocks is not known from here on: %1.")},
     CodeText{DiagnosticCode::SubprogramMissing, "subprogram-missing",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "The subprogram %1 is not in this file and not beside it: the points "
-                              "it would give are missing.")},
-    CodeText{
-        DiagnosticCode::CycleNotRun, "cycle-not-run",
-        RIVULET_SENTENCE("DiagnosticTexts",
-                         "%1 is a cycle of the control: the motions it makes are missing here.")},
+                              "The subprogram %1 is neither in this file nor in a file beside it: "
+                              "its points are missing.")},
+    CodeText{DiagnosticCode::CycleNotRun, "cycle-not-run",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 is a cycle of the control: its motions are missing here.")},
     CodeText{DiagnosticCode::MachineCoordinates, "machine-coordinates",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "%1 moves in machine coordinates, whose place in the workpiece is "
+                              "%1 moves in machine coordinates, whose position in the workpiece is "
                               "not known: the move is left out.")},
     CodeText{DiagnosticCode::RotaryAxes, "rotary-axes",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "%1 turns on the path: only method window streams it, with this axis "
-                              "among those chosen.")},
+                              "%1 moves on the path: only method window streams it, and only if "
+                              "this axis is selected.")},
     CodeText{DiagnosticCode::ToolTip, "tool-tip",
-             RIVULET_SENTENCE(
-                 "DiagnosticTexts",
-                 "%1 makes X, Y and Z those of the tool's tip while rotary axes turn, and no "
-                 "method switches it on at the control. Have the program written for the axes.")},
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "With %1, X, Y and Z are those of the tool tip while rotary axes "
+                              "turn, and no method switches it on at the control. Post-process the "
+                              "program for the axes of the machine.")},
     CodeText{DiagnosticCode::ToolDirections, "tool-directions",
              RIVULET_SENTENCE(
                  "DiagnosticTexts",
-                 "%1 give the direction of the tool: the points carry it, but only the control "
-                 "could make rotary axes of it. Have the program written with A, B or C.")},
+                 "%1 give the tool direction. The points keep it, but only the control could "
+                 "convert it to rotary axes. Post-process the program with A, B or C.")},
     CodeText{DiagnosticCode::NotAnyDialect, "not-any-dialect",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "The file holds bytes that no NC text has: choose a text file, not "
-                              "an archive or a picture.")},
+                              "The file holds bytes that do not occur in NC text: choose a text "
+                              "file, not an archive or a picture.")},
     CodeText{DiagnosticCode::CentreReading, "centre-reading",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "All arcs of the program fit if I, J and K are read as %1: check how "
@@ -162,9 +160,9 @@ constexpr std::array kTexts{
                               "%1 is a turning cycle, so this is a program for a lathe: X is read "
                               "as a diameter, U and W as increments, the plane is Z X.")},
     CodeText{DiagnosticCode::Accepted, "accepted",
-             RIVULET_SENTENCE(
-                 "DiagnosticTexts",
-                 "%1 is left out, as you have accepted: the path may differ from the control's.")},
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 is left out because you accepted it: the path may differ from "
+                              "the path at the control.")},
     CodeText{DiagnosticCode::MoreFindings, "more-findings",
              RIVULET_SENTENCE("DiagnosticTexts", "%1 more findings from here on are not listed.")},
 };

@@ -427,7 +427,7 @@ class TestInterpreter : public QObject {
     }
     COMPARE_TEXT(gcode::describe(
                      {gcode::Severity::Error, {3}, 5, gcode::DiagnosticCode::NumberMissing, "X"}),
-                 "The word X has no number behind it.");
+                 "The word X has no number.");
     QVERIFY(
         gcode::describe({gcode::Severity::Note, {1}, 1, gcode::DiagnosticCode::IgnoredCode, "M3"})
             .find("spindle") != std::string::npos);
