@@ -111,9 +111,10 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
                             const AccessModel& access, const SafetyFactors& safety) {
   const bool position = operatingPoint.method == base::MethodKind::Position;
   if (operatingPoint.method == base::MethodKind::File) {
-    return base::fail(FeasibilityError::NothingKnown,
-                      "What storing a program costs is known of no control, so nothing can be said "
-                      "of method file beforehand. Its axes wait where the client is late.");
+    return base::fail(
+        FeasibilityError::NothingKnown,
+        "No source says what it costs to store a program on a control, so no prediction is "
+        "possible for method file. Its axes wait if the client is late.");
   }
   // Written so that a value which is not a number is refused as well.
   if (!(operatingPoint.feedMmPerS > 0.0) || !std::isfinite(operatingPoint.feedMmPerS)) {

@@ -70,12 +70,12 @@ ReadinessText textOf(Readiness readiness) {
   static constexpr std::array<ReadinessText, 4> kTexts{{
       {"streamable", "The whole path is known: the program can be streamed."},
       {"not understood",
-       "The path is not known everywhere: the program cannot be streamed. Correct the errors "
+       "Parts of the path are not known: the program cannot be streamed. Correct the errors "
        "first."},
       {"no motion", "The program moves no axis: there is nothing to stream."},
       {"needs a transformation",
-       "The whole path is known, but it needs a transformation of the control: no method streams "
-       "it."},
+       "The whole path is known, but it needs a transformation of the control: no method can "
+       "stream it."},
   }};
   return kTexts[static_cast<std::size_t>(readiness)];
 }
@@ -122,7 +122,7 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
   }
   if (interpretation.blocks == 0) {
     return base::fail(GcodeError::EmptyProgram,
-                      "The program has no block: choose a file with NC text.", std::move(name));
+                      "The program has no blocks: choose a file with NC text.", std::move(name));
   }
   std::string hash = fmt::format("{:016x}", base::hashOfFile(text));
   return Program{std::move(name),

@@ -43,7 +43,7 @@ class Reader {
       return min;
     }
     if (!(*value >= min && *value <= max)) {
-      problem(path, fmt::format("is {} but must lie between {} and {}", *value, min, max), node);
+      problem(path, fmt::format("is {} but must be between {} and {}", *value, min, max), node);
       return min;
     }
     return *value;

@@ -198,7 +198,7 @@ base::Result<void> checkCorrection(const TemplateParameters& parameters) {
   }
   if (parameters.axes == std::array{false, false, false}) {
     return base::fail(TemplateError::BadCorrection,
-                      "Only X, Y and Z can be corrected online, and none of them is chosen.");
+                      "Only X, Y and Z can be corrected online, but none of them is selected.");
   }
   return {};
 }
@@ -207,18 +207,19 @@ base::Result<void> checkCorrection(const TemplateParameters& parameters) {
 
 base::Result<CellMap> planCells(const TemplateParameters& parameters) {
   if (cellsPerPoint(parameters) == 0) {
-    return base::fail(TemplateError::NoAxis, "No axis is chosen: choose at least one of X, Y, Z.");
+    return base::fail(TemplateError::NoAxis,
+                      "No axis is selected: choose at least one of X, Y, Z.");
   }
   if (base::any(parameters.rotaryAxes) && !base::streamsRotary(parameters.method)) {
     return base::fail(
         TemplateError::RotaryNeedsWindow,
-        fmt::format("Method {} moves X, Y and Z only: choose method window for rotary axes.",
+        fmt::format("Method {} moves only X, Y and Z: choose method window for rotary axes.",
                     base::methodName(parameters.method)));
   }
   if (cellsPerPoint(parameters) > static_cast<int>(base::kStreamedAxesMax)) {
     return base::fail(
         TemplateError::TooManyAxes,
-        fmt::format("{} axes are chosen ({}): choose at most {}.", cellsPerPoint(parameters),
+        fmt::format("{} axes are selected ({}): choose at most {}.", cellsPerPoint(parameters),
                     axisLetters(parameters), base::kStreamedAxesMax));
   }
   if (base::Result<void> correction = checkCorrection(parameters); !correction) {
@@ -261,21 +262,21 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
   }
   // Before any arithmetic with N: more points than R-parameters never fit.
   if (parameters.pointsPerLoop > kRParametersMax) {
-    return base::fail(TemplateError::DoesNotFit,
-                      fmt::format("N = {} is beyond every control: choose at most {}.",
-                                  parameters.pointsPerLoop, pointsPerLoopMax(parameters)));
+    return base::fail(
+        TemplateError::DoesNotFit,
+        fmt::format("N = {} exceeds the R-parameters of every control: choose at most {}.",
+                    parameters.pointsPerLoop, pointsPerLoopMax(parameters)));
   }
   const CellMap cells = cellsOf(parameters);
   if (cells.last() >= parameters.rParameterCount) {
     const int fits = pointsPerLoopMax(parameters);
     const std::string largest =
         fits == 0 ? std::string("none fits") : fmt::format("N = {} is the largest that fits", fits);
-    return base::fail(
-        TemplateError::DoesNotFit,
-        fmt::format("N = {} needs R-parameters up to R{}, and the control has {}: {}, or set "
-                    "MD28050 to {}.",
-                    parameters.pointsPerLoop, cells.last(), parameters.rParameterCount, largest,
-                    cells.last() + 1));
+    return base::fail(TemplateError::DoesNotFit,
+                      fmt::format("N = {} needs R-parameters up to R{}, but the control has {}: "
+                                  "{}, or set MD28050 to {}.",
+                                  parameters.pointsPerLoop, cells.last(),
+                                  parameters.rParameterCount, largest, cells.last() + 1));
   }
   return cells;
 }
@@ -332,7 +333,7 @@ base::Result<void> chooseAxes(TemplateParameters& parameters, std::string_view l
     if (chosen == nullptr || *chosen) {
       return base::fail(
           TemplateError::BadAxes,
-          fmt::format("Axes \"{}\": write each of X Y Z A B C once at most, as in XYZAC.",
+          fmt::format("Axes \"{}\": write each of X Y Z A B C at most once, as in XYZAC.",
                       letters));
     }
     *chosen = true;

@@ -45,18 +45,20 @@ base::Result<void> probePort(const std::string& host, std::uint16_t port) {
   if (unresolved != 0) {
     return base::fail(
         FrontError::AddressUnusable,
-        fmt::format("This is no address to listen on ({}).", gai_strerror(unresolved)), host);
+        fmt::format("This address cannot be used to listen on ({}).", gai_strerror(unresolved)),
+        host);
   }
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, &freeaddrinfo);
   int error = EADDRNOTAVAIL;
   for (const addrinfo* address = addresses.get(); address != nullptr; address = address->ai_next) {
     const int result = tryToListen(*address);
     if (result == EADDRINUSE) {
-      return base::fail(FrontError::PortTaken,
-                        fmt::format("Port {} is taken by another program; stop it or choose "
-                                    "another port.",
-                                    port),
-                        host);
+      return base::fail(
+          FrontError::PortTaken,
+          fmt::format(
+              "Port {} is used by another program: stop that program or choose another port.",
+              port),
+          host);
     }
     error = result == 0 ? 0 : (error == 0 ? 0 : result);
   }
