@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Forms of access for people. @threadsafety pure.
+/// Forms of access as text for people. @threadsafety pure.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 namespace rivulet::cli {
 
 /// "array-count (proved; also array-range, list, single)", and why others do not work.
-/// @param forms  what was tried; nothing: it was not
+/// @param forms  the forms that were tried; nothing: none were
 [[nodiscard]] std::string accessText(opcua::Grouping used,
                                      const std::optional<streaming::AccessForms>& forms);
 

@@ -58,7 +58,8 @@ void print(const streaming::Calibration& calibration) {
   }
 }
 
-/// Named is not free: what stands in the cells of a real control is shown before it is written to.
+/// Cells that the user names may still be in use: the values in the cells of a real control are
+/// shown before anything is written.
 std::optional<base::Error> unconfirmed(const CalibrateOptions& options,
                                        const Connection& connection,
                                        const streaming::CalibrationPlan& plan) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Which calibration a command goes by, and what it says about it. @threadsafety main thread.
+/// Which calibration a command uses, and what it prints about it. @threadsafety main thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -17,21 +17,21 @@
 
 namespace rivulet::cli {
 
-/// A calibration of the machine at hand, or why there is none.
+/// A calibration of the machine, or why there is none.
 struct CalibrationChoice {
   std::optional<streaming::CalibrationRecord> record;
-  bool outdated = false;    ///< of another version of the server: not to be used
+  bool outdated = false;    ///< made with another version of the server: must not be used
   std::string unreadable;   ///< why the machine's file cannot be used; empty: it can
-  std::string otherServer;  ///< what the server says of itself now, where `outdated`
+  std::string otherServer;  ///< what the server now reports about itself, if `outdated`
 
-  /// Null where there is none that holds.
+  /// Null if there is no valid one.
   [[nodiscard]] const streaming::CalibrationRecord* usable() const;
 };
 
 /// The file of the machine, as `calibrate` has left it. @return what the server's answer says
 [[nodiscard]] base::Result<CalibrationChoice> calibrationOf(const Connection& connection);
 
-/// The form a run of this method uses where it may choose.
+/// The form that a run of this method uses if it may choose.
 [[nodiscard]] opcua::Grouping formOf(base::MethodKind method,
                                      const streaming::Calibration& calibration);
 

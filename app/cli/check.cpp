@@ -19,7 +19,7 @@ namespace rivulet::cli {
 
 namespace {
 
-/// Programs in a folder are known by their endings.
+/// Programs in a folder are recognised by their extensions.
 constexpr std::array<std::string_view, 13> kEndings{".MPF", ".SPF", ".NC",    ".NGC", ".TAP",
                                                     ".CNC", ".H",   ".GCODE", ".PTP", ".ISO",
                                                     ".EIA", ".GC",  ".TXT"};

@@ -32,7 +32,7 @@ struct ResamplingOptions {
   double thinMm = 0.0;   ///< 0: not
   double splitMm = 0.0;  ///< 0: not
 
-  /// Says on standard error what was left out.
+  /// Prints on standard error what was left out.
   [[nodiscard]] gcode::Trajectory resampled(gcode::Trajectory trajectory) const;
 };
 
@@ -57,12 +57,12 @@ struct FeasibilityOptions {
   std::string program;  ///< file; empty: none
   LoadingOptions loading;
   ResamplingOptions resampling;
-  std::optional<double> pointDistanceMm;  ///< d_min where no program is given
+  std::optional<double> pointDistanceMm;  ///< d_min if no program is given
   double accessTimeMs = 4.3;
-  std::string calibration;  ///< file of `calibrate` that takes its place; empty: none
-  std::string endpoint;     ///< machine whose calibration takes its place; empty: none
+  std::string calibration;  ///< file of `calibrate` to be used instead; empty: none
+  std::string endpoint;     ///< machine whose calibration is used instead; empty: none
   double deltaSafety = 1.5;
-  std::string preset = "dmu75";  ///< machine whose axes tell what pauses cost
+  std::string preset = "dmu75";  ///< machine whose axes determine the cost of pauses
   bool json = false;
 };
 [[nodiscard]] Exit feasibility(const FeasibilityOptions& options);
@@ -71,7 +71,7 @@ struct TemplateOptions {
   OperatingOptions point;
   int rParameterCount = 100;
   std::string output;  ///< file; empty: standard output
-  std::string lint;    ///< program to look at instead of generating one; empty: none
+  std::string lint;    ///< program to be checked instead of generating one; empty: none
   bool verify = false;
   std::string preset = "dmu75";  ///< machine of `verify`
   bool json = false;
@@ -115,8 +115,8 @@ struct CalibrateOptions {
   int firstCell = 0;
   int lastCell = 0;
   int shots = 500;
-  double budgetS = 900.0;  ///< 0: as long as it takes
-  bool confirmed = false;  ///< the cells of a real control are free
+  double budgetS = 900.0;  ///< 0: no limit
+  bool confirmed = false;  ///< the cells of a real control may be written
   bool noArrays = false;
   std::string output;
   bool json = false;
@@ -133,12 +133,12 @@ struct CommissionOptions {
   bool printProgram = false;
   bool json = false;
 };
-/// Whether method credit may run on this machine; its profile remembers the answer.
+/// Tests whether method credit may run on this machine; the result is stored.
 [[nodiscard]] Exit commission(const CommissionOptions& options);
 
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"
-  std::size_t seeds = 0;           ///< 0: as many as is usual
+  std::size_t seeds = 0;           ///< 0: the usual number
   std::string preset = "dmu75";
   std::string endpoint;    ///< empty: virtual time
   std::string recordings;  ///< folder for experiment lookahead

@@ -29,7 +29,7 @@ bool isByHand(const CommissionOptions& options) {
   return options.transfer == "by-hand";
 }
 
-/// What the operator has to do and to know, in front of a real control.
+/// Instructions for the operator of a real control.
 void printSteps(const CommissionOptions& options) {
   fmt::print(
       stderr,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The link a command works on: a control by OPC UA, or a virtual machine in virtual time.
+/// The link that a command uses: a control over OPC UA, or a virtual machine in virtual time.
 /// @threadsafety main thread.
 #pragma once
 
@@ -22,7 +22,7 @@ using opcua::Connection;
 /// @param preset  name or file
 [[nodiscard]] base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed);
 
-/// From here on Ctrl-C and SIGTERM no longer end the program; `wasInterrupted` tells of them.
+/// From now on Ctrl-C and SIGTERM do not end the program; `wasInterrupted` reports them.
 void watchForInterrupt();
 [[nodiscard]] bool wasInterrupted();
 

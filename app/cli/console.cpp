@@ -11,7 +11,7 @@
 namespace rivulet::cli {
 
 void printJson(const nlohmann::ordered_json& json) {
-  // A file name may hold bytes that are no UTF-8: they are replaced, the rest stays readable.
+  // A file name may hold bytes that are not UTF-8: they are replaced, and the rest stays readable.
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
@@ -40,7 +40,7 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.windowsAhead = windowsAhead;
   parameters.slowDown = !noSlowDown;
   if (!axes.empty()) {
-    // What is no axis was refused by the option parser.
+    // The option parser has rejected everything that is not an axis.
     static_cast<void>(templates::chooseAxes(parameters, axes));
   }
   return parameters;

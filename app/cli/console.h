@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What every command shares: exit codes, output, errors. @threadsafety main thread.
+/// Common to all commands: exit codes, output, errors. @threadsafety main thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -21,14 +21,14 @@ enum class Exit { Done = 0, Wrong = 1, BadInput = 2, Connection = 3 };
 /// Prints the object on standard output, as one JSON text.
 void printJson(const nlohmann::ordered_json& json);
 
-/// Says what went wrong on standard error, or as {"error": …} with `asJson`.
+/// Prints the error on standard error, or as {"error": …} with `asJson`.
 /// @return the exit code that belongs to the error
 Exit reportError(const base::Error& error, bool asJson);
 
 /// The exit code for a failure: connection trouble is 3, everything else that was given 2.
 [[nodiscard]] Exit exitFor(const base::Error& error);
 
-/// Options that describe an operating point, as several commands take them.
+/// Options of an operating point, common to several commands.
 struct OperatingOptions {
   std::string method = "window";
   int pointsPerLoop = 7;  ///< method window: per window
@@ -40,7 +40,8 @@ struct OperatingOptions {
   double feedMmPerMin = 0.0;
   std::string layout = "paper";
   double correctionLimitMm = 0.0;  ///< online correction; 0: none
-  std::string axes;  ///< letters; empty: X Y Z, for a run also what the program turns
+  std::string
+      axes;  ///< letters; empty: X Y Z, and for a run also the rotary axes that the program moves
 
   /// Checked and in internal units. The names are checked by the option parser.
   [[nodiscard]] templates::TemplateParameters parameters() const;

@@ -19,7 +19,7 @@ namespace rivulet::cli {
 
 namespace {
 
-/// A source that pours must not hold up the stream: the rest is there the next time.
+/// A source with a lot of data must not hold up the stream: the rest is read the next time.
 constexpr int kReadsMax = 16;
 
 }  // namespace
@@ -56,14 +56,15 @@ CorrectionSource::~CorrectionSource() {
 base::Vec3 CorrectionSource::valueMm() {
   std::array<char, 4096> bytes;
   for (int i = 0; i < kReadsMax; ++i) {
-    // Standard input may be shared with others: it is asked, not switched over.
+    // Standard input may be shared with other programs: it is polled, not switched to non-blocking
+    // mode.
     pollfd asked{m_descriptor, POLLIN, 0};
     if (::poll(&asked, 1, 0) <= 0 || (asked.revents & (POLLIN | POLLHUP)) == 0) {
       break;
     }
     const ssize_t count = ::read(m_descriptor, bytes.data(), bytes.size());
     if (count <= 0) {
-      break;  // nothing now; a file or a pipe may go on later
+      break;  // nothing now; a file or a pipe may have more later
     }
     m_lines.add({bytes.data(), static_cast<std::size_t>(count)});
   }

@@ -21,8 +21,8 @@ class CorrectionSource {
   CorrectionSource& operator=(CorrectionSource&&) = delete;
   ~CorrectionSource();
 
-  /// Takes what has come and is there; the first line that is no correction is told of on standard
-  /// error. What was said last stays.
+  /// Reads what is available. The first line that is not a correction is reported on standard
+  /// error. The last value stays.
   [[nodiscard]] base::Vec3 valueMm();
 
  private:

@@ -23,7 +23,7 @@ namespace rivulet::cli {
 
 namespace {
 
-/// Where the tool is taken to stand for programs that leave coordinates open.
+/// Assumed position of the tool for programs that leave coordinates open.
 constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
 
 void print(const feasibility::Verdict& verdict) {
@@ -46,7 +46,7 @@ void print(const feasibility::Verdict& verdict) {
              base::mmPerMinFromMmPerS(verdict.feedMmPerSMax));
 }
 
-/// How long the program takes as it is streamed, and what the pauses add to that.
+/// Time of the program as it is streamed, and the time that the pauses add.
 class PausePrice {
  public:
   PausePrice(const gcode::Trajectory& trajectory, const machine::MachineConfig& machine,
@@ -67,7 +67,7 @@ class PausePrice {
     for (const streaming::PlannedPause& pause : pauses) {
       options.pausesBehind.push_back(pause.point);
     }
-    // Nobody gives up here.
+    // Nothing cancels here.
     return experiments::pathTime(m_trajectory, kOriginMm, m_machine, options).value().totalS;
   }
 
@@ -88,13 +88,13 @@ nlohmann::ordered_json pausesJson(const std::vector<streaming::PlannedPause>& pa
   return list;
 }
 
-/// What is told of the pauses beside the verdict.
+/// The pauses, reported together with the verdict.
 struct PlannedPauses {
   std::size_t count = 0;
   std::size_t inCut = 0;
   double withoutS = 0.0;
   double priceS = 0.0;
-  /// Method window: as many if it were cut evenly.
+  /// Method window: the number if it were cut evenly.
   struct Even {
     std::size_t count = 0;
     std::size_t inCut = 0;

@@ -381,7 +381,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Help and version end well; everything else is bad usage.
+    // Help and version are successes; everything else is wrong usage.
     return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::BadInput);
   }
   return static_cast<int>(exit);

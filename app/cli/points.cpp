@@ -33,7 +33,7 @@ std::string_view kindName(gcode::MoveKind kind) {
   return "";
 }
 
-/// Empty where there is no number.
+/// Empty if there is no number.
 std::string cell(double value) {
   return std::isnan(value) ? std::string() : base::formatNumber(value);
 }

@@ -33,7 +33,7 @@ namespace rivulet::cli {
 
 namespace {
 
-/// Stop by Ctrl-C, or at a time of the run that was ordered beforehand.
+/// Stop by Ctrl-C, or at the time of the run that the command line gives.
 class ConsoleOrders final : public streaming::RunOrders {
  public:
   /// @param source  of corrections; null: none
@@ -95,10 +95,10 @@ class ConsoleSink final : public streaming::RunSink {
   streaming::RunState m_state = streaming::RunState::Idle;
 };
 
-/// What was said before anything moved.
+/// The verdict before anything moved.
 struct Judgement {
   bool feasible = false;
-  opcua::Grouping form = opcua::Grouping::List;  ///< the run is expected to use
+  opcua::Grouping form = opcua::Grouping::List;  ///< expected form of access of the run
   std::optional<feasibility::Verdict> verdict;   ///< nothing for a single point
 };
 
@@ -137,7 +137,7 @@ std::optional<base::Error> objection(const StreamOptions& options, const Connect
                   base::mmPerMinFromMmPerS(verdict->feedMmPerSMax)));
 }
 
-/// Where the run of a report of `stream --json` goes on: the control is asked.
+/// Asks the control where the run of a `stream --json` report resumes.
 base::Result<streaming::Resume> resumeOf(const std::string& path, const Connection& connection,
                                          const gcode::Program& program,
                                          const streaming::RunSettings& settings) {
@@ -240,7 +240,7 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
   }
 }
 
-/// Writes the flexible program to a file and says what to do with it.
+/// Writes the flexible program to a file and prints what to do with it.
 base::Result<void> printSteps(const StreamOptions& options,
                               const templates::TemplateParameters& parameters) {
   const auto text = templates::generateTemplate(parameters);
@@ -263,7 +263,7 @@ base::Result<void> printSteps(const StreamOptions& options,
   return {};
 }
 
-/// Method credit only where its test has been passed. In virtual time it is made on the spot.
+/// Method credit only if its test has been passed. In virtual time the test is made now.
 base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
   if (!options.simulate) {
     const auto identity = connection.control->identity();

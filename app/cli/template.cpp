@@ -49,7 +49,7 @@ nlohmann::ordered_json jsonOf(const TemplateProof& proof, bool verified) {
   return json;
 }
 
-/// For people, on standard error where standard output holds the program.
+/// For people; on standard error if standard output holds the program.
 void print(std::FILE* out, const TemplateProof& proof, bool verified, bool sound) {
   for (const LintFinding& finding : proof.findings) {
     fmt::print(out, "line {}: {}: {} [{}]\n", finding.line.value, severityOf(finding),
@@ -64,7 +64,7 @@ void print(std::FILE* out, const TemplateProof& proof, bool verified, bool sound
   fmt::print(out, "{}\n", sound ? good : "The program must not be run.");
 }
 
-/// The lint alone, or with the runs of the proof.
+/// The lint alone, or together with the runs of the proof.
 base::Result<TemplateProof> lookAt(const std::string& text,
                                    const templates::TemplateParameters& parameters,
                                    const TemplateOptions& options) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// `rivulet-machine`: the virtual machine as a program of its own, reached over OPC UA.
-/// Everything it does is in `machine` and `machine/front`; here are its options and its end.
+/// `rivulet-machine`: the virtual machine as a separate program with an OPC UA server. Its
+/// functions are in `machine` and `machine/front`; this file has its options and its shutdown.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ constexpr int kExitOk = 0;
 constexpr int kExitUsage = 2;
 constexpr int kExitNoPort = 3;
 
-/// Set by a signal, looked at between two iterations of the server.
+/// Set by a signal, checked between two iterations of the server.
 std::atomic<bool> g_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch it only so");
 
@@ -39,7 +39,7 @@ void installSignalHandlers() {
   action.sa_handler = &onSignal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  // A reader of our output that went away is not a reason to die without cleaning up.
+  // A reader of our output that has gone is no reason to end without cleaning up.
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Runs independent jobs on several threads. What they compute does not depend on how many.
+/// Runs independent jobs on several threads. Their results do not depend on the number of threads.
 /// @threadsafety `forEach` blocks its caller; the threads end with it.
 #pragma once
 

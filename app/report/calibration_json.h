@@ -25,8 +25,8 @@ namespace rivulet::report {
 [[nodiscard]] base::Result<streaming::CalibrationRecord> readCalibration(
     const std::filesystem::path& path);
 
-/// What the equations take from a calibration. Where the form was not measured, lists count, and
-/// every control has those. @param grouping  the form the run uses
+/// The part of a calibration that the equations use. If the form was not measured, lists are used,
+/// which every control has. @param grouping  the form the run uses
 [[nodiscard]] feasibility::AccessModel accessModel(const streaming::Calibration& calibration,
                                                    opcua::Grouping grouping);
 

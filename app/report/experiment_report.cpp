@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Four significant digits; nothing for what is no number.
+/// Four significant digits; nothing if it is not a number.
 std::string figure(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string();
 }

@@ -13,7 +13,7 @@
 
 namespace rivulet::report {
 
-/// For a terminal: figures of the paper beside ours, then the tables and notes.
+/// For a terminal: the paper's figures and ours, then the tables and notes.
 [[nodiscard]] std::string experimentText(const experiments::Experiment& experiment);
 
 [[nodiscard]] nlohmann::ordered_json experimentJson(const experiments::Experiment& experiment);

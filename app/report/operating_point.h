@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the verdict needs of the settings of a run, the same for command line and HMI.
+/// The settings of a run that the verdict needs, for both command line and HMI.
 /// @threadsafety pure.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace rivulet::report {
 
-/// @param settings  with all axes the run streams: see `streaming::withTurnedAxes`
+/// @param settings  with all axes that the run streams: see `streaming::withTurnedAxes`
 [[nodiscard]] feasibility::OperatingPoint operatingPointOf(const streaming::RunSettings& settings);
 
 }  // namespace rivulet::report

@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// A number, or null where there is none: NaN is no JSON.
+/// A number, or null if there is none: JSON has no NaN.
 ordered_json numberOrNull(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
@@ -193,7 +193,7 @@ ordered_json factsJson(const gcode::ProgramFacts& facts) {
   const auto ifComplete = [&facts](auto value) {
     return facts.complete ? ordered_json(value) : ordered_json(nullptr);
   };
-  // Lengths and bounds in two units at once are none.
+  // Lengths and bounds in two units at once are meaningless.
   const bool measured = facts.complete && facts.units != gcode::FileUnits::Mixed;
   const bool lengths = measured && facts.lengthsKnown;
   ordered_json bounds = ordered_json::object();
@@ -206,7 +206,7 @@ ordered_json factsJson(const gcode::ProgramFacts& facts) {
       bounds[name] = {range->smallest, range->largest};
     }
   }
-  // Arcs whose ends do not fit leave open how long they are.
+  // The length of arcs whose ends do not fit is not known.
   const bool arcsFit = facts.arcRadiusMismatch <= gcode::kArcRadiusToleranceMm;
   ordered_json json;
   for (std::size_t g = 0; g < facts.motions.size(); ++g) {

@@ -30,7 +30,7 @@ namespace rivulet::report {
 [[nodiscard]] nlohmann::ordered_json runJson(const streaming::RunReport& report);
 [[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);
 [[nodiscard]] nlohmann::ordered_json distancesJson(const feasibility::ProgramDistances& distances);
-/// What the text of a program says by itself, in its own units; null where that is not known.
+/// The facts of a program's text, in its own units; null if not known.
 [[nodiscard]] nlohmann::ordered_json factsJson(const gcode::ProgramFacts& facts);
 
 /// Distances and corners of the points as they are streamed. @param list at least 2 points

@@ -111,7 +111,7 @@ class Picture {
     line(R"(<text x="{:g}" y="24" font-size="15" font-weight="bold">{}</text>)", kLeft,
          escaped(m_plot.title));
     axes();
-    // Bands lie below everything else, the paper's own marks on top.
+    // Bands are below everything else, the paper's own marks on top.
     const auto drawAll = [this](auto chosen) {
       for (std::size_t i = 0; i < m_plot.series.size(); ++i) {
         if (chosen(m_plot.series[i])) {

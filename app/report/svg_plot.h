@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A plot as an SVG picture, as one would print it: axes with round ticks, units, a legend, and
-/// series that can be told apart without colour. @threadsafety pure.
+/// A plot as an SVG picture for print: axes with round ticks, units, a legend, and series that
+/// differ even without colour. @threadsafety pure.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace rivulet::session {
 
 namespace {
 
-/// More than this in one go is left for the next: the window is not to stand still.
+/// At most this much is read at a time, so that the window stays responsive.
 constexpr int kDatagramsMax = 256;
 
 }  // namespace
@@ -64,7 +64,7 @@ void CorrectionFeed::receive() {
     const QByteArray bytes = m_socket->receiveDatagram().data();
     says = m_lines.add({bytes.constData(), static_cast<std::size_t>(bytes.size())}) || says;
     if (!bytes.endsWith('\n')) {
-      says = m_lines.finishLine() || says;  // nothing of a line comes later
+      says = m_lines.finishLine() || says;  // no line continues in the next datagram
     }
   }
   if (m_socket->hasPendingDatagrams()) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A live source of corrections: datagrams to a UDP port of this computer, 127.0.0.1, which no
-/// other computer can send to. Each holds lines as `streaming::CorrectionLines` takes them.
+/// A live source of corrections: datagrams to a UDP port on 127.0.0.1, to which no other computer
+/// can send. Each holds lines for `streaming::CorrectionLines`.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -17,11 +17,11 @@ class QUdpSocket;
 
 namespace rivulet::session {
 
-/// What the source is doing.
+/// State of the source.
 struct FeedState {
   bool isOpen = false;
   bool hasValue = false;  ///< since `forget`
-  bool isSilent = false;  ///< nothing has come for longer than the silence
+  bool isSilent = false;  ///< nothing has been received for longer than the silence
   std::size_t unknown = 0;
   base::Vec3 valueMm;
 };
@@ -32,20 +32,20 @@ class CorrectionFeed final : public QObject {
  public:
   explicit CorrectionFeed(QObject* parent = nullptr);
 
-  /// Listens from now on; what was heard before is forgotten. @param port  0: any that is free
-  /// @return false if the port cannot be had
+  /// Listens from now on; earlier values are forgotten. @param port  0: any free port
+  /// @return false if the port cannot be opened
   bool open(quint16 port, int silenceMs);
   void close();
-  /// A new run: its correction begins with nothing.
+  /// A new run: its correction begins at zero.
   void forget();
   [[nodiscard]] const FeedState& state() const { return m_state; }
   /// 0: closed.
   [[nodiscard]] quint16 port() const;
 
  Q_SIGNALS:
-  /// A line said something.
+  /// A line with a correction was received.
   void valueArrived(const rivulet::base::Vec3& valueMm);
-  /// Anything else than that.
+  /// Any other change of the state.
   void stateChanged(const rivulet::session::FeedState& state);
 
  private:

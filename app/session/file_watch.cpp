@@ -35,7 +35,7 @@ void FileWatch::watch(const QString& path, const FileStamp& stamp) {
   clear();
   m_path = QFileInfo(path).absoluteFilePath();
   m_read = stamp;
-  // The folder tells of what the file itself cannot: that another took its name.
+  // The folder reports what the file itself cannot: that another file has its name.
   m_watcher.addPath(QFileInfo(m_path).absolutePath());
   look();
 }
@@ -56,7 +56,7 @@ void FileWatch::look() {
   }
   const FileStamp now = fileStamp(m_path);
   if (now.exists) {
-    // After a replacement the watch still holds the old file: take the new one.
+    // After a replacement the watch is still on the old file: watch the new one.
     if (m_watcher.files().contains(m_path)) {
       m_watcher.removePath(m_path);
     }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Tells when the file of a program is no longer what was read: written to, replaced by another
-/// under its name, deleted, or back again. @threadsafety GUI thread.
+/// Reports when the file of a program differs from what was read: written to, replaced by another
+/// of the same name, deleted, or restored. @threadsafety GUI thread.
 #pragma once
 
 #include <QFileSystemWatcher>
@@ -13,7 +13,7 @@
 
 namespace rivulet::session {
 
-/// What tells versions of a file apart without reading it.
+/// Identifies a version of a file without reading it.
 struct FileStamp {
   bool exists = false;
   qint64 bytes = 0;
@@ -30,7 +30,7 @@ class FileWatch final : public QObject {
 
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// @param stamp  of the file as it was read; what has happened since is told as well
+  /// @param stamp  of the file as it was read; changes since then are reported as well
   void watch(const QString& path, const FileStamp& stamp);
   void clear();
   [[nodiscard]] State state() const { return m_state; }
@@ -42,7 +42,7 @@ class FileWatch final : public QObject {
   void look();
 
   QFileSystemWatcher m_watcher;
-  QTimer m_settle;  ///< programs write in many pieces: one look does for all of them
+  QTimer m_settle;  ///< programs write in many pieces: one check is enough for all of them
   QString m_path;
   FileStamp m_read;
   State m_state = State::Same;

@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportInterval = std::chrono::milliseconds{50};
-/// Reading takes most of the time; what the page shows the rest.
+/// Reading takes most of the time, the view for the page the rest.
 constexpr double kReadShare = 0.7;
 
 }  // namespace
@@ -72,7 +72,7 @@ void ProgramLoader::load(LoadRequest request) {
     options.accepted = request.reading.accepted;
     options.centres = request.reading.centres;
     options.progress = [&](double share) { return progress(kReadShare * share); };
-    // Looked at before the text is read: what is written meanwhile counts as a change.
+    // Taken before the text is read: anything written meanwhile counts as a change.
     const FileStamp stamp = fileStamp(request.path);
     auto program = gcode::loadProgram(std::filesystem::path(request.path.toStdString()), options);
     if (!program) {

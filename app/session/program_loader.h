@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Reads NC programs away from the GUI thread, and makes of them what the page shows. Only the
-/// request made last is reported. @threadsafety GUI thread; the work itself runs in the global
-/// pool.
+/// Reads NC programs outside the GUI thread and creates the views for the page. Only the last
+/// request is reported. @threadsafety GUI thread; the work itself runs in the global pool.
 #pragma once
 
 #include <QObject>
@@ -22,7 +21,7 @@
 
 namespace rivulet::session {
 
-/// How a text is to be read.
+/// Settings for reading a text.
 struct Reading {
   std::optional<gcode::Dialect> dialect;  ///< nothing: as detected
   std::vector<std::string> accepted;      ///< see gcode::LoadOptions
@@ -48,16 +47,16 @@ class ProgramLoader final : public QObject {
 
  public:
   explicit ProgramLoader(QObject* parent = nullptr) : QObject(parent) {}
-  /// What is under way ends by itself, soon.
+  /// Work in progress ends by itself, soon.
   ~ProgramLoader() override;
 
-  /// Begins a request; one that is under way is forgotten.
+  /// Begins a request; one in progress is dropped.
   void load(LoadRequest request);
-  /// Forgets the request that is under way; `cancelled` tells.
+  /// Drops the request in progress; `cancelled` reports it.
   void cancel();
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
-  /// Makes the points of a loaded program anew for another place of the tool; `placed` tells. One
-  /// at a time: while one is made, others are not begun.
+  /// Computes the points of a loaded program for another position of the tool; `placed` reports the
+  /// result. One at a time: while one is in progress, no other begins.
   void place(std::shared_ptr<const widgets::ProgramView> view, base::Vec3 startMm,
              int pointsPerLoop);
   [[nodiscard]] bool isPlacing() const { return m_placing != nullptr; }
@@ -68,14 +67,14 @@ class ProgramLoader final : public QObject {
   void loaded(const rivulet::session::LoadedProgram& program);
   void failed(const rivulet::base::Error& error, const QString& path);
   void cancelled();
-  /// @param of  the view it takes the place of
+  /// @param of  the view that it replaces
   void placed(const std::shared_ptr<const rivulet::widgets::ProgramView>& view,
               const std::shared_ptr<const rivulet::widgets::ProgramView>& of);
 
  private:
   void forget();
 
-  std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the request under way; null: none
+  std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the request in progress; null: none
   std::shared_ptr<std::atomic<bool>> m_placing;
 };
 

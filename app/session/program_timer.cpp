@@ -16,10 +16,11 @@ namespace rivulet::session {
 
 namespace {
 
-/// No control tells its axes: all are reckoned with those of the machine of the paper.
+/// No control reports the limits of its axes: all times are computed with those of the paper's
+/// machine.
 constexpr const char* kMachine = "dmu75";
 
-/// Fills the times that do not depend on the settings. @return false: given up
+/// Computes the times that do not depend on the settings. @return false: cancelled
 bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineConfig& machine,
                       const std::function<bool(double)>& progress, widgets::ProgramTimes& times) {
   experiments::PathTimeOptions options;
@@ -37,7 +38,7 @@ bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineCo
   return true;
 }
 
-/// How long a run takes. @return nothing: given up
+/// The time of a run. @return nothing: cancelled
 std::optional<experiments::PathTime> reckonStreamed(const widgets::ProgramView& view,
                                                     const machine::MachineConfig& machine,
                                                     double feedMmPerS,
@@ -80,7 +81,7 @@ void ProgramTimer::cancel() {
 void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
                          const TimeSettings& settings) {
   cancel();
-  // The place of the tool changes the first points of a program and hardly its time.
+  // The position of the tool changes the first points of a program, but hardly its time.
   if (view->program != m_program ||
       (m_times && m_times->atS.size() != view->points.points.size())) {
     m_program = view->program;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Reckons away from the GUI thread where a run will pause and how long a machine takes for a
+/// Computes outside the GUI thread where a run will pause and how long a machine takes for a
 /// program: with the feeds of the program, and as a method streams it. @threadsafety GUI thread;
 /// the work itself runs in the global pool.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace rivulet::session {
 
-/// What of the run's settings decides how long it takes.
+/// The settings of a run that determine its time.
 struct TimeSettings {
   base::MethodKind method = base::MethodKind::Signal;
   int pointsPerLoop = 2;
@@ -33,25 +33,25 @@ class ProgramTimer final : public QObject {
   explicit ProgramTimer(QObject* parent = nullptr) : QObject(parent) {}
   ~ProgramTimer() override;
 
-  /// Begins; what is under way is forgotten. What does not depend on the settings is reckoned once
-  /// per program.
+  /// Begins; work in progress is dropped. What does not depend on the settings is computed once per
+  /// program.
   void start(std::shared_ptr<const widgets::ProgramView> view, const TimeSettings& settings);
   void cancel();
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
 
  Q_SIGNALS:
-  /// Told first: it takes no more than a moment.
+  /// Reported first: it takes only a moment.
   void planned(const std::shared_ptr<const rivulet::widgets::PauseMap>& pauses,
                const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
-  /// Told as soon as the time of the program itself is known, and again with that of the run.
+  /// Reported as soon as the time of the program itself is known, and again with that of the run.
   void reckoned(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times,
                 const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
 
  private:
-  std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work under way; null: none
+  std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work in progress; null: none
   std::shared_ptr<const gcode::Program> m_program;
   std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< of that program
-  /// What it takes without pauses, with a feed of a run, from a place of the tool.
+  /// Time without pauses, at the feed of a run, from a position of the tool.
   struct Unpaused {
     double feedMmPerS = 0.0;
     base::Vec3 startMm;

@@ -12,10 +12,10 @@ namespace rivulet::session {
 
 namespace {
 
-/// The runs take most of the time; the band the rest.
+/// The runs take most of the time, the band the rest.
 constexpr int kBandPercent = 30;
 
-/// As many threads as there are processors, but for the one that draws the window.
+/// One thread per processor, except the one that draws the window.
 class ThreadExecutor final : public base::Executor {
  public:
   void forEach(std::size_t count, const std::function<void(std::size_t)>& job) override {
@@ -34,7 +34,7 @@ class ThreadExecutor final : public base::Executor {
   }
 };
 
-/// The job at one abscissa, as the model takes it.
+/// The job at one abscissa, as input of the model.
 RegionBandPoint bandAt(const RegionJob& job, double abscissa,
                        const feasibility::StreamModel& model) {
   feasibility::OperatingPoint point = report::operatingPointOf(job.settings);
@@ -65,7 +65,7 @@ RegionBandPoint bandAt(const RegionJob& job, double abscissa,
 }  // namespace
 
 RegionWorker::~RegionWorker() {
-  // Joined here, before anything the thread uses is gone.
+  // Joined here, before anything that the thread uses is destroyed.
   m_thread = {};
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Simulates the region around an operating point away from the GUI thread: a job goes in, its
-/// result comes back in one queued signal.
-/// @threadsafety GUI thread. The work is done by threads of its own, which this class ends.
+/// Simulates the region around an operating point outside the GUI thread: a job goes in, its result
+/// comes back in one queued signal.
+/// @threadsafety GUI thread. The work is done by its own threads, which this class ends.
 #pragma once
 
 #include <QObject>
@@ -19,7 +19,7 @@ namespace rivulet::session {
 
 /// Everything a simulation of the region needs.
 struct RegionJob {
-  std::vector<gcode::StreamPoint> points;  ///< at least 2: the stretch to be simulated
+  std::vector<gcode::StreamPoint> points;  ///< at least 2: the section to be simulated
   streaming::RunSettings settings;
   feasibility::SweepAxis axis = feasibility::SweepAxis::PointDistance;
   std::vector<double> abscissas;  ///< see experiments::RegionRequest
@@ -39,7 +39,7 @@ struct RegionOutcome {
   RegionJob job;
   std::vector<experiments::RegionPoint> points;
   std::vector<RegionBandPoint> band;
-  base::Error error;  ///< code clear if every run could be made
+  base::Error error;  ///< code clear if every run could be executed
 };
 
 class RegionWorker final : public QObject {
@@ -50,9 +50,9 @@ class RegionWorker final : public QObject {
   /// Ends the work; takes as long as the run that is being simulated.
   ~RegionWorker() override;
 
-  /// Begins a job; one that is under way is cancelled.
+  /// Begins a job; one in progress is cancelled.
   void start(RegionJob job);
-  /// Nothing is reported of a cancelled job but `cancelled`.
+  /// Of a cancelled job only `cancelled` is reported.
   void cancel();
   [[nodiscard]] bool isBusy() const { return m_busy; }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the streaming thread tells the GUI, and what the GUI orders. @threadsafety plain values.
+/// Events of the streaming thread for the GUI, and requests of the GUI. @threadsafety plain values.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ struct LinkChanged {
   opcua::ServerIdentity server;  ///< for Connected
 };
 
-/// The control as it was seen between runs.
+/// The control as read between runs.
 struct MachineSeen {
   int channelStatus = 0;
   int programStatus = 0;
@@ -64,10 +64,10 @@ struct ConnectOrder {
   std::string endpoint;
 };
 struct DisconnectOrder {};
-/// Where was this run left? Asked of the control; nothing is to move for it.
+/// Where was this run left? The control is asked; nothing moves.
 struct ResumeQuestion {
   std::shared_ptr<const gcode::Program> program;
-  streaming::RunSettings settings;  ///< of the run that was left
+  streaming::RunSettings settings;  ///< of the interrupted run
   streaming::Checkpoint checkpoint;
 };
 struct StartOrder {
@@ -75,7 +75,8 @@ struct StartOrder {
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording
   std::string startedAtUtc;
-  /// A run that is resumed: asked once more right before it starts. Another answer is no start.
+  /// A run that is resumed: asked once more right before it starts. If the answer differs, the run
+  /// does not start.
   std::optional<ResumeQuestion> resumes;
 };
 

@@ -18,7 +18,7 @@ namespace rivulet::session {
 
 namespace {
 
-/// How often the control is looked at between runs.
+/// How often the control is read between runs.
 constexpr std::chrono::milliseconds kWatchInterval{250};
 constexpr std::chrono::seconds kWatchDeadline{2};
 constexpr std::chrono::milliseconds kProgressInterval{50};
@@ -27,7 +27,7 @@ constexpr std::chrono::milliseconds kRoomInterval{2};
 
 }  // namespace
 
-/// Hands what a run reports to the ring.
+/// Passes the reports of a run to the ring.
 class SessionWorker::Sink final : public streaming::RunSink {
  public:
   explicit Sink(SessionWorker& worker) : m_worker(worker) {}
@@ -123,7 +123,7 @@ void SessionWorker::tellIfRoom(SessionEvent event) {
 
 void SessionWorker::work() {
   while (!m_quit.load()) {
-    // Without an order within the interval the control is looked at again.
+    // Without a request within the interval, the control is read again.
     if (m_orderCount.try_acquire_for(kWatchInterval)) {
       const std::optional<SessionOrder> order = m_orders.tryPop();
       if (!order) {
@@ -155,11 +155,11 @@ void SessionWorker::connect(const ConnectOrder& order) {
     return;
   }
   m_connection = std::move(*connection);
-  // A control that does not say has none; one that is gone again is noticed by the next look.
+  // A control that does not report any has none; if it is gone again, the next read notices it.
   m_axes = streaming::readControlAxes(*m_connection.link, kWatchDeadline)
                .value_or(streaming::ControlAxes{});
   m_endpoint = order.endpoint;
-  // A server that does not say who it is can be worked with all the same.
+  // A server that does not identify itself can be used all the same.
   m_server = m_connection.control->identity().value_or(opcua::ServerIdentity{});
   tell(LinkChanged{LinkState::Connected, {}, m_connection.control->isVirtualMachine(), m_server});
 }
@@ -323,7 +323,7 @@ void SessionWorker::calibrate(const CalibrateOrder& order) {
   base::Instant nextTold{};
   streaming::CalibrationHooks hooks;
   hooks.progress = [&](const streaming::CalibrationProgress& progress) {
-    // More than a display shows would only fill the ring.
+    // More than a display can show would only fill the ring.
     if (m_connection.link->now() >= nextTold) {
       nextTold = m_connection.link->now() + kProgressInterval;
       tellIfRoom(progress);

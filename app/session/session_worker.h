@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The streaming thread: owns the link and, during a run, driver and method. Orders come in and
-/// events go out through bounded rings; nothing on this side waits for the GUI.
+/// The streaming thread: owns the link and, during a run, driver and method. Requests come in and
+/// events go out through bounded rings; nothing but a full ring of events makes this side wait for
+/// the GUI.
 /// @threadsafety constructor, destructor, `order`, `stopRun`, `holdRun`, `correct` and `take`
 /// belong to the GUI thread.
 #pragma once
@@ -28,19 +29,19 @@ class SessionWorker {
  public:
   /// @param connector  called on the streaming thread
   SessionWorker(opcua::Connector connector, report::MachineStore machines);
-  /// Orders a stop if a run lasts, waits for it, closes the connection, ends the thread.
+  /// Stops a run in progress and waits for its end, closes the connection, ends the thread.
   ~SessionWorker();
   SessionWorker(const SessionWorker&) = delete;
   SessionWorker& operator=(const SessionWorker&) = delete;
 
-  /// @return false if more orders wait than anybody can have meant
+  /// @return false if the ring of requests is full
   bool order(SessionOrder order);
-  /// Takes effect within a driver's look at its orders, 20 ms; cancels a calibration behind the
-  /// request under way.
+  /// Takes effect when the driver next checks its requests, within 20 ms; cancels a calibration
+  /// after the request in progress.
   void stopRun();
-  /// Online correction of the run that lasts, mm; a run begins with none.
+  /// Online correction of the run in progress, mm; a run begins with none.
   void correct(base::Vec3 valueMm);
-  /// The run that lasts is to wait in front of its next window, or to go on (method window).
+  /// Makes the run in progress wait before its next window, or continue (method window).
   void holdRun(bool hold);
   /// The oldest event not taken yet.
   std::optional<SessionEvent> take();
@@ -56,11 +57,10 @@ class SessionWorker {
   void disconnect();
   void start(const StartOrder& order);
   void answer(const ResumeQuestion& question);
-  /// What stands in the way of a start that only shows now. The template is put to the proof once
-  /// per kind.
+  /// Checks that are possible only now, right before a start. The template is proved once per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartOrder& order, streaming::RunSink& sink);
   void calibrate(const CalibrateOrder& order);
-  /// As the file of the machine says.
+  /// According to the file of the machine.
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   void watch();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The HMI's view of the streaming thread: intents in, values out as signals, at most 30 times a
+/// The HMI's view of the streaming thread: requests in, values out as signals, at most 30 times a
 /// second. @threadsafety GUI thread.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace rivulet::session {
 
 class SessionWorker;
 
-/// The connection of the shipped program.
+/// The connection of the released program.
 [[nodiscard]] base::Result<opcua::Connection> connectByOpcUa(const std::string& endpoint);
 
 class StreamSession final : public QObject {
@@ -31,23 +31,23 @@ class StreamSession final : public QObject {
   explicit StreamSession(opcua::Connector connector = connectByOpcUa,
                          report::MachineStore machines = report::MachineStore(),
                          QObject* parent = nullptr);
-  /// Ends a run that lasts (with a stop, waiting for its confirmation) and the connection.
+  /// Ends a run in progress (with a stop, waiting for its confirmation) and the connection.
   ~StreamSession() override;
 
   void connectTo(const QString& endpoint);
   void disconnectFrom();
   /// @param recordingPath  file to write; empty: none
-  /// @param resumes        the run that is resumed, if one is
+  /// @param resumes  the run that is resumed, if any
   void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
              const QString& recordingPath, std::optional<ResumeQuestion> resumes = {});
   void stop();
-  /// Online correction of the run that lasts, X Y Z, mm; every run begins with none.
+  /// Online correction of the run in progress, X Y Z, mm; every run begins with none.
   void correct(base::Vec3 valueMm);
   void hold(bool hold);
-  /// Answered by `resumeFound`. Nothing while a run lasts.
+  /// Answered by `resumeFound`. Ignored during a run.
   void askResume(ResumeQuestion question);
 
-  /// Measures what access costs, on cells the operator has confirmed. `stop` cancels.
+  /// Measures the cost of access, on cells that the operator has confirmed. `stop` cancels.
   void calibrate(const streaming::CalibrationPlan& plan);
 
   [[nodiscard]] bool isRunning() const { return m_running; }
