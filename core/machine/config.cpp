@@ -61,12 +61,12 @@ class Reader {
     return node->value<bool>().value_or(false);
   }
 
-  /// Without a problem if it is missing.
+  /// No problem if it is missing.
   [[nodiscard]] bool has(const std::string& path) const {
     return m_root.at_path(path).node() != nullptr;
   }
 
-  /// One of a few words. @return its value; the first one's where the word is another
+  /// One of a few words. @return its value; the first one's if the word is unknown
   template <class Value, std::size_t count>
   Value choice(const std::string& path, const Choices<Value, count>& choices) {
     const toml::node* node = find(path);

@@ -36,7 +36,8 @@ constexpr double kOffsetMmMax = 10.0;
 constexpr int kOffsetAddsUp = 1;
 constexpr int kOffsetStays = 2;
 
-// Streams of the seed: each kind of chance has its own, so that they do not disturb each other.
+// Streams of the seed: each kind of random number has its own, so that they are independent of each
+// other.
 constexpr std::uint64_t kStandstillStream = 1;
 constexpr std::uint64_t kAccessStream = 2;
 
@@ -63,7 +64,7 @@ class Machine::Impl final : public MainRun {
       if (needsTicks()) {
         tickAt = nextBoundary();
       }
-      // At the same moment the main run goes first: a value from outside is there for the block
+      // At the same moment the main run goes first: a value from outside is visible to the block
       // that is interpreted at the boundary.
       if (tickAt && *tickAt <= until && (!prerunAt || *tickAt <= *prerunAt)) {
         m_now = *tickAt;
@@ -202,7 +203,7 @@ class Machine::Impl final : public MainRun {
     dropOffset();
     if (m_channel == ChannelStatus::Active && m_planner.blockCount() > 0) {
       m_planner.abort();
-      m_resetting = true;  // the channel is in reset once the axes stand
+      m_resetting = true;  // the channel is in reset after the axes have stopped
       return;
     }
     enterReset();
@@ -213,7 +214,7 @@ class Machine::Impl final : public MainRun {
   base::Random m_accessRandom;
   RParameters m_parameters;
   PathPlanner m_planner;
-  SyncActions m_syncActions;  // before the pre-run, which puts actions there
+  SyncActions m_syncActions;  // before the pre-run, which adds actions to it
   Prerun m_prerun;
   LinearServo m_servo;
   trace::ControlTrace m_trace;
@@ -227,7 +228,7 @@ class Machine::Impl final : public MainRun {
            !m_syncActions.isEmpty() || m_offsetMm != m_offsetWantedMm;
   }
 
-  /// Set point of the axes: the path and what is laid over it.
+  /// Set point of the axes: the path plus the overlay.
   [[nodiscard]] base::Vec3 commandMm() const { return m_planner.commandMm() + m_offsetMm; }
 
   /// "NAME", as NAME.SPF or NAME.MPF on the control.
@@ -313,14 +314,14 @@ class Machine::Impl final : public MainRun {
     return m_parameters.has(index) && (m_parameters.set(index, value), true);
   }
 
-  /// Synchronized actions of this cycle; then the overlay moves on.
+  /// Synchronized actions of this cycle; then the overlay moves.
   void runSyncActions() {
     const double cycleS = base::toSeconds(m_config.interpolationCycle);
     if (!m_syncActions.isEmpty()) {
       for (double& timer : m_timers) {
         timer += timer >= 0.0 ? cycleS : 0.0;
       }
-      m_overridePercent = 100.0;  // holds only where it is written in every cycle
+      m_overridePercent = 100.0;  // holds only if it is written in every cycle
       if (std::optional<Alarm> alarm = m_syncActions.run(*this, m_planner.blocksFinished())) {
         m_alarm = *std::move(alarm);
       }
@@ -372,12 +373,12 @@ class Machine::Impl final : public MainRun {
   }
 
   void moveAxes() {
-    // The cycle that ends now may move if it began after the stand-still; to the nearest cycle,
-    // so that the stand-still is right on average.
+    // The cycle that ends now may move if it began after the standstill, rounded to the nearest
+    // cycle, so that the standstill is right on average.
     const Instant began = m_now - m_config.interpolationCycle;
     if (m_planner.blockCount() == 0 || began + m_config.interpolationCycle / 2 < m_holdUntil) {
       if (m_resetting) {
-        m_planner.step(m_now, m_trace.blocks);  // standing: forgets what is buffered
+        m_planner.step(m_now, m_trace.blocks);  // at standstill: forgets what is buffered
       }
       return;
     }
@@ -396,7 +397,7 @@ class Machine::Impl final : public MainRun {
     }
   }
 
-  /// Consequences of what the pre-run has come to.
+  /// Consequences of the pre-run's present state.
   void afterPrerun() {
     if (m_prerun.takeStandstill() && m_moved) {
       const double drawn =
@@ -438,8 +439,8 @@ class Machine::Impl final : public MainRun {
                                m_planner.line(), m_planner.commandDeg(), actualDeg});
   }
 
-  base::Vec3 m_offsetMm;        ///< laid over the path ($AA_OFF)
-  base::Vec3 m_offsetWantedMm;  ///< where it is going
+  base::Vec3 m_offsetMm;        ///< overlay on the path ($AA_OFF)
+  base::Vec3 m_offsetWantedMm;  ///< its target
   double m_overridePercent = 100.0;
   std::array<double, kSystemElements> m_timers{};
   std::array<double, kSystemElements> m_markers{};
@@ -449,9 +450,9 @@ class Machine::Impl final : public MainRun {
   Alarm m_alarm;
   bool m_resetting = false;
   bool m_recording = false;
-  bool m_moved = false;   ///< axes have moved since the last stand-still began
+  bool m_moved = false;   ///< axes have moved since the last standstill began
   bool m_settled = true;  ///< actual position has reached the set point
-  Instant m_holdUntil{};  ///< axes stand until then
+  Instant m_holdUntil{};  ///< axes are held until then
   Instant m_stoodAt{};    ///< when the last motion ended
   Instant m_serviceFreeAt{};
 };

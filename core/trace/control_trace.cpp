@@ -16,7 +16,7 @@ constexpr std::string_view kName = "rivulet-control-trace";
 constexpr int kVersion = 2;
 /// Rotary axes came with format 2; a trace without them is still one of format 1.
 constexpr int kVersionWithoutRotary = 1;
-/// A sample's line is about this long: one reservation instead of many moves.
+/// Approximate length of a sample's line: one reservation instead of many reallocations.
 constexpr std::size_t kSampleBytes = 120;
 constexpr std::size_t kBlockBytes = 90;
 
@@ -26,7 +26,7 @@ tl::unexpected<base::Error> damaged(std::size_t line, std::string_view what) {
       fmt::format("The control's trace is damaged in line {}: {}. Fetch it again.", line, what));
 }
 
-/// What the last line says of the whole.
+/// The content of the last line.
 struct EndLine {
   std::size_t samples = 0;
   std::size_t blocks = 0;

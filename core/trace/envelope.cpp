@@ -17,7 +17,7 @@ using base::Instant;
 
 constexpr std::size_t kFanOut = 16;
 
-/// Instants farther out than 70 years are taken as that far, so that spans cannot overflow.
+/// Instants beyond 70 years are clamped to that, so that spans cannot overflow.
 Instant clamped(Instant at) {
   constexpr Duration kFar{std::int64_t{1} << 61};
   return std::clamp(at, Instant{-kFar}, Instant{kFar});
@@ -81,8 +81,8 @@ Envelope::Extremes Envelope::at(std::size_t index) const {
 Envelope::Extremes Envelope::extremes(std::size_t begin, std::size_t end) const {
   Extremes result;
   while (begin < end) {
-    // The largest entry that starts here and does not reach beyond the end. Entries that start
-    // at a multiple of their length and end within the points are always complete.
+    // The largest entry that starts here and does not extend beyond the end. Entries that start at
+    // a multiple of their length and end within the points are always complete.
     std::size_t length = 1;
     std::size_t levels = 0;
     while (begin % (length * kFanOut) == 0 && begin + length * kFanOut <= end) {

@@ -40,7 +40,7 @@ tl::unexpected<base::Error> notWritable(const fs::path& path, std::string_view w
                     fmt::format("The file cannot be written: {}.", why), path.string());
 }
 
-/// Writes everything and makes sure that it arrived. @return 0 or the system's error number
+/// Writes everything and makes sure that it is on the disk. @return 0 or the system's error number
 int writeAll(File file, std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
       std::fflush(file.get()) != 0) {
@@ -48,7 +48,7 @@ int writeAll(File file, std::string_view text) {
   }
 #if defined(__unix__)
   // The new name must not become visible before the content is on the disk. Pipes and devices
-  // refuse, which is no failure of theirs.
+  // refuse this, which is not an error.
   if (fsync(fileno(file.get())) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) {
     return errno;
   }
@@ -88,7 +88,7 @@ base::Result<std::string> readFile(const fs::path& path) {
 
 base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
   std::error_code status;
-  // The name may be a link: what it points to is replaced, the link stays.
+  // The name may be a link: its target is replaced, the link stays.
   fs::path path =
       fs::is_symlink(requested, status) ? fs::weakly_canonical(requested, status) : requested;
   if (status || path.empty()) {
@@ -104,7 +104,7 @@ base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
     return error == 0 ? base::Result<void>{} : notWritable(requested, reason(error));
   }
 
-  // "x": a name that exists is another writer's or a left-over, and is not touched.
+  // "x": an existing file belongs to another writer or is a left-over, and is not changed.
   constexpr int kNamesMax = 100;
   fs::path temporary;
   File file;
@@ -119,7 +119,7 @@ base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
     error = writeAll(std::move(file), text);
     if (error == 0) {
       if (fs::exists(kind)) {
-        fs::permissions(temporary, kind.permissions(), status);  // a refusal is no reason to fail
+        fs::permissions(temporary, kind.permissions(), status);  // a refusal is not an error
       }
       fs::rename(temporary, path, status);
       if (!status) {

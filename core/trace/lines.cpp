@@ -72,7 +72,7 @@ std::string Fields::quoted() {
     const char c = m_rest[i];
     if (c == '"') {
       m_rest.remove_prefix(i + 1);
-      // A quote ends a field: what follows is a blank or the end of the line.
+      // A quote ends a field: only a blank or the end of the line may follow.
       m_ok = m_ok && (m_rest.empty() || m_rest.front() == ' ');
       return text;
     }

@@ -49,8 +49,8 @@ void appendNumber(std::string& out, std::string_view key, Number value) {
   fmt::format_to(std::back_inserter(out), FMT_COMPILE(" {}={}"), key, value);
 }
 
-/// Reading: each function takes what follows the keyword into the recording, or returns false
-/// and changes nothing.
+/// Reading: each function adds the fields after the keyword to the recording, or returns false and
+/// changes nothing.
 class Reader {
  public:
   bool read(std::string_view line);
@@ -333,7 +333,7 @@ Recording Reader::take(std::size_t unreadableLines) && {
   m_recording.complete = m_recording.end.has_value();
   m_recording.pointsComplete = m_pointsAnnounced == m_recording.points.points.size();
   if (m_recording.controlTrace && !m_traceWhole) {
-    // Whatever the reason, a part of the trace is missing: nobody may judge the run by it.
+    // Whatever the reason, a part of the trace is missing: it must not be used to judge the run.
     m_recording.controlTrace->truncated = true;
   }
   return std::move(m_recording);

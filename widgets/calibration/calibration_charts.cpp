@@ -30,7 +30,7 @@ constexpr double kMarkPx = 7.0;
 constexpr int kTicksX = 8;
 constexpr int kTicksY = 5;
 constexpr double kRoomAbove = 1.08;
-/// Of the percentiles only these are drawn: more would stand in each other's way.
+/// Only these percentiles are drawn: more would overlap.
 constexpr std::array kMarked{500, 990};
 
 QColor formColour(opcua::Grouping form, const QPalette& palette) {

@@ -170,7 +170,7 @@ void CalibrationPage::setRecord(std::shared_ptr<const streaming::CalibrationReco
   m_series->setSeries(
       calibration != nullptr ? calibration->series : std::vector<streaming::AccessSeries>{},
       calibration != nullptr ? calibration->plan.shots : 0);
-  // The usual number of shots carries no 99.9 %: the room is for the others.
+  // The usual number of shots gives no 99.9 %: the space is for the others.
   const bool rare =
       calibration != nullptr &&
       std::any_of(calibration->series.begin(), calibration->series.end(),
@@ -212,7 +212,7 @@ void CalibrationPage::showSpread(int row) {
   m_seriesTable->selectRow(row);
 }
 
-/// Other cells are not confirmed.
+/// Changed cells are no longer confirmed.
 void CalibrationPage::cellsChanged() {
   m_confirm->setChecked(false);
   retranslate();

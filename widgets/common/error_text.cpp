@@ -284,8 +284,8 @@ QString errorCodeText(const std::error_code& code) {
 }
 
 QString errorText(const base::Error& error) {
-  // The message that came with the error is English and knows figures the sentence of its code
-  // does not: where English is spoken, it is the better one.
+  // The message of the error is English and may contain figures that the sentence of its code
+  // lacks: in English, prefer the message.
   const QString message = QString::fromStdString(error.message);
   const QString known = errorCodeText(error.code);
   const bool isEnglish = QLocale().language() == QLocale::English;

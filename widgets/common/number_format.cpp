@@ -32,7 +32,7 @@ QString numberText(double value, int decimals) {
   if (!std::isfinite(value)) {
     return noValue();
   }
-  // "-0.000" would make an operator wonder.
+  // "-0.000" would puzzle an operator.
   const double unit = std::pow(10.0, decimals);
   const double shown = std::abs(value) * unit < 0.5 ? 0.0 : value;
   return QLocale().toString(shown, 'f', decimals);

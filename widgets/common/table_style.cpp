@@ -17,7 +17,7 @@ namespace rivulet::widgets {
 
 namespace {
 
-/// Room between a cell's text and its neighbours.
+/// Space between a cell's text and its neighbours.
 class PaddedDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -67,7 +67,7 @@ QIcon severityIcon(gcode::Severity severity, const QPalette& palette) {
           : (severity == gcode::Severity::Warning ? colors.attention : colors.mutedText);
   QIcon icon = themedIcon(severityIconName(severity), color);
   for (const int size : {16, 20, 24, 32}) {
-    // In a selected row the icon stands on the colour of the selection, as its text does.
+    // In a selected row the icon is on the background of the selection, as its text is.
     icon.addPixmap(
         iconPixmap(severityIconName(severity), palette.color(QPalette::HighlightedText), size),
         QIcon::Selected);

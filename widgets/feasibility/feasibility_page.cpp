@@ -110,7 +110,8 @@ void FeasibilityPage::setSimulationProgress(std::optional<int> percent) {
   showSimulation();
 }
 
-/// The feed may change, each simulated point has its own; what the chart sweeps may change too.
+/// The feed may change, because each simulated point has its own; the swept quantity may change
+/// too.
 void FeasibilityPage::dropStaleRegions() {
   for (RegionChart* chart : m_charts) {
     if (!chart->region() || !m_model) {

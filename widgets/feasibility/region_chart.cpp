@@ -53,14 +53,14 @@ QString shortLabel(Equation equation) {
 
 }  // namespace
 
-/// Paints what belongs to no series: operating point, the line of d_min, names of the borders.
+/// Paints everything that is not a series: operating point, line of d_min, names of the limits.
 class RegionOverlay final : public QGraphicsItem {
  public:
   explicit RegionOverlay(RegionChart* view) : QGraphicsItem(view->chart()), m_view(view) {
     setZValue(20.0);
   }
 
-  /// The borders' names and the marker move with the chart.
+  /// The names of the limits and the marker move with the chart.
   void refresh() {
     prepareGeometryChange();
     update();
@@ -113,7 +113,7 @@ class RegionOverlay final : public QGraphicsItem {
   }
 
   void paintNames(QPainter* painter) const {
-    // Each border is named where it leaves the picture: at the right, or at the top.
+    // Each limit is labelled where it leaves the picture: on the right, or at the top.
     const ThemeColors& colors = themeColors(m_view->m_palette);
     std::vector<QRectF> taken;
     for (const Border& border : m_view->m_borders) {
@@ -257,7 +257,7 @@ std::array<QColor, 3> RegionChart::pointColors(const QPalette& palette) {
 }
 
 QBrush RegionChart::bandBrush(const QPalette& palette) {
-  // Hatched: it lies over the areas of the equations and must not be taken for one of them.
+  // Hatched: it overlaps the areas of the equations and must look different from them.
   QColor color = themeColors(palette).attention;
   color.setAlpha(130);
   return QBrush(color, Qt::BDiagPattern);
@@ -282,7 +282,7 @@ SimulationWanted RegionChart::simulationWanted() const {
       wanted.abscissas.push_back(m_xMax * (i + 0.5) / kAbscissas);
     }
   }
-  // The operating point's own abscissa in place of the nearest one.
+  // The operating point's own abscissa instead of the nearest one.
   const auto nearest = std::min_element(
       wanted.abscissas.begin(), wanted.abscissas.end(), [this](double left, double right) {
         return std::abs(left - abscissa()) < std::abs(right - abscissa());
@@ -361,7 +361,7 @@ QPointF RegionChart::operatingPixel() const {
 }
 
 bool RegionChart::decides(const Border& border) const {
-  // Where the real path of the program is known, the published bound (3) only informs.
+  // If the real path of the program is known, the published limit (3) is for information only.
   if (border.equation != Equation::Window) {
     return true;
   }
@@ -426,7 +426,7 @@ void RegionChart::rebuild() {
   m_borders = feasibility::sweepBorders(m_model->operatingPoint, m_model->distances, m_axis, range,
                                         m_model->access, m_model->safety);
 
-  // The area below all borders that decide, with safety and as published.
+  // The area below all limits that decide, with safety factor and as published.
   QList<QPointF> safe;
   QList<QPointF> published;
   for (const Border& border : m_borders) {
@@ -518,7 +518,8 @@ void RegionChart::chooseRanges() {
     case SweepAxis::PointDistance: {
       double reach = std::max(2.0 * model.distances.pointDistanceMmMin, 1e-3);
       if (!model.smallestDistancesMm.empty()) {
-        // Enough of the program's own points to see how they spread, the smallest still in sight.
+        // Enough of the program's own points to show their distribution, with the smallest still
+        // visible.
         const double typical =
             model.smallestDistancesMm[model.smallestDistancesMm.size() * 3 / 4] * 1.2;
         reach = std::clamp(typical, reach, 4.0 * reach);
@@ -571,7 +572,7 @@ QPointF RegionChart::pixel(double x, double feedMmPerMin) const {
 void RegionChart::dragTo(QPointF pixel) {
   const QPointF value = chart()->mapToValue(pixel, m_anchor);
   feasibility::OperatingPoint& point = m_model->operatingPoint;
-  // Whole mm/min and hundredths of a mm: what an operator would type.
+  // Whole mm/min and hundredths of a mm: as an operator would type them.
   const double feedStep = m_feedMmPerMinMax >= 200.0 ? 1.0 : 0.1;
   const double feed =
       std::clamp(std::round(value.y() / feedStep) * feedStep, feedStep, m_feedMmPerMinMax);

@@ -59,8 +59,8 @@ void divideAxis(QValueAxis* axis, double min, double max, int ticks) {
   const double step = niceStep((max - min) / std::max(ticks, 1));
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
   const QString format = QStringLiteral("%.%1f").arg(decimals);
-  // Ticks are laid out anew at each of these calls, so nothing is set that is there already, and
-  // the step goes first: a wide range divided by an old, small step would make a million ticks.
+  // The ticks are laid out again at each of these calls, so nothing is set that is already set, and
+  // the step comes first: a wide range divided by an old, small step would make a million ticks.
   if (axis->tickType() != QValueAxis::TicksDynamic) {
     axis->setTickType(QValueAxis::TicksDynamic);
     axis->setTickAnchor(0.0);

@@ -16,7 +16,7 @@ base::Instant instant(double seconds) {
 }  // namespace
 
 void EnvelopeSeries::append(double atS, double value) {
-  // Samples of different sources may arrive in the same moment, never before an older one.
+  // Samples of different sources may have the same time, but are never older than the previous one.
   base::Instant at = instant(atS);
   if (!m_envelope.empty() && at < m_envelope[m_envelope.size() - 1].at) {
     at = m_envelope[m_envelope.size() - 1].at;

@@ -97,7 +97,7 @@ void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*opti
   }
   const double pixelsPerS = m_area.width() / (m_toS - m_fromS);
   const auto xOf = [&](double seconds) { return m_area.left() + (seconds - m_fromS) * pixelsPerS; };
-  // Pauses are in time order and do not overlap: those in sight are one stretch of the list.
+  // Pauses are in time order and do not overlap: the visible ones are one range of the list.
   const auto first = std::lower_bound(
       m_pauses->begin(), m_pauses->end(), m_fromS, [](const trace::Pause& pause, double fromS) {
         return base::toSeconds(pause.start + pause.duration) < fromS;
@@ -105,8 +105,8 @@ void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*opti
   const QFontMetricsF metrics(painter->font());
   const double lineHeight = metrics.height();
   painter->setClipRect(m_area);
-  // All bands in sight are labelled or none: a chance selection would only look like one. Zooming
-  // in makes room; the table beside the plots always has every duration.
+  // Either all visible bands are labelled or none: labels on some of them would look like a
+  // selection. Zooming in makes room; the table next to the plots always has every duration.
   bool hasRoom = true;
   for (auto pause = first; pause != m_pauses->end(); ++pause) {
     const double left = xOf(base::toSeconds(pause->start));
@@ -146,7 +146,7 @@ void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*opti
                left - lineHeight > m_area.left()) {
       // Upright beside its band: narrow bands stand close together.
       painter->save();
-      // At half height, where neither full feed nor standstill draws its line.
+      // At half height, where there is neither the line of full feed nor that of standstill.
       painter->translate(left - 3.0, m_area.center().y() + textWidth / 2.0);
       painter->rotate(-90.0);
       painter->drawText(QPointF(0.0, 0.0), label);

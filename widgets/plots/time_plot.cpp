@@ -127,7 +127,7 @@ void TimePlot::restyle() {
 bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_view) {
     if (event->type() == QEvent::Resize) {
-      // Before the view itself learns of it: the axes are laid out around the plot area when the
+      // Before the view itself is resized: the axes are laid out around the plot area when the
       // chart takes its new size.
       layOut(static_cast<QResizeEvent*>(event)->size());
     }

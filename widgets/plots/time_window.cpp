@@ -47,7 +47,7 @@ void TimeWindow::showAll() {
 void TimeWindow::pan(double byS) {
   m_isLive = false;
   const double span = m_toS - m_fromS;
-  // Part of the data always stays in sight.
+  // Part of the data always stays visible.
   const double from = std::clamp(m_fromS + byS, -0.9 * span, std::max(m_endS - 0.1 * span, 0.0));
   show(from, from + span);
 }

@@ -100,7 +100,7 @@ void PathCanvas::setStyle(Style style) {
     m_style = {};
     return;
   }
-  // A move that stands for several shows the class of the last, or the highest of all.
+  // A move that represents several shows the class of the last, or the highest of all.
   const bool highest = m_style.classes.highestWins;
   m_levelClasses.push_back(m_style.classes.ofPoint);
   for (std::size_t level = 1; level < levels().size(); ++level) {
@@ -161,7 +161,7 @@ void PathCanvas::setPauses(std::shared_ptr<const PauseMap> pauses) {
 }
 
 void PathCanvas::reveal(std::size_t point) {
-  // Fitted, every point is in sight, or will be when the widget gets its size.
+  // When fitted, every point is visible, or will be when the widget gets its size.
   const QPointF place = placeOf(point);
   if (!m_fits && !QRectF(rect()).adjusted(kNearPx, kNearPx, -kNearPx, -kNearPx).contains(place)) {
     m_centreMm = project(m_program->points.points[point].positionMm, m_view);
@@ -255,7 +255,7 @@ std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
     if (!isNear(boxes[chunk], place)) {
       continue;
     }
-    // Of two in one place the one in the cut is told: it is the one that is drawn.
+    // Of two in one place, the one in the cut is reported: it is the one that is drawn.
     for (const bool inCut : {true, false}) {
       const std::vector<std::uint32_t>& list = inCut ? m_pauses->inCut : m_pauses->offCut;
       const std::size_t end = std::min((chunk + 1) * kChunkMoves, m_program->points.points.size());
@@ -345,7 +345,7 @@ void PathCanvas::wheelEvent(QWheelEvent* event) {
   const double factor = std::pow(1.0015, event->angleDelta().y());
   const double before = m_pixelsPerMm;
   m_pixelsPerMm = std::clamp(before * factor, kPixelsPerMmMin, kPixelsPerMmMax);
-  // What lies under the pointer stays there.
+  // The point under the pointer stays there.
   const QPointF fromCentre = event->position() - QPointF(width() / 2.0, height() / 2.0);
   const double shift = 1.0 / before - 1.0 / m_pixelsPerMm;
   m_centreMm.right += fromCentre.x() * shift;
@@ -589,7 +589,7 @@ void PathCanvas::stroke(QImage& picture, const Strokes& strokes, const std::vect
     }
     return;
   }
-  // Dashes of thousands of short moves could not be told apart: all lines are solid.
+  // Dashes of thousands of short moves could not be distinguished: all lines are solid.
   const qreal ratio = picture.devicePixelRatio();
   for (std::size_t one = 0; one < strokes.lines.size(); ++one) {
     const QRgb color = pens[one].color().rgb();
@@ -612,7 +612,7 @@ void PathCanvas::drawExecuted(QImage& picture, std::size_t from, std::size_t to)
   cut.setJoinStyle(Qt::RoundJoin);
   QPen rapid(colors.accent, 2.0);
   rapid.setDashPattern({4.0, 3.0});
-  // New moves as they are; many in a level a frame can bear.
+  // Few new moves are drawn as they are, many in a level that a frame can afford.
   std::size_t level = 0;
   if (to - from > kPathMoves / 2) {
     level = wantedLevel();
@@ -639,7 +639,7 @@ void PathCanvas::drawExecuted(QImage& picture, std::size_t from, std::size_t to)
 }
 
 std::vector<QPointF> PathCanvas::placesOf(const std::vector<std::uint32_t>& pauses) const {
-  // Chunk by chunk what may be in sight: ranges of the list.
+  // Ranges of the list that may be visible, chunk by chunk.
   const std::size_t moves = levels().front().kept.size() - 1;
   std::vector<std::pair<std::size_t, std::size_t>> ranges;
   std::size_t count = 0;

@@ -21,7 +21,7 @@ std::vector<double> shortestWindowOf(const std::vector<double>& stepsMm, std::si
   width = std::clamp<std::size_t>(width, 1, std::max<std::size_t>(count, 1));
   std::vector<double> windowMm(count >= width ? count - width + 1 : 0);
   for (std::size_t i = 0; i < windowMm.size(); ++i) {
-    // Summed anew each time: a running sum loses the short steps behind long ones. N is small.
+    // Summed again each time: a running sum loses the short steps after long ones. N is small.
     for (std::size_t k = 0; k < width; ++k) {
       windowMm[i] += stepsMm[i + k];
     }
@@ -89,7 +89,7 @@ PathClasses classesByFeed(const ProgramView& view) {
     classes.borders.assign(feeds.begin(), feeds.end());
     classes.count = feeds.size() + 1;
   } else {
-    // A feed of 0 is none at all: it belongs to the lowest class.
+    // A feed of 0 means no feed: it belongs to the lowest class.
     const double lowest = *std::upper_bound(feeds.begin(), feeds.end(), 0.0F);
     const double ratio = feeds.back() / lowest;
     for (std::size_t i = 0; i <= kFeedClassesMax; ++i) {
@@ -125,7 +125,7 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
   for (std::size_t i = 1; i < points.size(); ++i) {
     stepsMm.push_back(base::distance(points[i - 1].positionMm, points[i].positionMm));
   }
-  // Both margins are proportional to the length: one evaluation does for all.
+  // Both margins are proportional to the length: one evaluation is enough for all.
   double perMm = 0.0;
   const base::Duration accessTime = access.timePerNode(point.turn());
   switch (point.method) {

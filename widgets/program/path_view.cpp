@@ -418,7 +418,7 @@ void PathView::scrub() {
   }
   auto point = static_cast<std::size_t>(m_slider->value());
   if (scrubsByTime()) {
-    // The point the tool is on its way to.
+    // The point that the tool is moving to.
     const std::vector<float>& atS = m_times->atS;
     const auto at = static_cast<float>(m_slider->value() / kStepsPerS);
     point = static_cast<std::size_t>(std::lower_bound(atS.begin(), atS.end(), at) - atS.begin());

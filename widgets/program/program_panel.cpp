@@ -211,7 +211,7 @@ void ProgramPanel::setProgram(std::shared_ptr<const ProgramView> view) {
   m_chart->setHistogram(m_program && m_program->statistics ? m_program->statistics->distances
                                                            : feasibility::DistanceHistogram{});
   showProgram();
-  // What stands in the way is seen first.
+  // Findings that prevent streaming are shown first.
   showTab(m_program && !m_program->program->isStreamable() ? Tab::Findings : Tab::Figures);
 }
 
@@ -505,7 +505,7 @@ void ProgramPanel::showAccepted() {
   }
   const bool ordersCentres = m_centres != gcode::CentreReading::AsProgrammed;
   m_acceptedArea->setVisible(!m_accepted.empty() || ordersCentres);
-  // A row is gone while its button still reports: what it asks for waits.
+  // A row is deleted while its button is still reporting, so the request is queued.
   if (ordersCentres) {
     const QString text = m_centres == gcode::CentreReading::Absolute
                              ? tr("I, J, K are read as the centre itself")

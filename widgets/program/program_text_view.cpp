@@ -150,7 +150,7 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
 
 void ProgramTextView::resizeEvent(QResizeEvent* event) {
   QAbstractScrollArea::resizeEvent(event);
-  // A line that was in sight stays in sight.
+  // A line that was visible stays visible.
   const std::size_t first = firstVisibleLine();
   const bool wasInSight = m_current >= first && m_current < first + m_pageLines;
   setRanges();

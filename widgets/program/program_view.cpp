@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kSmallestShown = 200;
 
-/// Fills what belongs to each streamed point. Streamed points are those of the trajectory without
+/// Fills the data of each streamed point. Streamed points are those of the trajectory without
 /// repetitions: the first of equal ones is the one that moves.
 void takeMoves(ProgramView& view) {
   const std::vector<gcode::TrajectoryPoint>& trajectory = view.program->trajectory.points;

@@ -13,7 +13,7 @@ namespace rivulet::widgets {
 
 namespace {
 
-/// Narrows the part of a line that lies at or above 0 of one border. @return false: none does
+/// Clips a line to the part at or above 0 of one edge. @return false: none does
 bool clipAt(double from, double to, double& first, double& last) {
   if (from < 0.0 && to < 0.0) {
     return false;
@@ -48,7 +48,7 @@ void drawThinLine(QImage& picture, QPointF from, QPointF to, QRgb color, int wid
   const bool isFlat = std::abs(end.x() - begin.x()) >= std::abs(end.y() - begin.y());
   const double length = std::max(std::abs(end.x() - begin.x()), std::abs(end.y() - begin.y()));
   const int steps = static_cast<int>(length);
-  // A picture has less than 32768 pixels a side: 16 bits before and 16 behind the point.
+  // A picture has less than 32768 pixels a side: 16 bits before and 16 after the point.
   auto x = static_cast<std::int32_t>(begin.x() * kOne);
   auto y = static_cast<std::int32_t>(begin.y() * kOne);
   const double share = length > 0.0 ? kOne / length : 0.0;

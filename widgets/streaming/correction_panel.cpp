@@ -169,7 +169,7 @@ void CorrectionPanel::takeValue(std::size_t axis, double valueMm) {
 }
 
 void CorrectionPanel::setZero() {
-  // Who wants zero does not want it from the source.
+  // An operator who presses Zero does not want values of the source any more.
   if (m_input.isLive) {
     m_source->setCurrentIndex(0);
   }

@@ -27,7 +27,7 @@ namespace {
 constexpr int kFieldHeightPx = 36;
 constexpr double kFeedMmPerMinMin = 0.1;
 
-/// Smallest δ an offer names: just above the limit, rounded up to 0.001 mm.
+/// Smallest δ to be suggested: just above the limit, rounded up to 0.001 mm.
 double offeredDeltaMm(double deltaMmMin) {
   return std::ceil(deltaMmMin * 1.001 * 1000.0) / 1000.0;
 }
@@ -412,7 +412,7 @@ void MethodPanel::showVerdict() {
   if (m_verdict->feasible && !waits) {
     return;
   }
-  // A larger δ costs no time, so it is offered first where it alone would do.
+  // A larger δ costs no time, so it is suggested first if it is enough alone.
   const bool onlyDelta = std::none_of(m_verdict->conditions.begin(), m_verdict->conditions.end(),
                                       [](const feasibility::Condition& condition) {
                                         return condition.decides && condition.margin <= 1.0 &&

@@ -61,7 +61,7 @@ RunPanel::RunPanel(QWidget* parent)
   m_progress->setRange(0, kProgressSteps);
   m_progress->setMinimumHeight(24);
   m_progress->setAlignment(Qt::AlignCenter);
-  // One row of figures under the bar: the panel lies at the foot of the window and leaves the
+  // One row of figures under the bar: the panel is at the bottom of the window and leaves the
   // height to the pages.
   auto* progress = new QGridLayout(m_progressGroup);
   progress->setHorizontalSpacing(10);
@@ -88,8 +88,8 @@ RunPanel::RunPanel(QWidget* parent)
   orders->setSpacing(24);
   orders->addWidget(m_strip, 2);
   orders->addLayout(buttons, 3);
-  // The buttons stay where they are, whatever is said below them: a finger that goes for Stop must
-  // not meet a row that has moved.
+  // The buttons stay in place, whatever is shown below them: a finger that reaches for Stop must
+  // not find that the row has moved.
   for (StatusLabel* label : {m_startReason, m_stopStatus}) {
     QSizePolicy policy = label->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
@@ -182,7 +182,7 @@ void RunPanel::retranslate() {
 }
 
 void RunPanel::restyle() {
-  // Both buttons stay neutral: shape and text tell them apart.
+  // Both buttons stay neutral: shape and text distinguish them.
   const QColor color = themeColors(palette()).text;
   m_start->setIcon(themedIcon(QStringLiteral("play"), color));
   m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
@@ -201,7 +201,7 @@ bool RunPanel::isActive() const {
 }
 
 QString RunPanel::waitingText() const {
-  // The stream names its reasons by key; one without a sentence here is shown as it is.
+  // The stream names its reasons by key; one without a sentence here is shown unchanged.
   const QString key = QString::fromStdString(m_update.waitingFor);
   if (key.isEmpty() && m_update.state == RunState::Holding) {
     return tr("Continue; the machine is waiting before the next window");
@@ -239,8 +239,7 @@ void RunPanel::showAll() {
   const bool blocked = !m_startBlocked.isEmpty();
   m_start->setEnabled(!active && !blocked);
   m_stop->setEnabled(active);
-  // One place for both, so that a hand finds what it needs: it holds what runs, and lets go on what
-  // is held.
+  // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
   const bool isHolding = m_update.state == RunState::Holding;
   m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
   showHoldIcon();

@@ -30,7 +30,7 @@ base::Instant MonotonicClock::now() const {
 }
 
 void MonotonicClock::sleepUntil(base::Instant instant) const {
-  // The sum saturates: a caller may pass Instant::max() for "for ever".
+  // The sum saturates: a caller may pass Instant::max() for "forever".
   const base::Duration sinceOrigin = instant.time_since_epoch();
   const base::Duration absolute = sinceOrigin > base::Duration::max() - m_origin
                                       ? base::Duration::max()

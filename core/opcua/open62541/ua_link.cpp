@@ -22,14 +22,13 @@
 #include "opcua/open62541/quiet_logger.h"
 #include "opcua/open62541/status.h"
 
-// How it works. Requests stand in one queue, oldest first. A request of Grouping::List is one
-// service call; one of Grouping::Single is a chain of calls, each sent when the one before is
-// answered, and nothing behind it is sent until the chain is through: so the server sees the
-// items in the order they were asked for. Every service call has a serial number that travels
-// through the library as its user data; the answer to a call whose request has been given up
-// finds no request with its serial and is dropped. Callbacks only record; what follows from a
-// record (an expired deadline, a lost connection, the next call) is done in `settle`, outside
-// the library.
+// How it works. Requests wait in one queue, oldest first. A request of Grouping::List is one
+// service call. A request of Grouping::Single is a chain of calls, each sent when the previous one
+// has been answered, and nothing after it is sent until the chain is complete: so the server sees
+// the items in the order of the requests. Every service call has a serial number that travels
+// through the library as its user data; the answer to a call whose request has been cancelled finds
+// no request with its serial and is dropped. Callbacks only record; the consequences (an expired
+// deadline, a lost connection, the next call) are handled in `settle`, outside the library.
 
 namespace rivulet::opcua {
 
@@ -42,8 +41,8 @@ using std::chrono::milliseconds;
 using CallResponse = Handle<UA_CallResponse, UA_TYPES_CALLRESPONSE>;
 using ReadResponse = Handle<UA_ReadResponse, UA_TYPES_READRESPONSE>;
 
-/// The library waits in whole milliseconds. A shorter rest is waited for in naps of this length
-/// with a look at the network between them.
+/// The library waits in whole milliseconds. A shorter remainder is waited for in naps of this
+/// length, with a check of the network between them.
 constexpr Duration kNap = std::chrono::microseconds(200);
 /// Longest single wait inside the library; its timers run in between.
 constexpr Duration kIterationMax = milliseconds(200);
@@ -56,7 +55,7 @@ constexpr UA_UInt32 kConnectivityCheckMs = 10'000;
 constexpr std::size_t kTraceBytesMax = std::size_t{1} << 30U;
 
 [[nodiscard]] UA_UInt32 timeoutHintMs(Duration deadline) {
-  // One millisecond up, so that the library never gives up before the link does.
+  // Rounded up by one millisecond, so that the library never times out before the link does.
   const auto ms = std::chrono::duration_cast<milliseconds>(deadline).count() + 1;
   return static_cast<UA_UInt32>(std::clamp<decltype(ms)>(ms, 1, UA_INT32_MAX));
 }
@@ -134,7 +133,7 @@ template <class T>
   return reading;
 }
 
-/// A request to call one method; borrows all it is made of, and points into itself.
+/// A request to call one method; borrows all its parts and points into itself.
 struct MethodCall {
   MethodCall(UA_NodeId object, UA_NodeId method, std::span<UA_Variant> inputs,
              UA_UInt32 timeoutHint) {
@@ -155,11 +154,11 @@ struct MethodCall {
   UA_CallRequest request;
 };
 
-/// What a request addresses as one: a variable, or R-parameters that follow one another.
+/// A unit of a request: a variable, or consecutive R-parameters.
 struct Node {
   Variable first;
   std::size_t length = 1;
-  Grouping form = Grouping::List;  ///< an array form where the length is above 1, else List
+  Grouping form = Grouping::List;  ///< an array form if the length is above 1, else List
 
   friend bool operator==(const Node&, const Node&) = default;
 };
@@ -204,7 +203,7 @@ void appendReadings(const UA_DataValue& value, std::size_t length, std::vector<R
   }
 }
 
-/// What a method answered to `Select` or `CycleStart`.
+/// The answer of a method to `Select` or `CycleStart`.
 [[nodiscard]] base::Result<void> resultOf(int status, const std::string& subject,
                                           const std::string& detail = {}) {
   const auto failed = [&](LinkError error) {
@@ -271,9 +270,9 @@ class UaLink::Impl {
     std::string text;            ///< Call
     bool isCalled = false;       ///< Call: has been sent
     Instant deadline{};
-    std::uint64_t serial = 0;  ///< of the service call under way; 0 none
+    std::uint64_t serial = 0;  ///< of the service call in progress; 0 none
     std::size_t itemsSent = 0;
-    std::size_t nodesSent = 0;  ///< of the service call under way
+    std::size_t nodesSent = 0;  ///< of the service call in progress
     Event event;                ///< grows with every answer
     UA_StatusCode failure = UA_STATUSCODE_GOOD;
     bool done = false;
@@ -342,7 +341,7 @@ class UaLink::Impl {
   Exchange m_exchange;
   base::RequestId m_lastId;
   std::uint64_t m_lastSerial = 0;
-  bool m_established = false;  ///< from here on a bad state is a loss
+  bool m_established = false;  ///< from now on a bad state is a loss
   bool m_activity = false;     ///< a callback has run
   bool m_lost = false;
   bool m_lossReported = false;
@@ -351,7 +350,7 @@ class UaLink::Impl {
 // --- connection ---------------------------------------------------------------------------------
 
 UaLink::Impl::~Impl() {
-  m_established = false;  // what the library reports while it closes is no loss
+  m_established = false;  // what the library reports while it closes is not a loss
   if (m_client != nullptr) {
     UA_Client_delete(m_client);
   }
@@ -398,8 +397,8 @@ base::Result<void> UaLink::Impl::open() {
     status = UA_Client_run_iterate(m_client, static_cast<UA_UInt32>(ms));
   }
 
-  // The handshake itself may reconnect (another endpoint name or security); from here on a lost
-  // connection stays lost, because a stream must not go on as if nothing had happened.
+  // The handshake itself may reconnect (another endpoint name or security); after it, a lost
+  // connection stays lost, because a stream must not continue as if nothing had happened.
   UA_ClientConfig* live = UA_Client_getConfig(m_client);
   live->noReconnect = true;
   live->noNewSession = true;
@@ -448,7 +447,7 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
 base::Result<ServerIdentity> UaLink::Impl::identity() {
   const Instant deadline = addSaturating(now(), m_options.commandDeadline);
   ServerIdentity identity;
-  // The first of the servers it speaks for is itself.
+  // The first entry of its server array is the server itself.
   const auto servers =
       readAttribute(standardNodeId(UA_NS0ID_SERVER_SERVERARRAY), UA_ATTRIBUTEID_VALUE, deadline);
   if (!servers) {
@@ -572,7 +571,7 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
   const auto pending = std::find_if(m_pending.begin(), m_pending.end(),
                                     [&](const Pending& p) { return p.serial == serial; });
   if (pending == m_pending.end()) {
-    return;  // given up meanwhile
+    return;  // cancelled meanwhile
   }
   pending->serial = 0;
   pending->event.at = now();
@@ -663,7 +662,7 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
                           [](double value) { return std::isfinite(value); })) {
     fail(pending, error(LinkError::BadValue));
   } else if (pending.variables.empty()) {
-    m_events.push_back(std::move(pending.event));  // nothing to ask the server for
+    m_events.push_back(std::move(pending.event));  // nothing to request from the server
   } else {
     m_pending.push_back(std::move(pending));
     sendDue();
@@ -729,7 +728,7 @@ void UaLink::Impl::sendDue() {
       send(pending);
     }
     if (!pending.isSent()) {
-      return;  // a chain under way: what stands behind it waits
+      return;  // a chain in progress: what follows it waits
     }
   }
 }
@@ -879,15 +878,15 @@ void UaLink::Impl::step(Instant until) {
 }
 
 std::optional<Event> UaLink::Impl::wait(Instant until) {
-  // No deadline is looked at before the network: what has come in time counts, however late
-  // the caller asks for it.
+  // Deadlines are checked only after the network: an answer that arrived in time counts, however
+  // late the caller asks for it.
   noticeLoss();
   for (bool looked = false; m_events.empty(); looked = true) {
     if (looked && now() >= until) {
       return std::nullopt;
     }
     if (m_lost) {
-      m_clock.sleepUntil(until);  // nothing can come any more
+      m_clock.sleepUntil(until);  // nothing can arrive any more
     } else {
       step(until);
     }
@@ -972,7 +971,7 @@ base::Result<CallResponse> UaLink::Impl::callVirtual(std::string_view method,
 
 namespace {
 
-/// An output argument of a method, or the sentence that it is not as agreed.
+/// An output argument of a method, or the error that it is not as specified.
 template <class T>
 [[nodiscard]] base::Result<T> output(const CallResponse& response, std::size_t index,
                                      std::size_t typeIndex, std::string_view method) {
@@ -1113,7 +1112,7 @@ bool UaLink::isVirtualMachine() const {
 }
 
 Abilities UaLink::abilities() const {
-  // The methods lie in the namespace by which the virtual machine is recognised.
+  // The methods are in the namespace that identifies a virtual machine.
   return {m_impl->isVirtual(), m_impl->isVirtual()};
 }
 

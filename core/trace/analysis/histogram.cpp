@@ -22,7 +22,7 @@ constexpr std::size_t kUpperQuarter = 750;
 constexpr std::size_t kTail = 990;
 constexpr std::array<std::size_t, 5> kShown{kMedian, 900, 950, kTail, 999};
 constexpr double kBinsMax = 40.0;
-/// Where all durations are the same: a bin of one microsecond tells enough.
+/// If all durations are the same, a bin of one microsecond is enough.
 constexpr double kWidthMinNs = 1000.0;
 
 /// 1, 2 or 5 times a power of ten. @param value > 0

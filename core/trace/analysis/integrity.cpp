@@ -3,30 +3,30 @@
 
 // Which point of the program did a block execute?
 //
-// A block tells only where it ended. As long as each block ends at the point due, there is
-// nothing to decide: that is the faultless run, and no search is made. At the first block that
-// does not, three things may have happened: an old point was executed again (a slot read before
-// its new value came), points were lost (a slot overwritten before it was read), or the end is no
-// point at all (a slot read between the writes of two axes).
+// Only the end of a block is known. As long as each block ends at the point due, there is nothing
+// to decide: the run is faultless, and no search is made. At the first block that ends elsewhere,
+// there are three possibilities: an old point was executed again (a slot was read before its new
+// value arrived), points were lost (a slot was overwritten before it was read), or the end is not a
+// point of the program (a slot was read between the writes of two axes).
 //
-// Two numbers describe where the stream is: the point `due` (the one after the farthest point
-// that was believed) and the point `last` executed. They differ while old points are repeated:
+// Two numbers describe the state of the stream: the point `due` (the one after the farthest
+// accepted point) and the point `last` executed. They differ while old points are repeated:
 //
 //   program 1 2 3 4 5 6 7 8, slots of 4       last   due
 //   1 2 3 4     as they should be             4      5
 //   1 2 3 4     the loop, once more           4      5    the due point waits
 //   5 2 7 8     slot 2 came late: 6 is lost   8      9    2 is a repetition, 7 jumps over 6
 //
-// So a block is tried as `due` first, then as the one after `last`, which carries a repeated
-// stretch along. If neither fits, all points at this place are candidates, the nearest few on
-// both sides of `due`. Contours that close and paths that go there and back visit a place more
-// than once; then the blocks that follow decide: each candidate is followed as if it were the
-// right one, and the one that explains most wins. If they explain the same, the nearest to the
-// due point is taken, and among these the earlier one, since repeating a slot is the smaller
-// accident than losing a stretch.
+// So a block is first tried as `due`, then as the point after `last`, which follows a repeated
+// section. If neither fits, all points at this place are candidates: the nearest few on both sides
+// of `due`. Closed contours and paths that go there and back visit a place more than once. Then the
+// following blocks decide: each candidate is followed as if it were the right one, and the one that
+// explains the most blocks is chosen. If several explain the same number, the nearest to the due
+// point is chosen, and among these the earlier one, because repeating a slot is a smaller fault
+// than losing a section.
 //
-// The counts do not depend on each single decision: executions and distinct points are counted,
-// and what was skipped or out of order is read off the whole at the end.
+// The counts do not depend on each single decision: executions and distinct points are counted, and
+// skipped points and points out of order are determined from the whole run at the end.
 
 #include "trace/analysis/integrity.h"
 
@@ -52,9 +52,9 @@ constexpr std::size_t kFaultsMax = 100;
 /// A block shorter than this moves no axis.
 constexpr double kHoldMm = 1e-9;
 constexpr double kHoldDeg = 1e-9;
-/// Candidates on each side of the due point that are looked into.
+/// Number of candidates examined on each side of the due point.
 constexpr std::size_t kCandidatesPerSide = 4;
-/// Blocks that are followed to decide between candidates: longer than any window in use.
+/// Number of blocks followed to decide between candidates: more than in any window in use.
 constexpr std::size_t kLookAheadBlocks = 256;
 
 /// Millimetres and degrees have the same tolerance.
@@ -87,7 +87,7 @@ class PointGrid {
     std::sort(m_entries.begin(), m_entries.end());
   }
 
-  /// The nearest few points before and behind `due` that lie at `place`, ascending.
+  /// The nearest few points before and after `due` that are at `place`, ascending.
   [[nodiscard]] std::vector<std::size_t> at(const AxisPosition& place, std::size_t due) const {
     std::vector<std::size_t> found;
     if (!isInside(place.mm)) {
@@ -95,7 +95,7 @@ class PointGrid {
     }
     const auto low = place.mm - Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
     const auto high = place.mm + Vec3{m_toleranceMm, m_toleranceMm, m_toleranceMm};
-    // A cell is wider than the tolerance reaches, so there are two cells per axis at most.
+    // A cell is wider than the tolerance, so there are at most two cells per axis.
     for (std::int64_t x = cell(low.x); x <= cell(high.x); ++x) {
       for (std::int64_t y = cell(low.y); y <= cell(high.y); ++y) {
         for (std::int64_t z = cell(low.z); z <= cell(high.z); ++z) {
@@ -104,7 +104,7 @@ class PointGrid {
       }
     }
     std::sort(found.begin(), found.end());
-    // Two cells may share a key, which then brings its points twice.
+    // Two cells may share a key, whose points are then found twice.
     found.erase(std::unique(found.begin(), found.end()), found.end());
     const auto split = std::lower_bound(found.begin(), found.end(), due);
     const auto behind = static_cast<std::size_t>(found.end() - split);
@@ -121,7 +121,7 @@ class PointGrid {
  private:
   using Entry = std::pair<std::uint64_t, std::size_t>;
 
-  /// Cell numbers have to fit a whole number; a machine is smaller by many orders.
+  /// Cell numbers must fit into an integer; a machine is smaller by orders of magnitude.
   [[nodiscard]] bool isInside(Vec3 at) const {
     constexpr double kCellMax = 1e15;
     return base::isFinite(at) && std::abs(at.x) < kCellMax * m_cellMm &&
@@ -212,7 +212,7 @@ class Judge {
   std::vector<std::size_t> m_order;       ///< points in the order of their first executions
   std::size_t m_due = 0;
   std::size_t m_last = kNone;
-  std::optional<AxisPosition> m_position;  ///< where the axes stand; unknown before the first block
+  std::optional<AxisPosition> m_position;  ///< position of the axes; unknown before the first block
   bool m_inOrder = true;
   std::optional<PointGrid> m_grid;  ///< made at the first fault
   Integrity m_result;
@@ -242,7 +242,8 @@ Integrity Judge::judge() {
 }
 
 void Judge::judgeHold(std::size_t block) {
-  // What moves nothing cannot be wrong. It is the point due if the axes stand there already.
+  // A block that moves nothing cannot be wrong. It executes the point due if the axes are there
+  // already.
   const AxisPosition target = endOf(m_blocks[block]);
   if (m_position &&
       (base::distance(m_position->mm, target.mm) > m_toleranceMm ||
@@ -270,7 +271,7 @@ void Judge::judgeMotion(std::size_t block) {
   execute(block, point);
 }
 
-/// Due points at which the axes stand already need no block: they were executed on arrival.
+/// Due points at which the axes are already need no block: they were executed on arrival.
 void Judge::passOverDuePointsHere(std::size_t block) {
   while (m_position && m_last != kNone && m_due == m_last + 1 && m_due < m_points.size() &&
          base::distance(m_points[m_due].positionMm, m_points[m_last].positionMm) < kHoldMm &&
@@ -323,7 +324,7 @@ std::size_t Judge::choose(std::size_t block) {
   return best;
 }
 
-/// How many of the blocks from `block` on fit without another jump if `block` executed `point`.
+/// Number of blocks from `block` on that fit without another jump if `block` executed `point`.
 std::size_t Judge::explained(std::size_t block, std::size_t point) const {
   std::size_t due = std::max(m_due, point + 1);
   std::size_t last = point;

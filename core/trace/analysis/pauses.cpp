@@ -45,7 +45,7 @@ std::optional<MeasuredPause> LivePauseDetector::add(Instant at, double feedMmPer
   }
   std::optional<MeasuredPause> found;
   if (m_firstStanding) {
-    // A standing sample was the one before this, so `before` is the last standing one.
+    // The previous sample was a standing one, so `before` is the last standing sample.
     const Duration gapAtStart = *m_firstStanding - *m_lastMoving;
     const Duration gapAtEnd = at - *before;
     const Instant start = *m_lastMoving + gapAtStart / 2;
