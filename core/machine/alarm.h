@@ -7,6 +7,8 @@
 
 #include <string>
 
+#include "nc/fault.h"
+
 namespace rivulet::machine {
 
 /// Why an evaluation or a block stopped the program; numbers as on the control.
@@ -14,5 +16,8 @@ struct Alarm {
   int number = 0;  ///< 0: none
   std::string text;
 };
+
+/// The alarm the control would show for it.
+[[nodiscard]] Alarm alarmOf(const nc::Fault& fault);
 
 }  // namespace rivulet::machine

@@ -10,15 +10,13 @@
 #include <numbers>
 
 #include "base/units.h"
+#include "machine/sync_action.h"
 
 namespace rivulet::machine {
 
 namespace {
 
-/// Programs within programs.
-constexpr std::size_t kLevelsMax = 12;
 constexpr double kMmPerInch = 25.4;
-constexpr double kIndexMax = 1e6;
 /// G0 of rotary axes alone: only their own limits bound it.
 constexpr double kRapidDegPerS = 1e6;
 
@@ -29,18 +27,60 @@ struct Overload : Callables... {
 template <class... Callables>
 Overload(Callables...) -> Overload<Callables...>;
 
-/// How often, from P= or P5; once where nothing is said.
-int roundsOf(double times) {
-  return static_cast<int>(std::clamp(std::round(times), 0.0, 9999.0));
-}
-
 }  // namespace
 
-Interpreter::Interpreter(std::shared_ptr<const NcProgram> program, RParameters& parameters,
+// --- values -----------------------------------------------------------------------------------
+
+Interpreter::Values::Values(RParameters& parameters, const InterpreterOptions& options)
+    : Variables(nc::sinumerikSemantics()), m_parameters(parameters), m_mainRun(options.mainRun) {
+  if (options.cacheUntilStopre) {
+    m_cache = m_parameters.values();
+  }
+}
+
+nc::Expected<double> Interpreter::Values::r(int index) const {
+  if (!m_parameters.has(index)) {
+    return nc::fail(nc::FaultCode::NoSuchR, fmt::format("{}", index));
+  }
+  return m_cache.empty() ? m_parameters.value(index) : m_cache[static_cast<std::size_t>(index)];
+}
+
+nc::Expected<double> Interpreter::Values::mainR(int index) const {
+  return r(index);
+}
+
+nc::Expected<nc::Value> Interpreter::Values::system(std::string_view name,
+                                                    std::span<const nc::Value> indices) const {
+  return m_mainRun == nullptr ? ValueSource::system(name, indices)
+                              : systemValue(*m_mainRun, name, indices);
+}
+
+nc::Expected<void> Interpreter::Values::setR(int index, double value) {
+  if (!m_parameters.has(index)) {
+    return nc::fail(nc::FaultCode::NoSuchR, fmt::format("{}", index));
+  }
+  if (std::isnan(value)) {
+    return {};  // the fault that left no value ends the program
+  }
+  m_parameters.set(index, value);
+  if (!m_cache.empty()) {
+    m_cache[static_cast<std::size_t>(index)] = value;
+  }
+  return {};
+}
+
+void Interpreter::Values::refresh() {
+  if (!m_cache.empty()) {
+    m_cache = m_parameters.values();
+  }
+}
+
+// --- statement by statement -------------------------------------------------------------------
+
+Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,
                          const InterpreterOptions& options)
-    : m_parameters(parameters),
-      m_mainRun(options.mainRun),
-      m_library(options.library),
+    : m_values(parameters, options),
+      m_flow(std::move(program), m_values, options.library),
       m_endMm(options.startMm),
       m_programmedMm(options.startMm),
       m_endDeg(options.startDeg),
@@ -50,274 +90,172 @@ Interpreter::Interpreter(std::shared_ptr<const NcProgram> program, RParameters& 
       m_rapidMmPerS(options.rapidMmPerS),
       m_roundingMm(options.roundingMm),
       m_dynamics(options.dynamics) {
-  if (options.cacheUntilStopre) {
-    m_cache = m_parameters.values();
-  }
-  enter(std::move(program), {});
-}
-
-void Interpreter::enter(std::shared_ptr<const NcProgram> program,
-                        const std::vector<double>& arguments) {
-  Level level;
-  level.variables.assign(static_cast<std::size_t>(program->slotCount()), 0.0);
-  level.arguments = arguments;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    level.variables[static_cast<std::size_t>(program->parameters()[i])] = arguments[i];
-  }
-  level.program = std::move(program);
-  m_levels.push_back(std::move(level));
-}
-
-std::optional<double> Interpreter::View::value(int index) const {
-  if (!m_owner.m_parameters.has(index)) {
-    return std::nullopt;
-  }
-  return m_owner.m_cache.empty() ? m_owner.m_parameters.value(index)
-                                 : m_owner.m_cache[static_cast<std::size_t>(index)];
-}
-
-std::optional<double> Interpreter::View::local(int slot, int element) const {
-  const Level& level = m_owner.m_levels.back();
-  const auto place = static_cast<std::size_t>(slot) + static_cast<std::size_t>(element);
-  if (element < 0 || (element > 0 && element >= level.program->elementsOf(slot)) ||
-      place >= level.variables.size()) {
-    return std::nullopt;
-  }
-  return level.variables[place];
-}
-
-std::optional<double> Interpreter::View::system(SystemVariable variable, int index) const {
-  return m_owner.m_mainRun == nullptr ? std::nullopt
-                                      : m_owner.m_mainRun->systemValue(variable, index);
 }
 
 void Interpreter::refresh() {
   m_hasStopped = true;
-  if (!m_cache.empty()) {
-    m_cache = m_parameters.values();
-  }
+  m_values.refresh();
 }
 
 Prepared Interpreter::next() {
+  const auto isSilent = [](const nc::Statement& statement) {
+    const auto* const words = std::get_if<nc::Words>(&statement.what);
+    return words != nullptr && isWithoutEffect(*words);
+  };
   // A block may hold several statements (R1=0 R2=0 G1 X5): those that neither move nor jump are
   // executed together with what follows them in the same block.
   for (;;) {
-    const std::vector<Statement>& statements = level().program->statements();
-    if (level().next >= statements.size()) {
-      if (m_levels.size() > 1) {
-        return leave();  // a subprogram may end without M17
-      }
-      return Alarm{12080, "The program has no end (M30 or M17 is missing)."};
+    const nc::Statement* const statement = m_flow.due();
+    if (statement == nullptr) {
+      return m_flow.depth() > 1 ? leave()  // a subprogram may end without M17
+                                : Alarm{12080, "The program has no end (M30 or M17 is missing)."};
     }
-    const std::size_t at = level().next;
-    if (statements[at].readsMainRun && !m_hasStopped) {
+    if (isSilent(*statement)) {
+      m_flow.step();
+      continue;
+    }
+    if (statement->readsMainRun && !m_hasStopped) {
       return PreparedStopre{};  // implicit: the value belongs to the moment the axes stand
     }
     m_hasStopped = false;
-    ++level().next;
-    const std::size_t depth = m_levels.size();
-    Prepared prepared = execute(statements[at]);
-    if (m_levels.size() != depth) {
-      return prepared;
+    m_flow.step();
+    Prepared prepared = execute(*statement);
+    while (m_flow.continuesBlock() && isSilent(*m_flow.due())) {
+      m_flow.step();
     }
-    const bool goesOn = level().next == at + 1 && level().next < statements.size() &&
-                        !statements[level().next].beginsBlock &&
-                        std::holds_alternative<PreparedNothing>(prepared);
-    if (!goesOn) {
+    const auto* const nothing = std::get_if<PreparedNothing>(&prepared);
+    if (nothing == nullptr || nothing->jumped || !m_flow.continuesBlock()) {
       return prepared;
     }
   }
 }
 
-Prepared Interpreter::execute(const Statement& statement) {
+Prepared Interpreter::execute(const nc::Statement& statement) {
   return std::visit(
       Overload{
-          [this](const AssignStatement& s) { return assign(s); },
-          [this](const LocalAssignStatement& s) { return assignLocal(s); },
-          [this](const FillStatement& s) { return fill(s); },
-          [&](const MotionStatement& s) { return move(s, statement.line); },
-          [&](const DwellStatement& s) -> Prepared {
-            Alarm alarm;
-            const std::optional<double> seconds = s.seconds.evaluate(View(*this), alarm);
+          [&](const nc::Words& s) { return move(s, statement.place.line); },
+          [&](const nc::Dwell& s) -> Prepared {
+            const nc::Expected<double> seconds = m_values.number(s.seconds);
             if (!seconds) {
-              return alarm;
+              return alarmOf(seconds.error());
             }
-            return PreparedDwell{statement.line, base::fromSeconds(std::clamp(*seconds, 0.0, 1e6))};
+            return PreparedDwell{statement.place.line,
+                                 base::fromSeconds(std::clamp(*seconds, 0.0, 1e6))};
           },
-          [](const StopreStatement&) -> Prepared { return PreparedStopre{}; },
-          [](const MessageStatement& s) -> Prepared { return PreparedMessage{s.text}; },
-          [this](const JumpStatement& s) { return jump(s); },
-          [this](const BranchStatement& s) { return branch(s); },
-          [this](const RepeatStatement& s) { return repeat(s); },
-          [this](const CallStatement& s) { return call(s); },
-          [this](const FrameStatement& s) { return setFrame(s); },
-          [this](const SyncStatement& s) { return synchronize(s); },
-          [this](const CancelStatement& s) -> Prepared {
-            Alarm alarm;
-            const std::optional<double> id = s.id.evaluate(View(*this), alarm);
+          [](const nc::PreprocessingStop&) -> Prepared { return PreparedStopre{}; },
+          [this](const nc::Message& s) -> Prepared {
+            if (!s.text) {
+              return PreparedMessage{};
+            }
+            const nc::Expected<nc::Value> text =
+                nc::evaluate(*s.text, m_values, m_values.semantics());
+            return text ? Prepared(PreparedMessage{nc::textOf(*text)}) : alarmOf(text.error());
+          },
+          [this](const nc::FrameStatement& s) { return setFrame(s); },
+          [this](const nc::Synchronized& s) -> Prepared {
+            nc::Expected<SyncAction> action = frozen(s, m_values);
+            if (!action) {
+              return alarmOf(action.error());
+            }
+            return PreparedSync{std::make_shared<const SyncAction>(std::move(*action))};
+          },
+          [this](const nc::Cancel& s) -> Prepared {
+            const nc::Expected<double> id = m_values.number(s.id);
             if (!id) {
-              return alarm;
+              return alarmOf(id.error());
             }
             return PreparedCancel{static_cast<int>(std::lround(std::clamp(*id, 0.0, 255.0)))};
           },
-          [this](const ReturnStatement&) { return leave(); },
-          [](const EndStatement&) -> Prepared { return PreparedEnd{}; },
-          [](const AlarmStatement& s) -> Prepared { return s.alarm; },
+          [this](const nc::Return&) { return leave(); },
+          [](const nc::End&) -> Prepared { return PreparedEnd{}; },
+          [](const nc::Faulty& s) -> Prepared { return alarmOf(s.fault); },
+          [&](const auto&) -> Prepared {
+            const nc::Expected<bool> jumped = m_flow.execute(statement);
+            return jumped ? Prepared(PreparedNothing{*jumped}) : alarmOf(jumped.error());
+          },
       },
       statement.what);
 }
 
-Prepared Interpreter::assign(const AssignStatement& statement) {
-  Alarm alarm;
-  const View view(*this);
-  const std::optional<double> index = statement.index.evaluate(view, alarm);
-  const std::optional<double> value = index ? statement.value.evaluate(view, alarm) : std::nullopt;
-  if (!value) {
-    return alarm;
-  }
-  const double rounded = std::round(*index);
-  if (std::abs(rounded) > kIndexMax || !m_parameters.has(static_cast<int>(rounded))) {
-    return Alarm{17020, fmt::format("R[{}] does not exist.", *index)};
-  }
-  const int cell = static_cast<int>(rounded);
-  m_parameters.set(cell, *value);
-  if (!m_cache.empty()) {
-    m_cache[static_cast<std::size_t>(cell)] = *value;
-  }
-  return PreparedNothing{};
+Prepared Interpreter::leave() {
+  return m_flow.leave() ? Prepared(PreparedNothing{true}) : PreparedEnd{};
 }
 
-Prepared Interpreter::assignLocal(const LocalAssignStatement& statement) {
-  Alarm alarm;
-  const View view(*this);
-  double element = 0.0;
-  if (statement.element) {
-    const std::optional<double> index = statement.element->evaluate(view, alarm);
-    if (!index) {
-      return alarm;
-    }
-    element = std::round(*index);
-    if (element < 0.0 || element >= level().program->elementsOf(statement.slot)) {
-      return Alarm{17020, fmt::format("The array has no element {}.", *index)};
-    }
-  }
-  const std::optional<double> value = statement.value.evaluate(view, alarm);
-  if (!value) {
-    return alarm;
-  }
-  level().variables[static_cast<std::size_t>(statement.slot) + static_cast<std::size_t>(element)] =
-      level().program->isInteger(statement.slot) ? std::round(*value) : *value;
-  return PreparedNothing{};
+// --- motion -----------------------------------------------------------------------------------
+
+double Interpreter::unit() const {
+  return m_inches ? kMmPerInch : 1.0;
 }
 
-Prepared Interpreter::fill(const FillStatement& statement) {
-  Alarm alarm;
-  const auto elements = static_cast<std::size_t>(level().program->elementsOf(statement.slot));
-  if (statement.values.size() > elements) {
-    return Alarm{17020, "The array has fewer elements than values are given."};
+std::optional<Alarm> Interpreter::modes(const BlockWords& words) {
+  m_mode = words.mode.value_or(m_mode);
+  m_plane = words.plane.value_or(m_plane);
+  m_absolute = words.absolute.value_or(m_absolute);
+  m_inches = words.inches.value_or(m_inches);
+  m_dynamics = words.dynamics.value_or(m_dynamics);
+  m_end = words.end.value_or(m_end);
+  m_rounding = words.rounding.value_or(m_rounding);
+  if (words.roundingMm) {
+    m_adisMm = std::max(0.0, words.roundingMm->value);
   }
-  for (std::size_t i = 0; i < elements; ++i) {
-    const std::size_t from = statement.repeats ? 0 : i;
-    if (from >= statement.values.size()) {
-      break;
+  if (words.feedMmPerMin) {
+    const double feed = words.feedMmPerMin->value;
+    if (!(feed > 0.0)) {
+      return Alarm{14800, fmt::format("The programmed path speed {} is not positive.", feed)};
     }
-    if (const auto& expression = statement.values[from]) {
-      const std::optional<double> value = expression->evaluate(View(*this), alarm);
-      if (!value) {
-        return alarm;
-      }
-      level().variables[static_cast<std::size_t>(statement.slot) + i] =
-          level().program->isInteger(statement.slot) ? std::round(*value) : *value;
-    }
-  }
-  return PreparedNothing{};
-}
-
-std::optional<Alarm> Interpreter::modes(const MotionStatement& statement) {
-  Alarm alarm;
-  m_mode = statement.mode.value_or(m_mode);
-  m_plane = statement.plane.value_or(m_plane);
-  m_absolute = statement.absolute.value_or(m_absolute);
-  m_inches = statement.inches.value_or(m_inches);
-  m_dynamics = statement.dynamics.value_or(m_dynamics);
-  m_end = statement.end.value_or(m_end);
-  m_rounding = statement.rounding.value_or(m_rounding);
-  if (statement.roundingMm) {
-    const std::optional<double> distance = statement.roundingMm->evaluate(View(*this), alarm);
-    if (!distance) {
-      return alarm;
-    }
-    m_adisMm = std::max(0.0, *distance);
-  }
-  if (statement.feedMmPerMin) {
-    const std::optional<double> feed = statement.feedMmPerMin->evaluate(View(*this), alarm);
-    if (!feed) {
-      return alarm;
-    }
-    if (!(*feed > 0.0)) {
-      return Alarm{14800, fmt::format("The programmed path speed {} is not positive.", *feed)};
-    }
-    m_feedMmPerS = base::mmPerSFromMmPerMin(m_inches ? kMmPerInch * *feed : *feed);
-    m_feedDegPerS = *feed / 60.0;  // deg/min, in inches too
+    m_feedMmPerS = base::mmPerSFromMmPerMin(unit() * feed);
+    m_feedDegPerS = feed / 60.0;  // deg/min, in inches too
   }
   return std::nullopt;
 }
 
-Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber line) {
-  if (std::optional<Alarm> alarm = modes(statement)) {
+Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
+  const std::variant<BlockWords, Alarm> gathered =
+      gather(words, [this](const nc::Expression& value) { return m_values.number(value); });
+  if (const Alarm* alarm = std::get_if<Alarm>(&gathered)) {
+    return *alarm;
+  }
+  const BlockWords& block = std::get<BlockWords>(gathered);
+  if (std::optional<Alarm> alarm = modes(block)) {
     return *std::move(alarm);
   }
-  const bool arcWords = statement.isArc() || statement.radius || statement.openingAngle ||
-                        statement.through[0] || statement.through[1] || statement.through[2];
+  const bool arcWords = block.isArc() || block.radius || block.openingAngle || block.through[0] ||
+                        block.through[1] || block.through[2];
   bool turns = false;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    turns = turns || (statement.rotary[axis] && m_rotaryAxes[axis]);
+    turns = turns || (block.rotary[axis] && m_rotaryAxes[axis]);
   }
-  if (!statement.axes[0] && !statement.axes[1] && !statement.axes[2] && !arcWords && !turns) {
+  if (!block.axes[0] && !block.axes[1] && !block.axes[2] && !arcWords && !turns) {
     return PreparedNothing{};
   }
-  Alarm alarm;
-  const double unit = m_inches ? kMmPerInch : 1.0;
-  // Where a word leads, from where its axis stands. Nothing: `alarm` says why.
-  const auto resolve = [&](const Coordinate& word, double from, double scale) {
-    const std::optional<double> value = word.value.evaluate(View(*this), alarm);
-    const bool absolute = word.reference == Coordinate::Reference::Modal
+  // Where a word leads, from where its axis stands.
+  const auto resolve = [this](const Coordinate& word, double from, double scale) {
+    const bool absolute = word.reference == nc::Word::Reference::Modal
                               ? m_absolute
-                              : word.reference == Coordinate::Reference::Absolute;
-    return value ? std::optional(absolute ? scale * *value : from + scale * *value) : std::nullopt;
+                              : word.reference == nc::Word::Reference::Absolute;
+    return (absolute ? 0.0 : from) + scale * word.value;
   };
   const base::Vec3 programmedFrom = m_programmedMm;
   base::Vec3 target = m_endMm;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!statement.axes[axis]) {
-      continue;
+    if (block.axes[axis]) {
+      m_programmedMm.set(axis, resolve(*block.axes[axis], m_programmedMm[axis], unit()));
+      target.set(axis, m_programmedMm[axis] + m_translationMm[axis]);
     }
-    const std::optional<double> programmed =
-        resolve(*statement.axes[axis], m_programmedMm[axis], unit);
-    if (!programmed) {
-      return alarm;
-    }
-    m_programmedMm.set(axis, *programmed);
-    target.set(axis, m_programmedMm[axis] + m_translationMm[axis]);
   }
   if (m_isRotated) {
     target = rotated(m_programmedMm) + m_translationMm;  // every axis may have to move
   }
   base::RotaryDeg targetDeg = m_endDeg;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    if (!statement.rotary[axis] || !m_rotaryAxes[axis]) {
-      continue;
+    if (block.rotary[axis] && m_rotaryAxes[axis]) {
+      targetDeg[axis] = resolve(*block.rotary[axis], m_endDeg[axis], 1.0);
     }
-    const std::optional<double> degrees = resolve(*statement.rotary[axis], m_endDeg[axis], 1.0);
-    if (!degrees) {
-      return alarm;
-    }
-    targetDeg[axis] = *degrees;
   }
   const base::Vec3 from = m_endMm;
   PreparedMotion motion;
   if (m_mode != PathMode::Rapid && m_mode != PathMode::Line) {
-    const auto arc = arcOf(statement, from, target, programmedFrom);
+    const auto arc = arcOf(block, from, target, programmedFrom);
     if (const Alarm* problem = std::get_if<Alarm>(&arc)) {
       return *problem;
     }
@@ -333,27 +271,21 @@ Prepared Interpreter::move(const MotionStatement& statement, base::LineNumber li
   motion.targetDeg = targetDeg;
   motion.feedDegPerS = m_mode == PathMode::Rapid ? kRapidDegPerS : m_feedDegPerS;
   motion.feedMmPerS = m_mode == PathMode::Rapid ? m_rapidMmPerS : m_feedMmPerS;
-  motion.end = statement.exactStopOnce ? BlockEnd::ExactStop : m_end;
+  motion.end = block.exactStopOnce ? BlockEnd::ExactStop : m_end;
   motion.rounding = m_rounding;
   motion.roundingMm = m_rounding == RoundingKind::Distance ? m_adisMm : m_roundingMm;
   motion.dynamics = m_dynamics;
   return motion;
 }
 
-std::variant<ArcPath, Alarm> Interpreter::arcOf(const MotionStatement& statement, base::Vec3 fromMm,
+std::variant<ArcPath, Alarm> Interpreter::arcOf(const BlockWords& words, base::Vec3 fromMm,
                                                 base::Vec3 toMm, base::Vec3 programmedFromMm) {
-  Alarm alarm;
-  const View view(*this);
-  const double unit = m_inches ? kMmPerInch : 1.0;
   if (m_mode == PathMode::Through) {
     base::Vec3 through = programmedFromMm;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (statement.through[axis]) {
-        const std::optional<double> value = statement.through[axis]->evaluate(view, alarm);
-        if (!value) {
-          return alarm;
-        }
-        through.set(axis, m_absolute ? unit * *value : through[axis] + unit * *value);
+      if (words.through[axis]) {
+        const double value = unit() * words.through[axis]->value;
+        through.set(axis, m_absolute ? value : through[axis] + value);
       }
     }
     return arcThrough(fromMm, rotated(through) + m_translationMm, toMm);
@@ -362,213 +294,80 @@ std::variant<ArcPath, Alarm> Interpreter::arcOf(const MotionStatement& statement
   if (m_isRotated && m_plane != Plane::XY) {
     return Alarm{12550, "Arcs outside G17 cannot be programmed in a rotated frame here."};
   }
-  if (statement.fullTurns) {
-    const std::optional<double> turns = statement.fullTurns->evaluate(view, alarm);
-    if (!turns) {
-      return alarm;
-    }
-    ends.fullTurns = static_cast<int>(std::clamp(std::round(*turns), 0.0, 999.0));
+  if (words.fullTurns) {
+    ends.fullTurns = static_cast<int>(std::clamp(std::round(words.fullTurns->value), 0.0, 999.0));
   }
-  if (statement.radius || statement.openingAngle) {
-    const auto& word = statement.radius ? statement.radius : statement.openingAngle;
-    const std::optional<double> value = word->evaluate(view, alarm);
-    if (!value) {
-      return alarm;
-    }
-    return statement.radius ? arcWithRadius(ends, unit * *value) : arcWithAngle(ends, *value);
+  if (words.radius) {
+    return arcWithRadius(ends, unit() * words.radius->value);
   }
-  if (!statement.isArc()) {
+  if (words.openingAngle) {
+    return arcWithAngle(ends, words.openingAngle->value);
+  }
+  if (!words.isArc()) {
     return Alarm{14040, "The circle has neither centre nor radius."};
   }
   base::Vec3 offset{};
-  base::Vec3 centre = fromMm;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!statement.centre[axis]) {
-      continue;
-    }
-    const std::optional<double> value = statement.centre[axis]->value.evaluate(view, alarm);
-    if (!value) {
-      return alarm;
-    }
-    // I J K count from the start point, whatever G90 and G91 say.
-    if (statement.centre[axis]->reference == Coordinate::Reference::Absolute) {
-      offset.set(axis, unit * *value - programmedFromMm[axis]);
-    } else {
-      offset.set(axis, unit * *value);
+    if (words.centre[axis]) {
+      // I J K count from the start point, whatever G90 and G91 say.
+      const bool absolute = words.centre[axis]->reference == nc::Word::Reference::Absolute;
+      offset.set(axis,
+                 unit() * words.centre[axis]->value - (absolute ? programmedFromMm[axis] : 0.0));
     }
   }
   // What lies across the plane is no part of the centre.
   const base::Vec3 normal = normalOf(m_plane);
   const base::Vec3 inPlane = offset - base::dot(offset, normal) * normal;
-  return arcAboutCentre(ends, centre + rotated(inPlane));
-}
-
-Prepared Interpreter::jump(const JumpStatement& statement) {
-  if (statement.condition) {
-    Alarm alarm;
-    const std::optional<double> condition = statement.condition->evaluate(View(*this), alarm);
-    if (!condition) {
-      return alarm;
-    }
-    if (*condition == 0.0) {
-      return PreparedNothing{};
-    }
-  }
-  const std::optional<std::size_t> target =
-      level().program->findLabel(statement.label, statement.direction, level().next - 1);
-  if (!target) {
-    if (statement.direction == JumpDirection::ForwardNoAlarm) {
-      return PreparedNothing{};
-    }
-    return Alarm{14080, fmt::format("The jump destination {} was not found.", statement.label)};
-  }
-  level().next = *target;
-  return PreparedNothing{true};
-}
-
-Prepared Interpreter::branch(const BranchStatement& statement) {
-  if (statement.condition) {
-    Alarm alarm;
-    const std::optional<double> condition = statement.condition->evaluate(View(*this), alarm);
-    if (!condition) {
-      return alarm;
-    }
-    if (*condition != 0.0) {
-      return PreparedNothing{};
-    }
-  }
-  level().next = statement.target;
-  return PreparedNothing{true};
-}
-
-Prepared Interpreter::repeat(const RepeatStatement& statement) {
-  const std::size_t at = level().next - 1;
-  auto round = level().repeats.find(at);
-  if (round == level().repeats.end()) {
-    double times = 1.0;
-    if (statement.times) {
-      Alarm alarm;
-      const std::optional<double> value = statement.times->evaluate(View(*this), alarm);
-      if (!value) {
-        return alarm;
-      }
-      times = *value;
-    }
-    round = level().repeats.emplace(at, roundsOf(times)).first;
-  }
-  if (round->second-- == 0) {
-    level().repeats.erase(round);
-    return PreparedNothing{};
-  }
-  const std::optional<std::size_t> target =
-      level().program->findLabel(statement.label, JumpDirection::Backward, at);
-  if (!target) {
-    return Alarm{14080,
-                 fmt::format("The label {} of REPEAT was not found before it.", statement.label)};
-  }
-  level().next = *target;
-  return PreparedNothing{true};
-}
-
-Prepared Interpreter::call(const CallStatement& statement) {
-  if (m_levels.size() == kLevelsMax) {
-    return Alarm{14011, "Programs call each other too deep."};
-  }
-  Alarm alarm;
-  int rounds = 1;
-  if (statement.times) {
-    const std::optional<double> times = statement.times->evaluate(View(*this), alarm);
-    if (!times) {
-      return alarm;
-    }
-    rounds = roundsOf(*times);
-  }
-  std::vector<double> arguments;
-  for (const Expression& argument : statement.arguments) {
-    const std::optional<double> value = argument.evaluate(View(*this), alarm);
-    if (!value) {
-      return alarm;
-    }
-    arguments.push_back(*value);
-  }
-  const std::shared_ptr<const NcProgram> program = m_library ? m_library(statement.name) : nullptr;
-  if (!program && statement.isPlainName) {
-    return Alarm{12550, fmt::format("The name \"{}\" is not defined, and there is no program of "
-                                    "this name.",
-                                    statement.name)};
-  }
-  if (!program) {
-    return Alarm{14011, fmt::format("The program {} does not exist.", statement.name)};
-  }
-  if (arguments.size() > program->parameters().size()) {
-    return Alarm{12150,
-                 fmt::format("{} takes {} values.", statement.name, program->parameters().size())};
-  }
-  if (rounds == 0) {
-    return PreparedNothing{};
-  }
-  enter(program, arguments);
-  level().callsLeft = rounds - 1;
-  return PreparedNothing{true};
-}
-
-Prepared Interpreter::leave() {
-  if (m_levels.size() == 1) {
-    return PreparedEnd{};
-  }
-  Level left = std::move(m_levels.back());
-  m_levels.pop_back();
-  if (left.callsLeft > 0) {
-    enter(left.program, left.arguments);
-    level().callsLeft = left.callsLeft - 1;
-  }
-  return PreparedNothing{true};
+  return arcAboutCentre(ends, fromMm + rotated(inPlane));
 }
 
 base::Vec3 Interpreter::rotated(base::Vec3 vector) const {
   return vector.x * m_rotation[0] + vector.y * m_rotation[1] + vector.z * m_rotation[2];
 }
 
-Prepared Interpreter::setFrame(const FrameStatement& statement) {
-  Alarm alarm;
-  const View view(*this);
+Prepared Interpreter::setFrame(const nc::FrameStatement& statement) {
+  const bool isRotation = statement.name.ends_with("ROT");
+  if (!isRotation && !statement.name.ends_with("TRANS")) {
+    return Alarm{12550, fmt::format("{} is not known to this machine.", statement.name)};
+  }
   base::Vec3 values{};
-  std::size_t given = 0;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (statement.axes[axis]) {
-      const std::optional<double> value = statement.axes[axis]->evaluate(view, alarm);
-      if (!value) {
-        return alarm;
+  std::array<bool, base::kAxisCount> given{};
+  std::optional<double> inPlane;
+  for (const nc::Word& word : statement.words) {
+    const nc::Expected<double> value = m_values.number(*word.value);
+    if (!value) {
+      return alarmOf(value.error());
+    }
+    const std::size_t axis = std::string_view("XYZ").find(word.address);
+    if (word.address == "RPL") {
+      inPlane = *value;
+    } else if (axis < base::kAxisCount && word.address.size() == 1) {
+      if (given[axis]) {
+        return Alarm{12010, "An address is programmed more than once in the block."};
       }
       values.set(axis, *value);
-      ++given;
+      given[axis] = true;
+    } else if (std::string_view("ABCUVW").find(word.address) == std::string_view::npos) {
+      return Alarm{12550, fmt::format("{} takes no word {}.", statement.name, word.address)};
     }
   }
-  if (!statement.additive) {
+  if (statement.name[0] != 'A') {
     // An absolute frame instruction takes the place of all that was programmed before.
     m_rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     m_translationMm = {};
     m_isRotated = false;
   }
-  if (statement.kind == FrameStatement::Kind::Translate) {
-    m_translationMm = m_translationMm + rotated((m_inches ? kMmPerInch : 1.0) * values);
+  if (!isRotation) {
+    m_translationMm = m_translationMm + rotated(unit() * values);
     return PreparedNothing{};
   }
-  double degrees = values.z;
-  if (statement.inPlane) {
-    const std::optional<double> angle = statement.inPlane->evaluate(view, alarm);
-    if (!angle) {
-      return alarm;
-    }
-    degrees = *angle;
-  }
-  const bool aboutZ =
-      statement.inPlane ? m_plane == Plane::XY : !statement.axes[0] && !statement.axes[1];
-  if (!aboutZ || (statement.inPlane && given > 0)) {
+  const bool aboutZ = inPlane ? m_plane == Plane::XY && !given[0] && !given[1] && !given[2]
+                              : !given[0] && !given[1];
+  if (!aboutZ) {
     return Alarm{12550, "Frames are rotated about Z only here."};
   }
-  if (degrees != 0.0) {
-    const double angle = degrees * std::numbers::pi / 180.0;
+  const double angle = inPlane.value_or(values.z) * std::numbers::pi / 180.0;
+  if (angle != 0.0) {
     const base::Vec3 x = std::cos(angle) * m_rotation[0] + std::sin(angle) * m_rotation[1];
     const base::Vec3 y = std::cos(angle) * m_rotation[1] - std::sin(angle) * m_rotation[0];
     m_rotation[0] = x;
@@ -576,20 +375,6 @@ Prepared Interpreter::setFrame(const FrameStatement& statement) {
     m_isRotated = true;
   }
   return PreparedNothing{};
-}
-
-Prepared Interpreter::synchronize(const SyncStatement& statement) {
-  auto action = std::make_shared<SyncAction>(statement.action);
-  Alarm alarm;
-  const View view(*this);
-  bool frozen = !action->condition || action->condition->freeze(view, alarm);
-  for (SyncAssignment& assignment : action->assignments) {
-    frozen = frozen && assignment.index.freeze(view, alarm) && assignment.value.freeze(view, alarm);
-  }
-  if (!frozen) {
-    return alarm;
-  }
-  return PreparedSync{std::move(action)};
 }
 
 }  // namespace rivulet::machine

@@ -6,23 +6,20 @@
 /// assignments take effect. @threadsafety one object, one thread.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <variant>
 
 #include "base/axes.h"
 #include "base/instant.h"
+#include "machine/block_words.h"
 #include "machine/main_run.h"
-#include "machine/nc_program.h"
 #include "machine/prepared.h"
 #include "machine/r_parameters.h"
+#include "nc/eval/variables.h"
+#include "nc/flow/flow.h"
 
 namespace rivulet::machine {
-
-/// Subprograms by name; null: there is none.
-using ProgramLibrary = std::function<std::shared_ptr<const NcProgram>(const std::string& name)>;
 
 struct InterpreterOptions {
   base::Vec3 startMm;            ///< where the axes stand: end of the "block before the first"
@@ -34,13 +31,13 @@ struct InterpreterOptions {
   Dynamics dynamics = Dynamics::Brisk;  ///< until BRISK or SOFT is programmed
   bool cacheUntilStopre = false;        ///< R values from outside are seen only after a STOPRE
   const MainRun* mainRun = nullptr;     ///< for variables of the main run; null: an alarm
-  ProgramLibrary library;               ///< may be empty
+  nc::Library library;                  ///< may be empty
 };
 
 class Interpreter {
  public:
   /// @param parameters  must outlive the interpreter, as must the main run
-  Interpreter(std::shared_ptr<const NcProgram> program, RParameters& parameters,
+  Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,
               const InterpreterOptions& options);
 
   /// Interprets the next block. After an alarm or the end it must not be called again.
@@ -50,53 +47,36 @@ class Interpreter {
   void refresh();
 
  private:
-  /// A program on the call stack.
-  struct Level {
-    std::shared_ptr<const NcProgram> program;
-    std::size_t next = 0;
-    std::vector<double> variables;
-    std::map<std::size_t, int> repeats;  ///< REPEAT statements under way, rounds left
-    int callsLeft = 0;                   ///< rounds of this program still to come
-    std::vector<double> arguments;
-  };
-
-  /// Reads through the cache where the control is said to read R only after a STOPRE.
-  class View final : public ValueSource {
+  /// The variables of the program, with the R-parameters and the main run of the machine.
+  class Values final : public nc::Variables {
    public:
-    explicit View(const Interpreter& owner) : m_owner(owner) {}
-    [[nodiscard]] std::optional<double> value(int index) const override;
-    [[nodiscard]] std::optional<double> local(int slot, int element) const override;
-    [[nodiscard]] std::optional<double> system(SystemVariable variable, int index) const override;
+    Values(RParameters& parameters, const InterpreterOptions& options);
+    [[nodiscard]] nc::Expected<double> r(int index) const override;
+    [[nodiscard]] nc::Expected<double> mainR(int index) const override;
+    [[nodiscard]] nc::Expected<nc::Value> system(std::string_view name,
+                                                 std::span<const nc::Value> indices) const override;
+    /// Where the control is said to read R only after a STOPRE: reads them.
+    void refresh();
 
    private:
-    const Interpreter& m_owner;
+    [[nodiscard]] nc::Expected<void> setR(int index, double value) override;
+    RParameters& m_parameters;
+    const MainRun* m_mainRun;
+    std::vector<double> m_cache;  // empty: read live
   };
 
-  [[nodiscard]] Level& level() { return m_levels.back(); }
-  [[nodiscard]] Prepared execute(const Statement& statement);
-  [[nodiscard]] Prepared assign(const AssignStatement& statement);
-  [[nodiscard]] Prepared assignLocal(const LocalAssignStatement& statement);
-  [[nodiscard]] Prepared fill(const FillStatement& statement);
-  [[nodiscard]] Prepared move(const MotionStatement& statement, base::LineNumber line);
-  [[nodiscard]] std::optional<Alarm> modes(const MotionStatement& statement);
-  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const MotionStatement& statement,
-                                                   base::Vec3 fromMm, base::Vec3 toMm,
-                                                   base::Vec3 programmedFromMm);
-  [[nodiscard]] Prepared jump(const JumpStatement& statement);
-  [[nodiscard]] Prepared branch(const BranchStatement& statement);
-  [[nodiscard]] Prepared repeat(const RepeatStatement& statement);
-  [[nodiscard]] Prepared call(const CallStatement& statement);
+  [[nodiscard]] Prepared execute(const nc::Statement& statement);
+  [[nodiscard]] Prepared move(const nc::Words& words, base::LineNumber line);
+  [[nodiscard]] std::optional<Alarm> modes(const BlockWords& words);
+  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const BlockWords& words, base::Vec3 fromMm,
+                                                   base::Vec3 toMm, base::Vec3 programmedFromMm);
   [[nodiscard]] Prepared leave();
-  [[nodiscard]] Prepared setFrame(const FrameStatement& statement);
-  [[nodiscard]] Prepared synchronize(const SyncStatement& statement);
-  void enter(std::shared_ptr<const NcProgram> program, const std::vector<double>& arguments);
+  [[nodiscard]] Prepared setFrame(const nc::FrameStatement& statement);
   [[nodiscard]] base::Vec3 rotated(base::Vec3 vector) const;
+  [[nodiscard]] double unit() const;
 
-  RParameters& m_parameters;
-  const MainRun* m_mainRun;
-  ProgramLibrary m_library;
-  std::vector<double> m_cache;  // empty: read live
-  std::vector<Level> m_levels;
+  Values m_values;
+  nc::Flow m_flow;
   bool m_hasStopped = false;  ///< the stop that the next statement needs has been made
   base::Vec3 m_endMm;         ///< of the last block, machine
   base::Vec3 m_programmedMm;  ///< the same as programmed, before frames

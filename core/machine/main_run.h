@@ -8,7 +8,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
+
+#include "nc/eval/evaluate.h"
 
 namespace rivulet::machine {
 
@@ -44,5 +47,17 @@ class MainRun {
   [[nodiscard]] virtual std::optional<double> rValue(int index) const = 0;
   virtual bool setRValue(int index, double value) = 0;
 };
+
+/// The variable of the main run with this name ("$AC_OVR"); nothing if there is none.
+[[nodiscard]] std::optional<SystemVariable> systemVariableOf(std::string_view name);
+
+/// Axis (X, Y, Z as a text) or element; 0 where the variable has none. @return fault IndexMissing
+[[nodiscard]] nc::Expected<int> systemIndex(std::string_view name,
+                                            std::span<const nc::Value> indices);
+
+/// The value of "$AA_IM" with index "X". @return fault OnlyOnControl, IndexMissing,
+/// IndexOutsideArray
+[[nodiscard]] nc::Expected<nc::Value> systemValue(const MainRun& mainRun, std::string_view name,
+                                                  std::span<const nc::Value> indices);
 
 }  // namespace rivulet::machine

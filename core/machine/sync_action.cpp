@@ -13,19 +13,82 @@ namespace rivulet::machine {
 namespace {
 
 /// The main run as the source of an expression: every R is read there.
-class MainRunSource final : public ValueSource {
+class MainRunSource final : public nc::ValueSource {
  public:
   explicit MainRunSource(const MainRun& mainRun) : m_mainRun(mainRun) {}
-  std::optional<double> value(int index) const override { return m_mainRun.rValue(index); }
-  std::optional<double> system(SystemVariable variable, int index) const override {
-    return m_mainRun.systemValue(variable, index);
+  nc::Expected<double> r(int index) const override {
+    const std::optional<double> value = m_mainRun.rValue(index);
+    return value ? nc::Expected<double>(*value)
+                 : nc::fail(nc::FaultCode::NoSuchR, fmt::format("{}", index));
+  }
+  nc::Expected<nc::Value> system(std::string_view name,
+                                 std::span<const nc::Value> indices) const override {
+    return systemValue(m_mainRun, name, indices);
   }
 
  private:
   const MainRun& m_mainRun;
 };
 
+/// Freezes an expression, and knows all variables of the main run in it.
+nc::Expected<nc::Expression> made(const nc::Expression& expression, const nc::ValueSource& values) {
+  nc::Expected<nc::Expression> frozen = nc::freeze(expression, values, nc::sinumerikSemantics());
+  std::string unknown;
+  if (frozen) {
+    nc::forEachNode(*frozen, [&unknown](const nc::Expression& node) {
+      if (node.op == nc::Op::System && !systemVariableOf(node.name)) {
+        unknown = node.name;
+      }
+    });
+  }
+  return unknown.empty() ? std::move(frozen)
+                         : nc::fail(nc::FaultCode::OnlyOnControl, std::move(unknown));
+}
+
 }  // namespace
+
+nc::Expected<SyncAction> frozen(const nc::Synchronized& action, const nc::ValueSource& values) {
+  SyncAction result;
+  result.id = action.id;
+  result.isStatic = action.isStatic;
+  result.trigger = action.trigger;
+  if (action.condition) {
+    nc::Expected<nc::Expression> condition = made(*action.condition, values);
+    if (!condition) {
+      return nc::fail(condition.error());
+    }
+    result.condition = std::move(*condition);
+  }
+  for (const nc::Assignment& assignment : action.assignments) {
+    const nc::Expression& target = assignment.target;
+    SyncAssignment& to = result.assignments.emplace_back();
+    if (target.op == nc::Op::System) {
+      to.variable = systemVariableOf(target.name);
+      const auto indices = nc::systemIndices(target, values, nc::sinumerikSemantics());
+      if (!to.variable) {
+        return nc::fail(nc::FaultCode::OnlyOnControl, target.name);
+      }
+      const nc::Expected<int> index =
+          indices ? systemIndex(target.name, *indices) : nc::fail(indices.error());
+      if (!index) {
+        return nc::fail(index.error());
+      }
+      to.index = nc::Expression::constant(*index);
+    } else {
+      nc::Expected<nc::Expression> index = made(target.operands.front(), values);
+      if (!index) {
+        return nc::fail(index.error());
+      }
+      to.index = std::move(*index);
+    }
+    nc::Expected<nc::Expression> value = made(*assignment.initial.values.front(), values);
+    if (!value) {
+      return nc::fail(value.error());
+    }
+    to.value = std::move(*value);
+  }
+  return result;
+}
 
 void SyncActions::add(std::shared_ptr<const SyncAction> action, std::uint64_t block) {
   if (action->id != 0) {
@@ -50,12 +113,12 @@ std::optional<Alarm> SyncActions::run(MainRun& mainRun, std::uint64_t blocksFini
   const MainRunSource source(mainRun);
   const auto execute = [&](Active& active) -> bool {
     const SyncAction& action = *active.action;
-    Alarm problem;
+    const nc::Semantics& semantics = nc::sinumerikSemantics();
     bool holds = true;
     if (action.condition) {
-      const std::optional<double> value = action.condition->evaluate(source, problem);
+      const nc::Expected<double> value = nc::evaluateNumber(*action.condition, source, semantics);
       if (!value) {
-        alarm = problem;
+        alarm = alarmOf(value.error());
         return false;
       }
       holds = *value != 0.0;
@@ -63,20 +126,20 @@ std::optional<Alarm> SyncActions::run(MainRun& mainRun, std::uint64_t blocksFini
     const bool rises = holds && !active.held;
     active.held = holds;
     active.latched = active.latched || holds;
-    const bool due = action.trigger == SyncTrigger::When    ? holds && !active.done
-                     : action.trigger == SyncTrigger::Every ? rises
-                     : action.trigger == SyncTrigger::From  ? active.latched
+    const bool due = action.trigger == nc::Trigger::When    ? holds && !active.done
+                     : action.trigger == nc::Trigger::Every ? rises
+                     : action.trigger == nc::Trigger::From  ? active.latched
                                                             : holds;
     if (!due) {
       return true;
     }
     active.done = true;
     for (const SyncAssignment& assignment : action.assignments) {
-      const std::optional<double> index = assignment.index.evaluate(source, problem);
-      const std::optional<double> value =
-          index ? assignment.value.evaluate(source, problem) : std::nullopt;
+      const nc::Expected<double> index = nc::evaluateNumber(assignment.index, source, semantics);
+      const nc::Expected<double> value =
+          index ? nc::evaluateNumber(assignment.value, source, semantics) : index;
       if (!value) {
-        alarm = problem;
+        alarm = alarmOf(value.error());
         return false;
       }
       const int place = static_cast<int>(std::lround(std::clamp(*index, -1.0, 1e6)));

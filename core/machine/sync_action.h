@@ -6,7 +6,8 @@
 /// their numbers; those without a number hold for the next block of the main run alone, a dwell
 /// included. An action becomes active when the block that follows it begins. `$R` is read and
 /// written in the main run; a plain `R10` is the value at interpretation. IDS actions outlive
-/// the program, until the channel is reset or another program starts. @threadsafety one object, one thread.
+/// the program, until the channel is reset or another program starts. @threadsafety one object, one
+/// thread.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +15,30 @@
 #include <optional>
 #include <vector>
 
-#include "machine/expression.h"
+#include "machine/alarm.h"
 #include "machine/main_run.h"
+#include "nc/syntax/tree.h"
 
 namespace rivulet::machine {
 
-/// When the actions are executed.
-enum class SyncTrigger {
-  Always,    ///< no keyword: every cycle
-  When,      ///< once, when the condition holds
-  Whenever,  ///< in every cycle in which it holds
-  From,      ///< in every cycle from the first in which it holds
-  Every,     ///< each time it begins to hold
-};
-
 struct SyncAssignment {
   std::optional<SystemVariable> variable;  ///< none: $R
-  Expression index;
-  Expression value;
+  nc::Expression index;                    ///< axis or element as a number
+  nc::Expression value;
 };
 
+/// A `nc::Synchronized` as it is executed: all but variables of the main run has become a number.
 struct SyncAction {
   int id = 0;             ///< 0: for the next block alone
   bool isStatic = false;  ///< IDS
-  SyncTrigger trigger = SyncTrigger::Always;
-  std::optional<Expression> condition;
+  nc::Trigger trigger = nc::Trigger::Always;
+  std::optional<nc::Expression> condition;
   std::vector<SyncAssignment> assignments;
 };
+
+/// What the interpretation of the block makes of it. @param values  of the program, at this moment
+[[nodiscard]] nc::Expected<SyncAction> frozen(const nc::Synchronized& action,
+                                              const nc::ValueSource& values);
 
 class SyncActions {
  public:

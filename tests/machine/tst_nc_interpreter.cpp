@@ -13,13 +13,13 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "machine/interpreter.h"
+#include "nc/syntax/parser.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 using machine::Alarm;
 using machine::BlockEnd;
 using machine::Interpreter;
-using machine::NcProgram;
 using machine::PreparedMotion;
 
 namespace {
@@ -54,13 +54,13 @@ Outcome runProgram(const std::string& text, const std::map<std::string, std::str
   options.rapidMmPerS = 100.0;
   options.feedMmPerS = feedMmPerS;
   options.roundingMm = 0.01;
-  options.library = [&library](const std::string& name) -> std::shared_ptr<const NcProgram> {
+  options.library = [&library](const std::string& name) -> std::shared_ptr<const nc::Tree> {
     const auto found = library.find(name);
     return found == library.end()
                ? nullptr
-               : std::make_shared<const NcProgram>(NcProgram::compile(found->second));
+               : std::make_shared<const nc::Tree>(nc::parseSinumerik(found->second));
   };
-  Interpreter interpreter(std::make_shared<const NcProgram>(NcProgram::compile(text)),
+  Interpreter interpreter(std::make_shared<const nc::Tree>(nc::parseSinumerik(text)),
                           outcome.parameters, options);
   for (int block = 0; block < 20000; ++block) {
     const machine::Prepared prepared = interpreter.next();

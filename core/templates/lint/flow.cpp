@@ -7,14 +7,17 @@
 #include <array>
 #include <iterator>
 #include <set>
+#include <span>
+#include <string_view>
+
+#include "nc/eval/evaluate.h"
 
 namespace rivulet::templates {
 
 namespace {
 
-using machine::Expression;
-using machine::NcProgram;
-using machine::Statement;
+using nc::Expression;
+using nc::Statement;
 
 /// More values than a loop over the cells of a control has passes.
 constexpr std::size_t kValuesMax = 512;
@@ -25,31 +28,33 @@ constexpr std::size_t kCombinationsMax = 4096;
 constexpr std::array<double, 2> kUnknowns{0.37, 0.93};
 
 /// Answers with one value per followed variable and notes what was asked.
-class Probe final : public machine::ValueSource {
+class Probe final : public nc::ValueSource {
  public:
   explicit Probe(double unknown) : m_unknown(unknown) {}
 
-  std::map<int, double> chosen;
+  std::map<std::string, double, std::less<>> chosen;
   mutable std::set<int> reads;
-  mutable std::set<int> locals;
+  mutable std::set<std::string, std::less<>> locals;
   mutable bool askedUnknown = false;
 
-  [[nodiscard]] std::optional<double> value(int index) const override {
+  [[nodiscard]] nc::Expected<double> r(int index) const override {
     reads.insert(index);
     askedUnknown = true;
     return m_unknown;
   }
-  [[nodiscard]] std::optional<double> local(int slot, int element) const override {
-    if (element == 0) {
-      locals.insert(slot);
-      if (const auto found = chosen.find(slot); found != chosen.end()) {
+  [[nodiscard]] nc::Expected<nc::Value> variable(std::string_view name,
+                                                 std::span<const int> indices) const override {
+    if (indices.empty()) {
+      locals.emplace(name);
+      if (const auto found = chosen.find(name); found != chosen.end()) {
         return found->second;
       }
     }
     askedUnknown = true;
     return m_unknown;
   }
-  [[nodiscard]] std::optional<double> system(machine::SystemVariable, int) const override {
+  [[nodiscard]] nc::Expected<nc::Value> system(std::string_view,
+                                               std::span<const nc::Value>) const override {
     askedUnknown = true;
     return m_unknown;
   }
@@ -58,17 +63,25 @@ class Probe final : public machine::ValueSource {
   double m_unknown;
 };
 
-void joinInto(Environment& into, const std::map<int, double>& chosen) {
-  for (const auto& [slot, value] : chosen) {
-    into[slot].add(value);
+std::optional<double> valueOf(const Expression& expression, const Probe& probe) {
+  const nc::Expected<double> value =
+      nc::evaluateNumber(expression, probe, nc::sinumerikSemantics());
+  if (!value && value.error().code == nc::FaultCode::NoSuchR && !probe.askedUnknown) {
+    probe.reads.insert(-1);  // a number below 0, or far beyond any control's
+  }
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+void joinInto(Environment& into, const std::map<std::string, double, std::less<>>& chosen) {
+  for (const auto& [name, value] : chosen) {
+    into[name].add(value);
   }
 }
 
 /// Asks once with every variable at `value`.
 Probe asked(const Expression& expression, double value) {
   Probe probe(value);
-  machine::Alarm alarm;
-  static_cast<void>(expression.evaluate(probe, alarm));
+  static_cast<void>(valueOf(expression, probe));
   return probe;
 }
 
@@ -110,36 +123,36 @@ bool Evaluation::asks(int cell) const {
 Evaluation evaluate(const Expression& expression, const Environment& environment) {
   Evaluation evaluation;
   // The followed variables it may ask for.
-  std::vector<int> slots;
+  std::vector<std::string> names;
   std::set<int> reads;
-  const auto fitsIn = [&](int slot) {
+  const auto fitsIn = [&](const std::string& slot) {
     const auto found = environment.find(slot);
     return found != environment.end() && !found->second.isUnknown && !found->second.values.empty();
   };
-  for (const int slot : asked(expression, 0.0).locals) {
+  for (const std::string& slot : asked(expression, 0.0).locals) {
     if (fitsIn(slot)) {
-      slots.push_back(slot);
+      names.push_back(slot);
     }
   }
   std::size_t combinations = 1;
-  for (const int slot : slots) {
+  for (const std::string& slot : names) {
     combinations *= environment.at(slot).values.size();
     if (combinations > kCombinationsMax) {
-      slots.clear();
+      names.clear();
       combinations = 1;
       break;
     }
   }
   evaluation.whereTrue = environment;
   evaluation.whereFalse = environment;
-  for (const int slot : slots) {
+  for (const std::string& slot : names) {
     evaluation.whereTrue[slot] = {};
     evaluation.whereFalse[slot] = {};
   }
   for (std::size_t number = 0; number < combinations; ++number) {
-    std::map<int, double> chosen;
+    std::map<std::string, double, std::less<>> chosen;
     std::size_t rest = number;
-    for (const int slot : slots) {
+    for (const std::string& slot : names) {
       const std::vector<double>& values = environment.at(slot).values;
       chosen[slot] = values[rest % values.size()];
       rest /= values.size();
@@ -148,8 +161,7 @@ Evaluation evaluate(const Expression& expression, const Environment& environment
     std::optional<double> value;
     for (Probe& probe : probes) {
       probe.chosen = chosen;
-      machine::Alarm alarm;
-      value = expression.evaluate(probe, alarm);
+      value = valueOf(expression, probe);
     }
     evaluation.hasUnknownIndex = evaluation.hasUnknownIndex || probes[0].reads != probes[1].reads;
     std::set_intersection(probes[0].reads.begin(), probes[0].reads.end(), probes[1].reads.begin(),
@@ -173,113 +185,65 @@ Evaluation evaluate(const Expression& expression, const Environment& environment
   return evaluation;
 }
 
-std::vector<const Expression*> expressionsOf(const Statement& statement) {
-  std::vector<const Expression*> all;
-  const auto add = [&all](const std::optional<Expression>& expression) {
-    if (expression) {
-      all.push_back(&*expression);
-    }
+std::vector<std::string> indexVariables(const nc::Tree& program) {
+  std::set<std::string, std::less<>> followed;
+  const auto follow = [&followed](const Probe& probe) {
+    followed.insert(probe.locals.begin(), probe.locals.end());
   };
-  if (const auto* assign = std::get_if<machine::AssignStatement>(&statement.what)) {
-    all = {&assign->index, &assign->value};
-  } else if (const auto* local = std::get_if<machine::LocalAssignStatement>(&statement.what)) {
-    add(local->element);
-    all.push_back(&local->value);
-  } else if (const auto* fill = std::get_if<machine::FillStatement>(&statement.what)) {
-    for (const std::optional<Expression>& value : fill->values) {
-      add(value);
-    }
-  } else if (const auto* motion = std::get_if<machine::MotionStatement>(&statement.what)) {
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      for (const auto* words : {&motion->axes, &motion->centre}) {
-        if ((*words)[axis]) {
-          all.push_back(&(*words)[axis]->value);
-        }
+  std::set<std::string, std::less<>> arrays;
+  for (const Statement& statement : program.statements) {
+    nc::forEachExpression(statement, [&](const Expression& expression) {
+      const Probe zeros = asked(expression, 0.0);
+      if (zeros.reads != asked(expression, 1.0).reads) {
+        follow(zeros);
       }
-      add(motion->through[axis]);
-    }
-    for (const std::optional<machine::Coordinate>& word : motion->rotary) {
-      if (word) {
-        all.push_back(&word->value);
+    });
+    if (const auto* assignment = std::get_if<nc::Assignment>(&statement.what)) {
+      if (assignment->target.op == nc::Op::R) {
+        follow(asked(assignment->target.operands.front(), 0.0));
       }
-    }
-    for (const auto* word : {&motion->radius, &motion->openingAngle, &motion->fullTurns,
-                             &motion->feedMmPerMin, &motion->roundingMm}) {
-      add(*word);
-    }
-  } else if (const auto* dwell = std::get_if<machine::DwellStatement>(&statement.what)) {
-    all = {&dwell->seconds};
-  } else if (const auto* jump = std::get_if<machine::JumpStatement>(&statement.what)) {
-    add(jump->condition);
-  } else if (const auto* branch = std::get_if<machine::BranchStatement>(&statement.what)) {
-    add(branch->condition);
-  } else if (const auto* repeat = std::get_if<machine::RepeatStatement>(&statement.what)) {
-    add(repeat->times);
-  } else if (const auto* call = std::get_if<machine::CallStatement>(&statement.what)) {
-    add(call->times);
-    for (const Expression& argument : call->arguments) {
-      all.push_back(&argument);
-    }
-  } else if (const auto* frame = std::get_if<machine::FrameStatement>(&statement.what)) {
-    for (const std::optional<Expression>& axis : frame->axes) {
-      add(axis);
-    }
-    add(frame->inPlane);
-  }
-  return all;
-}
-
-std::vector<int> indexVariables(const NcProgram& program) {
-  std::set<int> followed;
-  for (const Statement& statement : program.statements()) {
-    for (const Expression* expression : expressionsOf(statement)) {
-      const Probe zeros = asked(*expression, 0.0);
-      if (zeros.reads != asked(*expression, 1.0).reads) {
-        followed.insert(zeros.locals.begin(), zeros.locals.end());
+    } else if (const auto* definition = std::get_if<nc::Definition>(&statement.what)) {
+      if (!definition->sizes.empty()) {
+        arrays.insert(definition->name);
+      } else if (definition->name.starts_with("FOR ")) {
+        followed.insert(definition->name);  // the limit of a loop
       }
-    }
-    if (const auto* assign = std::get_if<machine::AssignStatement>(&statement.what)) {
-      const std::set<int> locals = asked(assign->index, 0.0).locals;
-      followed.insert(locals.begin(), locals.end());
     }
   }
   // What they are computed from has to be followed too.
   for (std::size_t before = 0; before != followed.size();) {
     before = followed.size();
-    for (const Statement& statement : program.statements()) {
-      const auto* local = std::get_if<machine::LocalAssignStatement>(&statement.what);
-      if (local != nullptr && followed.contains(local->slot)) {
-        const std::set<int> locals = asked(local->value, 0.0).locals;
-        followed.insert(locals.begin(), locals.end());
+    for (const Statement& statement : program.statements) {
+      const auto* assignment = std::get_if<nc::Assignment>(&statement.what);
+      if (assignment != nullptr && assignment->target.op == nc::Op::Variable &&
+          followed.contains(assignment->target.name) && assignment->initial.values.front()) {
+        follow(asked(*assignment->initial.values.front(), 0.0));
       }
     }
   }
-  std::vector<int> slots;
-  for (const int slot : followed) {
-    if (program.elementsOf(slot) <= 1) {
-      slots.push_back(slot);
-    }
-  }
-  return slots;
+  std::vector<std::string> names;
+  std::set_difference(followed.begin(), followed.end(), arrays.begin(), arrays.end(),
+                      std::back_inserter(names));
+  return names;
 }
 
-Exits exitsOf(const NcProgram& program, std::size_t statement) {
-  const auto& what = program.statements()[statement].what;
+Exits exitsOf(const nc::Tree& program, std::size_t statement) {
+  const auto& what = program.statements[statement].what;
   Exits exits;
   const auto unless = [&](const std::optional<Expression>& condition) {
     exits.condition = condition ? &*condition : nullptr;
   };
-  if (const auto* jump = std::get_if<machine::JumpStatement>(&what)) {
+  if (const auto* jump = std::get_if<nc::Jump>(&what)) {
     unless(jump->condition);
-    exits.whenTrue = program.findLabel(jump->label, jump->direction, statement);
-    if (!exits.whenTrue && jump->direction == machine::JumpDirection::ForwardNoAlarm) {
+    exits.whenTrue = program.find(jump->label, jump->direction, statement);
+    if (!exits.whenTrue && jump->direction == nc::JumpDirection::ForwardNoAlarm) {
       exits.whenTrue = statement + 1;
     }
     exits.misses = !exits.whenTrue;
     if (exits.condition != nullptr) {
       exits.whenFalse = statement + 1;
     }
-  } else if (const auto* branch = std::get_if<machine::BranchStatement>(&what)) {
+  } else if (const auto* branch = std::get_if<nc::Branch>(&what)) {
     unless(branch->condition);
     if (exits.condition != nullptr) {
       exits.whenTrue = statement + 1;
@@ -287,13 +251,12 @@ Exits exitsOf(const NcProgram& program, std::size_t statement) {
     } else {
       exits.whenTrue = branch->target;
     }
-  } else if (const auto* repeat = std::get_if<machine::RepeatStatement>(&what)) {
+  } else if (const auto* repeat = std::get_if<nc::RepeatLabel>(&what)) {
     exits.whenTrue = statement + 1;
-    exits.whenFalse = program.findLabel(repeat->label, machine::JumpDirection::Backward, statement);
+    exits.whenFalse = program.find(repeat->label, nc::JumpDirection::Backward, statement);
     exits.misses = !exits.whenFalse;
-  } else if (std::holds_alternative<machine::EndStatement>(what) ||
-             std::holds_alternative<machine::ReturnStatement>(what) ||
-             std::holds_alternative<machine::AlarmStatement>(what)) {
+  } else if (std::holds_alternative<nc::End>(what) || std::holds_alternative<nc::Return>(what) ||
+             std::holds_alternative<nc::Faulty>(what)) {
     exits.ends = true;
   } else {
     exits.whenTrue = statement + 1;

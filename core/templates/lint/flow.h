@@ -7,11 +7,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "machine/nc_program.h"
+#include "nc/syntax/tree.h"
 
 namespace rivulet::templates {
 
@@ -27,8 +29,8 @@ struct ValueSet {
   bool join(const ValueSet& other);
 };
 
-/// Variables that are followed, by slot; all others are unknown.
-using Environment = std::map<int, ValueSet>;
+/// Variables that are followed, by name; all others are unknown.
+using Environment = std::map<std::string, ValueSet, std::less<>>;
 
 /// What an expression may come to.
 struct Evaluation {
@@ -43,24 +45,19 @@ struct Evaluation {
   [[nodiscard]] bool asks(int cell) const;
 };
 
-[[nodiscard]] Evaluation evaluate(const machine::Expression& expression,
-                                  const Environment& environment);
-
-/// All expressions of a statement.
-[[nodiscard]] std::vector<const machine::Expression*> expressionsOf(
-    const machine::Statement& statement);
+[[nodiscard]] Evaluation evaluate(const nc::Expression& expression, const Environment& environment);
 
 /// Variables from which R numbers are computed, with all their values unknown until assigned.
-[[nodiscard]] std::vector<int> indexVariables(const machine::NcProgram& program);
+[[nodiscard]] std::vector<std::string> indexVariables(const nc::Tree& program);
 
 /// Where control goes from a statement. The index behind the last statement is the end of the text.
 struct Exits {
   std::optional<std::size_t> whenTrue;   ///< of the condition, or always
   std::optional<std::size_t> whenFalse;  ///< only where there is a condition
-  const machine::Expression* condition = nullptr;
+  const nc::Expression* condition = nullptr;
   bool ends = false;
   bool misses = false;  ///< its label does not exist
 };
-[[nodiscard]] Exits exitsOf(const machine::NcProgram& program, std::size_t statement);
+[[nodiscard]] Exits exitsOf(const nc::Tree& program, std::size_t statement);
 
 }  // namespace rivulet::templates

@@ -9,11 +9,19 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <set>
+#include <span>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include "base/error.h"
+#include "machine/block_words.h"
+#include "machine/main_run.h"
+#include "nc/eval/evaluate.h"
+#include "nc/syntax/parser.h"
 #include "templates/generator.h"
 #include "templates/lint/flow.h"
 
@@ -22,21 +30,25 @@ namespace rivulet::templates {
 namespace {
 
 using base::MethodKind;
-using machine::NcProgram;
-using machine::Statement;
+using nc::Statement;
+using nc::Words;
 
 constexpr int kUnknownNameAlarm = 12550;
 
 /// Asks a synchronized action with one cell at a value, everything else being `others`.
-class CorrectionProbe final : public machine::ValueSource {
+class CorrectionProbe final : public nc::ValueSource {
  public:
   CorrectionProbe(int cell, double value, double others)
       : m_cell(cell), m_value(value), m_others(others) {}
-  [[nodiscard]] std::optional<double> value(int index) const override {
+  [[nodiscard]] nc::Expected<double> r(int index) const override {
     return index == m_cell ? m_value : m_others;
   }
-  [[nodiscard]] std::optional<double> local(int, int) const override { return m_others; }
-  [[nodiscard]] std::optional<double> system(machine::SystemVariable, int) const override {
+  [[nodiscard]] nc::Expected<nc::Value> variable(std::string_view,
+                                                 std::span<const int>) const override {
+    return m_others;
+  }
+  [[nodiscard]] nc::Expected<nc::Value> system(std::string_view,
+                                               std::span<const nc::Value>) const override {
     return m_others;
   }
 
@@ -45,6 +57,20 @@ class CorrectionProbe final : public machine::ValueSource {
   double m_value;
   double m_others;
 };
+
+/// The value of an address of the block; null if it is not programmed.
+const nc::Expression* valueOf(const Words& words, std::string_view address) {
+  const auto found = std::find_if(words.words.begin(), words.words.end(),
+                                  [address](const nc::Word& w) { return w.address == address; });
+  return found != words.words.end() && found->value ? &*found->value : nullptr;
+}
+
+/// The words as far as they do not depend on values; nothing if the control would complain.
+std::variant<machine::BlockWords, machine::Alarm> modesOf(const Words& words) {
+  return machine::gather(words, [](const nc::Expression& value) -> nc::Expected<double> {
+    return value.op == nc::Op::Number ? value.number : 1.0;
+  });
+}
 
 /// What is known when control arrives at a statement. "Must" facts hold on every path to it, "may"
 /// facts on one at least.
@@ -90,9 +116,9 @@ struct State {
 
 class Linter {
  public:
-  Linter(const NcProgram& program, const TemplateParameters& parameters, const CellMap& cells)
+  Linter(const nc::Tree& program, const TemplateParameters& parameters, const CellMap& cells)
       : m_program(program),
-        m_statements(program.statements()),
+        m_statements(program.statements),
         m_parameters(parameters),
         m_cells(cells),
         m_isWindow(base::hasWindows(parameters.method)),
@@ -103,6 +129,14 @@ class Linter {
       m_slotCells.insert(numbers.begin(), numbers.end());
     }
     m_stopCell = m_isWindow ? cells.run : cells.stop;
+    for (const nc::Definition& parameter : program.parameters) {
+      m_defined.insert(parameter.name);
+    }
+    for (const Statement& statement : m_statements) {
+      if (const auto* definition = std::get_if<nc::Definition>(&statement.what)) {
+        m_defined.insert(definition->name);
+      }
+    }
   }
 
   std::vector<LintFinding> run() {
@@ -151,34 +185,80 @@ class Linter {
     return isOwn;
   }
 
+  /// What the control would say of the block whatever the values; nothing: it reads it.
+  [[nodiscard]] std::optional<machine::Alarm> alarmOf(const Statement& statement) const {
+    if (const auto* faulty = std::get_if<nc::Faulty>(&statement.what)) {
+      return machine::alarmOf(faulty->fault);
+    }
+    if (const auto* words = std::get_if<Words>(&statement.what)) {
+      const auto modes = modesOf(*words);
+      if (const auto* alarm = std::get_if<machine::Alarm>(&modes)) {
+        return *alarm;
+      }
+    }
+    std::optional<nc::Fault> fault;
+    const auto look = [&](const nc::Expression& node) {
+      if (node.op == nc::Op::Variable && !m_defined.contains(node.name)) {
+        fault = nc::Fault{nc::FaultCode::NotDefined, node.name, node.place};
+      } else if (node.op == nc::Op::System && !machine::systemVariableOf(node.name)) {
+        fault = nc::Fault{nc::FaultCode::OnlyOnControl, node.name, node.place};
+      }
+    };
+    const std::function<void(const nc::Expression&)> visit = [&](const nc::Expression& node) {
+      look(node);
+      for (const nc::Expression& operand : node.operands) {
+        // The axis of a variable of the main run is no variable.
+        if (node.op != nc::Op::System || operand.op != nc::Op::Variable) {
+          visit(operand);
+        }
+      }
+    };
+    nc::forEachExpression(statement, visit);
+    if (const auto* assignment = std::get_if<nc::Assignment>(&statement.what)) {
+      const nc::Op op = assignment->target.op;
+      look(assignment->target);
+      if (op == nc::Op::System || op == nc::Op::MainR) {
+        fault = nc::Fault{nc::FaultCode::ControlWritten, {}, assignment->target.place};
+      }
+    }
+    return fault ? std::optional(machine::alarmOf(*fault)) : std::nullopt;
+  }
+
+  [[nodiscard]] Exits exitsOf(std::size_t at) const {
+    Exits exits = templates::exitsOf(m_program, at);
+    exits.ends = exits.ends || m_alarms.contains(at);
+    return exits;
+  }
+
   void lookAtBlocks() {
     m_reports = true;
     for (std::size_t i = 0; i < m_statements.size(); ++i) {
       const Statement& statement = m_statements[i];
-      if (const auto* alarm = std::get_if<machine::AlarmStatement>(&statement.what)) {
-        const bool isName = alarm->alarm.number == kUnknownNameAlarm;
-        error(isName ? LintRule::UnknownName : LintRule::Syntax, statement.line,
+      if (const std::optional<machine::Alarm> alarm = alarmOf(statement)) {
+        m_alarms.insert(i);
+        const bool isName = alarm->number == kUnknownNameAlarm;
+        error(isName ? LintRule::UnknownName : LintRule::Syntax, statement.place.line,
               fmt::format("The control would stop here with alarm {}: {} Correct the block.",
-                          alarm->alarm.number, alarm->alarm.text));
-      } else if (const auto* call = std::get_if<machine::CallStatement>(&statement.what)) {
+                          alarm->number, alarm->text));
+      } else if (const auto* call = std::get_if<nc::Call>(&statement.what)) {
         if (call->isPlainName) {
-          error(LintRule::UnknownName, statement.line,
+          error(LintRule::UnknownName, statement.place.line,
                 fmt::format("{} is neither a word of the control nor a variable of this program. "
                             "Correct the name, or define it with DEF.",
                             call->name));
         } else if (!isOwnSubprogram(call->name)) {
-          warn(LintRule::NotChecked, statement.line,
+          warn(LintRule::NotChecked, statement.place.line,
                fmt::format("The subprogram {} is not looked into. Write its blocks into this "
                            "program.",
                            call->name));
         }
-      } else if (const auto* sync = std::get_if<machine::SyncStatement>(&statement.what)) {
-        lookAtSync(statement.line, sync->action);
-      } else if (exitsOf(m_program, i).misses) {
-        const auto* jump = std::get_if<machine::JumpStatement>(&statement.what);
-        const auto* repeat = std::get_if<machine::RepeatStatement>(&statement.what);
+      } else if (const auto* sync = std::get_if<nc::Synchronized>(&statement.what)) {
+        lookAtSync(statement.place.line, *sync);
+      } else if (exitsOf(i).misses) {
+        const auto* jump = std::get_if<nc::Jump>(&statement.what);
+        const auto* repeat = std::get_if<nc::RepeatLabel>(&statement.what);
         const std::string& label = jump != nullptr ? jump->label : repeat->label;
-        error(LintRule::MissingLabel, statement.line,
+        error(LintRule::MissingLabel, statement.place.line,
               fmt::format("There is no label {} where the jump looks for it. Write the label, or "
                           "correct the direction of the jump.",
                           label));
@@ -188,28 +268,30 @@ class Linter {
   }
 
   /// Method credit has synchronized actions: one tells how far the axes are, one lowers the feed.
-  void lookAtSync(base::LineNumber line, const machine::SyncAction& action) {
-    for (const machine::SyncAssignment& assignment : action.assignments) {
-      if (assignment.variable == machine::SystemVariable::AaOff && m_cells.corrects()) {
+  void lookAtSync(base::LineNumber line, const nc::Synchronized& action) {
+    for (const nc::Assignment& assignment : action.assignments) {
+      const nc::Expression& target = assignment.target;
+      if (target.name == "$AA_OFF" && m_cells.corrects()) {
         lookAtCorrection(line, action, assignment);
         continue;
       }
-      const ValueSet value = evaluate(assignment.value, {}).result;
-      const ValueSet index = evaluate(assignment.index, {}).result;
+      const bool isR = target.op == nc::Op::MainR;
+      const ValueSet value = evaluate(*assignment.initial.values.front(), {}).result;
+      const ValueSet index = isR ? evaluate(target.operands.front(), {}).result : ValueSet{};
       const bool isCertain = !index.isUnknown && index.values.size() == 1;
       const int cell = isCertain ? static_cast<int>(index.values.front()) : -1;
-      if (assignment.variable == machine::SystemVariable::AcOvr && m_isCredit) {
+      if (target.name == "$AC_OVR" && m_isCredit) {
         if (value.isUnknown || value.values.back() > 100.0) {
           error(LintRule::FeedRaised, line,
                 "The override may become more than 100 %: the axes would move faster than the "
                 "client has ordered. Write a number up to 100.");
         }
-      } else if (!assignment.variable && isCertain && isClients(cell)) {
+      } else if (isR && isCertain && isClients(cell)) {
         error(LintRule::ClientCellOverwritten, line,
               fmt::format("R{} belongs to the client, and a synchronized action writes it. Leave "
                           "it out.",
                           cell));
-      } else if (assignment.variable || !isCertain || !m_isCredit || cell != m_cells.executed) {
+      } else if (!isR || !isCertain || !m_isCredit || cell != m_cells.executed) {
         warn(LintRule::NotChecked, line,
              "What a synchronized action writes is not followed. Leave it out.");
       }
@@ -217,11 +299,13 @@ class Linter {
   }
 
   /// What an action lays over an axis: nothing, or what the client asks within the limit.
-  void lookAtCorrection(base::LineNumber line, const machine::SyncAction& action,
-                        const machine::SyncAssignment& assignment) {
-    const ValueSet index = evaluate(assignment.index, {}).result;
-    const bool isCertain = !index.isUnknown && index.values.size() == 1;
-    const auto axis = isCertain ? static_cast<std::size_t>(index.values.front()) : base::kAxisCount;
+  void lookAtCorrection(base::LineNumber line, const nc::Synchronized& action,
+                        const nc::Assignment& assignment) {
+    const std::vector<nc::Expression>& indices = assignment.target.operands;
+    const std::size_t axis =
+        indices.size() == 1 && indices[0].name.size() == 1
+            ? std::min(std::string_view("XYZ").find(indices[0].name), base::kAxisCount)
+            : base::kAxisCount;
     const int cell = axis < base::kAxisCount ? m_cells.correction[axis] : -1;
     const double limitMm = correctionSteps(m_parameters) / 1000.0;
     constexpr double kSameMm = 1e-9;
@@ -243,9 +327,12 @@ class Linter {
     for (const double others : {0.0, 0.37, 1e6}) {
       for (const double value : values) {
         const CorrectionProbe probe(cell, value, others);
-        machine::Alarm alarm;
-        const auto holds = action.condition ? action.condition->evaluate(probe, alarm) : 1.0;
-        const auto laid = assignment.value.evaluate(probe, alarm);
+        const auto valueOf = [&probe](const nc::Expression& expression) {
+          return nc::evaluateNumber(expression, probe, nc::sinumerikSemantics());
+        };
+        const auto holds =
+            action.condition ? valueOf(*action.condition) : nc::Expected<double>(1.0);
+        const auto laid = valueOf(*assignment.initial.values.front());
         const bool isDue = holds && *holds != 0.0;
         // Where a condition cannot be answered, the control gives an alarm and lays nothing.
         isBounded = isBounded && (!isDue || (laid && std::abs(*laid) <= limitMm + kSameMm));
@@ -261,8 +348,8 @@ class Linter {
                         "number, or over an axis that has no correction. Let it act only "
                         "while the cell of the axis lies within the limit.",
                         limitMm));
-    } else if (follows && action.trigger != machine::SyncTrigger::When &&
-               action.trigger != machine::SyncTrigger::Every) {
+    } else if (follows && action.trigger != nc::Trigger::When &&
+               action.trigger != nc::Trigger::Every) {
       m_corrected.insert(cell);
     } else if (!isZero) {
       error(LintRule::CorrectionUnbounded, line,
@@ -278,8 +365,8 @@ class Linter {
     m_before.resize(m_statements.size());
     m_isReached.assign(m_statements.size() + 1, false);
     State first;
-    for (const int slot : indexVariables(m_program)) {
-      first.values[slot].add(0.0);
+    for (const std::string& name : indexVariables(m_program)) {
+      first.values[name].add(0.0);
     }
     std::deque<std::size_t> due;
     const auto arrive = [&](std::size_t at, const State& state) {
@@ -298,7 +385,7 @@ class Linter {
       const std::size_t at = due.front();
       due.pop_front();
       const State after = step(at, m_before[at]);
-      const Exits exits = exitsOf(m_program, at);
+      const Exits exits = exitsOf(at);
       if (exits.ends) {
         continue;
       }
@@ -330,29 +417,33 @@ class Linter {
       stop(after);
     }
     std::vector<int> reads;
-    for (const machine::Expression* expression : expressionsOf(statement)) {
-      const Evaluation evaluation = evaluate(*expression, before.values);
+    nc::forEachExpression(statement, [&](const nc::Expression& expression) {
+      const Evaluation evaluation = evaluate(expression, before.values);
       reads.insert(reads.end(), evaluation.reads.begin(), evaluation.reads.end());
       lookAtReads(statement, evaluation, after);
-    }
-    if (std::holds_alternative<machine::StopreStatement>(statement.what)) {
+    });
+    const auto set = [&](const std::string& name, const nc::Initial* initial) {
+      const auto followed = after.values.find(name);
+      if (followed != after.values.end()) {
+        const bool isKnown = initial != nullptr && initial->values.front();
+        followed->second = isKnown ? evaluate(*initial->values.front(), before.values).result
+                                   : ValueSet{false, {0.0}};
+      }
+    };
+    if (std::holds_alternative<nc::PreprocessingStop>(statement.what)) {
       stop(after);
-    } else if (const auto* motion = std::get_if<machine::MotionStatement>(&statement.what)) {
-      move(statement.line, *motion, reads, after);
-    } else if (const auto* assign = std::get_if<machine::AssignStatement>(&statement.what)) {
-      write(statement.line, *assign, after);
-    } else if (const auto* local = std::get_if<machine::LocalAssignStatement>(&statement.what)) {
-      if (!local->element && after.values.contains(local->slot)) {
-        after.values[local->slot] = evaluate(local->value, before.values).result;
+    } else if (const auto* words = std::get_if<Words>(&statement.what)) {
+      move(statement.place.line, *words, reads, after);
+    } else if (const auto* assignment = std::get_if<nc::Assignment>(&statement.what)) {
+      if (assignment->target.op == nc::Op::R) {
+        write(statement.place.line, *assignment, after);
+      } else if (assignment->target.operands.empty()) {
+        set(assignment->target.name, &assignment->initial);
       }
-    } else if (const auto* fill = std::get_if<machine::FillStatement>(&statement.what)) {
-      if (after.values.contains(fill->slot)) {
-        const bool isKnown = !fill->values.empty() && fill->values.front();
-        after.values[fill->slot] =
-            isKnown ? evaluate(*fill->values.front(), before.values).result : ValueSet::unknown();
-      }
+    } else if (const auto* definition = std::get_if<nc::Definition>(&statement.what)) {
+      set(definition->name, definition->initial ? &*definition->initial : nullptr);
     }
-    if (exitsOf(m_program, at).condition != nullptr) {
+    if (exitsOf(at).condition != nullptr) {
       const auto asks = [&reads](int cell) {
         return std::find(reads.begin(), reads.end(), cell) != reads.end();
       };
@@ -382,7 +473,7 @@ class Linter {
   }
 
   void lookAtReads(const Statement& statement, const Evaluation& evaluation, State& state) {
-    const base::LineNumber line = statement.line;
+    const base::LineNumber line = statement.place.line;
     if (evaluation.hasUnknownIndex) {
       warn(LintRule::RParameterUnbounded, line,
            "Which R-parameter is meant cannot be told before the program runs. Compute the number "
@@ -434,8 +525,14 @@ class Linter {
     }
   }
 
-  void move(base::LineNumber line, const machine::MotionStatement& motion,
-            const std::vector<int>& reads, State& state) {
+  void move(base::LineNumber line, const Words& words, const std::vector<int>& reads,
+            State& state) {
+    const auto modes = modesOf(words);
+    const auto* block = std::get_if<machine::BlockWords>(&modes);
+    if (block == nullptr) {
+      return;
+    }
+    const machine::BlockWords& motion = *block;
     if (motion.mode) {
       state.mayRapid = *motion.mode == machine::PathMode::Rapid;
     }
@@ -444,7 +541,7 @@ class Linter {
     }
     if (motion.feedMmPerMin) {
       state.mustFeed = true;
-      const Evaluation feed = evaluate(*motion.feedMmPerMin, state.values);
+      const Evaluation feed = evaluate(*valueOf(words, "F"), state.values);
       m_usesClientFeed = m_usesClientFeed || feed.asks(m_cells.feed);
     }
     if (!motion.moves()) {
@@ -489,9 +586,9 @@ class Linter {
     state.mustDelivered = false;
   }
 
-  void write(base::LineNumber line, const machine::AssignStatement& assign, State& state) {
-    const Evaluation index = evaluate(assign.index, state.values);
-    const Evaluation value = evaluate(assign.value, state.values);
+  void write(base::LineNumber line, const nc::Assignment& assign, State& state) {
+    const Evaluation index = evaluate(assign.target.operands.front(), state.values);
+    const Evaluation value = evaluate(*assign.initial.values.front(), state.values);
     if (index.result.isUnknown) {
       warn(LintRule::RParameterUnbounded, line,
            "Which R-parameter is written cannot be told before the program runs. Compute the "
@@ -558,10 +655,17 @@ class Linter {
                : cell == m_cells.stop || cell == m_cells.feed;
   }
 
+  [[nodiscard]] static bool moves(const Statement& statement) {
+    const auto* words = std::get_if<Words>(&statement.what);
+    const auto modes = modesOf(words != nullptr ? *words : Words{});
+    const auto* block = std::get_if<machine::BlockWords>(&modes);
+    return block != nullptr && block->moves();
+  }
+
   // --- loops ------------------------------------------------------------------------------
 
   [[nodiscard]] std::vector<std::size_t> nextOf(std::size_t at) const {
-    const Exits exits = exitsOf(m_program, at);
+    const Exits exits = exitsOf(at);
     std::vector<std::size_t> next;
     for (const auto& exit : {exits.whenTrue, exits.whenFalse}) {
       if (!exits.ends && exit && *exit < m_statements.size() && m_isReached[*exit]) {
@@ -590,7 +694,7 @@ class Linter {
   }
 
   [[nodiscard]] std::vector<int> conditionReads(std::size_t at) const {
-    const Exits exits = exitsOf(m_program, at);
+    const Exits exits = exitsOf(at);
     return exits.condition == nullptr ? std::vector<int>{}
                                       : evaluate(*exits.condition, m_before[at].values).reads;
   }
@@ -605,11 +709,10 @@ class Linter {
       }
       const std::vector<int> reads = conditionReads(at);
       asksStop[at] = std::find(reads.begin(), reads.end(), m_stopCell) != reads.end();
-      stops[at] = std::holds_alternative<machine::StopreStatement>(m_statements[at].what) ||
+      stops[at] = std::holds_alternative<nc::PreprocessingStop>(m_statements[at].what) ||
                   m_statements[at].readsMainRun;
       // A loop with motion in it goes round once per window: only one without waits.
-      const auto* motion = std::get_if<machine::MotionStatement>(&m_statements[at].what);
-      stops[at] = stops[at] || (m_isCredit && motion != nullptr && motion->moves());
+      stops[at] = stops[at] || (m_isCredit && moves(m_statements[at]));
     }
     // A question whose answers all lead back to it stops nothing.
     const std::vector<bool> candidates = asksStop;
@@ -629,11 +732,11 @@ class Linter {
       if (!lasts(cycle) || waitsForOverlay(cycle)) {
         return;
       }
-      error(LintRule::StopCheckMissing, m_statements[cycle.back()].line,
+      error(LintRule::StopCheckMissing, m_statements[cycle.back()].place.line,
             fmt::format("The loop from line {} back from here can be gone round without asking "
                         "R{}: a stop of the client would not be seen. Put a condition on R{} that "
                         "leaves it into the loop.",
-                        m_statements[cycle.front()].line.value, m_stopCell, m_stopCell));
+                        m_statements[cycle.front()].place.line.value, m_stopCell, m_stopCell));
     });
     findCycles(stops, [this](const std::vector<std::size_t>& cycle) {
       if (m_isCredit && endsByItself(cycle)) {
@@ -642,7 +745,7 @@ class Linter {
       for (const std::size_t at : cycle) {
         for (const int cell : conditionReads(at)) {
           if (isClients(cell) || (cell == m_cells.signal && !m_isWindow)) {
-            error(LintRule::StopreMissing, m_statements[at].line,
+            error(LintRule::StopreMissing, m_statements[at].place.line,
                   fmt::format("The loop asks R{} again and again without a STOPRE: the control may "
                               "never see what the client writes. {}",
                               cell,
@@ -699,7 +802,7 @@ class Linter {
     bool asksMainRun = false;
     bool counts = false;
     for (const std::size_t at : cycle) {
-      if (std::holds_alternative<machine::MotionStatement>(m_statements[at].what)) {
+      if (std::holds_alternative<Words>(m_statements[at].what)) {
         return false;
       }
       const std::vector<std::size_t> next = nextOf(at);
@@ -718,8 +821,8 @@ class Linter {
     bool leaves = false;
     for (const std::size_t at : cycle) {
       const auto& what = m_statements[at].what;
-      if (std::holds_alternative<machine::DwellStatement>(what) ||
-          std::holds_alternative<machine::StopreStatement>(what) || !conditionReads(at).empty()) {
+      if (std::holds_alternative<nc::Dwell>(what) ||
+          std::holds_alternative<nc::PreprocessingStop>(what) || !conditionReads(at).empty()) {
         return true;
       }
       for (const std::size_t next : nextOf(at)) {
@@ -733,7 +836,7 @@ class Linter {
 
   void lookAtWhole() {
     const base::LineNumber last =
-        m_statements.empty() ? base::LineNumber{} : m_statements.back().line;
+        m_statements.empty() ? base::LineNumber{} : m_statements.back().place.line;
     if (m_statements.empty() || m_isReached[m_statements.size()]) {
       warn(LintRule::NoEnd, last, "The program runs off its last line. End it with M30.");
     }
@@ -769,7 +872,9 @@ class Linter {
     }
   }
 
-  const NcProgram& m_program;
+  const nc::Tree& m_program;
+  std::set<std::string, std::less<>> m_defined;  ///< variables
+  std::set<std::size_t> m_alarms;                ///< statements the control complains about
   const std::vector<Statement>& m_statements;
   const TemplateParameters& m_parameters;
   const CellMap& m_cells;
@@ -831,7 +936,7 @@ base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
   if (!cells) {
     return base::fail(cells.error());
   }
-  const NcProgram program = NcProgram::compile(text);
+  const nc::Tree program = nc::parseSinumerik(text);
   return Linter(program, parameters, *cells).run();
 }
 

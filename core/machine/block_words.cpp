@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "machine/block_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rivulet::machine {
+
+namespace {
+
+constexpr int kSyntaxError = 12080;
+constexpr int kAddressTwice = 12010;
+constexpr int kGroupTwice = 12060;
+constexpr int kUnknownG = 12470;
+constexpr int kUnknownName = 12550;
+
+/// G functions without effect on what the virtual machine models.
+constexpr std::array kIgnoredG{40,  53,  54,  55,  56,  57,  94,  153,
+                               450, 451, 500, 601, 602, 603, 505, 506};
+
+constexpr std::array<std::string_view, 25> kIgnoredNames{
+    "FFWON",  "FFWOF",     "DYNNORM",  "DYNPOS",   "DYNROUGH", "DYNSEMIFIN", "DYNFINISH",
+    "COMPOF", "ORIWKS",    "ORIAXES",  "CFC",      "CFTCP",    "CFIN",       "NORM",
+    "FNORM",  "STARTFIFO", "STOPFIFO", "FIFOCTRL", "SUPA",     "DISPLOF",    "SAVE",
+    "SBLON",  "SBLOF",     "CUT2D",    "KONT"};
+
+/// What a G function sets: a function per code, a contradiction within a group is an alarm.
+struct GFunction {
+  int number;
+  bool (*set)(BlockWords&);  ///< false: the group has been set in this block
+};
+
+template <class Value>
+bool once(std::optional<Value>& target, Value value) {
+  const bool isFirst = !target;
+  target = value;
+  return isFirst;
+}
+
+bool rounds(BlockWords& words, RoundingKind kind) {
+  words.rounding = kind;
+  return once(words.end, BlockEnd::Rounded);
+}
+
+constexpr std::array kGFunctions{
+    GFunction{0, [](BlockWords& w) { return once(w.mode, PathMode::Rapid); }},
+    GFunction{1, [](BlockWords& w) { return once(w.mode, PathMode::Line); }},
+    GFunction{2, [](BlockWords& w) { return once(w.mode, PathMode::Clockwise); }},
+    GFunction{3, [](BlockWords& w) { return once(w.mode, PathMode::CounterClockwise); }},
+    GFunction{9, [](BlockWords& w) { return w.exactStopOnce = true; }},
+    GFunction{17, [](BlockWords& w) { return once(w.plane, Plane::XY); }},
+    GFunction{18, [](BlockWords& w) { return once(w.plane, Plane::ZX); }},
+    GFunction{19, [](BlockWords& w) { return once(w.plane, Plane::YZ); }},
+    GFunction{60, [](BlockWords& w) { return once(w.end, BlockEnd::ExactStop); }},
+    GFunction{64, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{641, [](BlockWords& w) { return rounds(w, RoundingKind::Distance); }},
+    GFunction{642, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{643, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{644, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{645, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{70, [](BlockWords& w) { return once(w.inches, true); }},
+    GFunction{71, [](BlockWords& w) { return once(w.inches, false); }},
+    GFunction{90, [](BlockWords& w) { return once(w.absolute, true); }},
+    GFunction{91, [](BlockWords& w) { return once(w.absolute, false); }},
+    GFunction{700, [](BlockWords& w) { return once(w.inches, true); }},
+    GFunction{710, [](BlockWords& w) { return once(w.inches, false); }},
+};
+
+std::optional<Alarm> setG(BlockWords& words, double number) {
+  const auto found =
+      std::find_if(kGFunctions.begin(), kGFunctions.end(),
+                   [number](const GFunction& function) { return function.number == number; });
+  if (found != kGFunctions.end()) {
+    return found->set(words) ? std::nullopt
+                             : std::optional<Alarm>{{kGroupTwice,
+                                                     "Two G functions of one group are in the "
+                                                     "block."}};
+  }
+  if (std::any_of(kIgnoredG.begin(), kIgnoredG.end(), [number](int g) { return g == number; })) {
+    return std::nullopt;
+  }
+  return Alarm{kUnknownG, fmt::format("G{} is not known to this machine.", number)};
+}
+
+/// Where the value of an address goes; null: no address of this machine.
+std::optional<Coordinate>* targetOf(BlockWords& words, std::string_view address) {
+  using Target = std::optional<Coordinate>* (*)(BlockWords&);
+  static constexpr std::array<std::pair<std::string_view, Target>, 17> kTargets{{
+      {"X", [](BlockWords& w) { return &w.axes[0]; }},
+      {"Y", [](BlockWords& w) { return &w.axes[1]; }},
+      {"Z", [](BlockWords& w) { return &w.axes[2]; }},
+      {"A", [](BlockWords& w) { return &w.rotary[0]; }},
+      {"B", [](BlockWords& w) { return &w.rotary[1]; }},
+      {"C", [](BlockWords& w) { return &w.rotary[2]; }},
+      {"I", [](BlockWords& w) { return &w.centre[0]; }},
+      {"J", [](BlockWords& w) { return &w.centre[1]; }},
+      {"K", [](BlockWords& w) { return &w.centre[2]; }},
+      {"I1", [](BlockWords& w) { return &w.through[0]; }},
+      {"J1", [](BlockWords& w) { return &w.through[1]; }},
+      {"K1", [](BlockWords& w) { return &w.through[2]; }},
+      {"F", [](BlockWords& w) { return &w.feedMmPerMin; }},
+      {"CR", [](BlockWords& w) { return &w.radius; }},
+      {"AR", [](BlockWords& w) { return &w.openingAngle; }},
+      {"TURN", [](BlockWords& w) { return &w.fullTurns; }},
+      {"ADIS", [](BlockWords& w) { return &w.roundingMm; }},
+  }};
+  const auto found = std::find_if(kTargets.begin(), kTargets.end(),
+                                  [address](const auto& entry) { return entry.first == address; });
+  return found == kTargets.end() ? nullptr : found->second(words);
+}
+
+/// M S T D H and axes beyond A B C: their values are not asked for.
+bool isIgnored(std::string_view address) {
+  return address.size() == 1 ? std::string_view("MSTDHUVW").find(address) != std::string_view::npos
+                             : std::find(kIgnoredNames.begin(), kIgnoredNames.end(), address) !=
+                                   kIgnoredNames.end();
+}
+
+}  // namespace
+
+bool isWithoutEffect(const nc::Words& words) {
+  return std::all_of(words.words.begin(), words.words.end(),
+                     [](const nc::Word& word) { return isIgnored(word.address); });
+}
+
+std::variant<BlockWords, Alarm> gather(
+    const nc::Words& words,
+    const std::function<nc::Expected<double>(const nc::Expression&)>& valueOf) {
+  BlockWords made;
+  for (const nc::Word& word : words.words) {
+    const std::string& address = word.address;
+    if (isIgnored(address)) {
+      continue;
+    }
+    if (address == "SOFT" || address == "BRISK" || address == "DRIVE") {
+      if (!once(made.dynamics, address == "SOFT" ? Dynamics::Soft : Dynamics::Brisk)) {
+        return Alarm{kGroupTwice, "Two G functions of one group are in the block."};
+      }
+      continue;
+    }
+    if (address == "CIP") {
+      if (!once(made.mode, PathMode::Through)) {
+        return Alarm{kGroupTwice, "Two G functions of one group are in the block."};
+      }
+      continue;
+    }
+    std::optional<Coordinate>* const target = targetOf(made, address);
+    const bool isRounding = address == "ADISPOS";  // of G0: not modelled
+    if ((target == nullptr && address != "G" && !isRounding) || word.extension) {
+      return Alarm{kUnknownName, fmt::format("The name \"{}\" is not defined.", address)};
+    }
+    if (!word.value) {
+      return Alarm{kSyntaxError, fmt::format("The address {} needs a value.", address)};
+    }
+    const nc::Expected<double> value = valueOf(*word.value);
+    if (!value) {
+      return alarmOf(value.error());
+    }
+    if (address == "G") {
+      if (std::optional<Alarm> alarm = setG(made, *value)) {
+        return *std::move(alarm);
+      }
+    } else if (target != nullptr) {
+      if (*target) {
+        return Alarm{kAddressTwice, "An address is programmed more than once in the block."};
+      }
+      *target = Coordinate{*value, word.reference};
+    }
+  }
+  return made;
+}
+
+}  // namespace rivulet::machine
