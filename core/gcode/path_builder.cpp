@@ -10,19 +10,6 @@ namespace rivulet::gcode {
 
 using base::Vec3;
 
-namespace {
-
-/// The same turn as an axis in space.
-SpaceArc inSpace(const Arc& arc) {
-  SpaceArc space;
-  space.centreMm = arc.centreMm;
-  space.axis.set((arc.firstAxis + 2) % base::kAxisCount, arc.clockwise ? -1.0 : 1.0);
-  space.sweepRad = arcSweep(arc);
-  return space;
-}
-
-}  // namespace
-
 PathBuilder::PathBuilder(const LoadOptions& options, Trajectory& trajectory, Statistics& statistics)
     : m_options(options), m_trajectory(trajectory), m_statistics(statistics) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

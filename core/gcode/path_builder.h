@@ -15,7 +15,6 @@
 #include "gcode/arc.h"
 #include "gcode/frame.h"
 #include "gcode/program.h"
-#include "gcode/spline.h"
 
 namespace rivulet::gcode {
 

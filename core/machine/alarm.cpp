@@ -15,6 +15,7 @@ int numberOf(nc::FaultCode code) {
     case DivisionByZero:
     case OutOfDomain:
     case NotFinite:
+    case ValueUnknown:
       return 14051;
     case NoSuchR:
     case RUnset:

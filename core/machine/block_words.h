@@ -15,9 +15,8 @@
 #include "base/axes.h"
 #include "base/vec3.h"
 #include "machine/alarm.h"
-#include "machine/arc_geometry.h"
 #include "machine/prepared.h"
-#include "nc/syntax/tree.h"
+#include "nc/flow/sequence.h"
 
 namespace rivulet::machine {
 
@@ -41,7 +40,7 @@ struct BlockWords {
   std::optional<Coordinate> feedMmPerMin;
   std::optional<Coordinate> roundingMm;  ///< ADIS=
   std::optional<PathMode> mode;
-  std::optional<Plane> plane;
+  std::optional<std::size_t> plane;  ///< `nc::Arc::firstAxis` of G17, G18, G19
   std::optional<Dynamics> dynamics;
   std::optional<bool> absolute;  ///< G90, G91
   std::optional<bool> inches;    ///< G70, G700; G71, G710

@@ -16,6 +16,9 @@ namespace rivulet::machine {
 
 namespace {
 
+constexpr int kEndPointError = 14040;
+/// Difference of the radii at start and end that is let pass (MD21000).
+constexpr double kCircleErrorMm = 0.01;
 constexpr double kMmPerInch = 25.4;
 /// G0 of rotary axes alone: only their own limits bound it.
 constexpr double kRapidDegPerS = 1e6;
@@ -77,7 +80,7 @@ void Interpreter::Values::refresh() {
 
 // --- statement by statement -------------------------------------------------------------------
 
-Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,
+Interpreter::Interpreter(std::shared_ptr<const nc::Sequence> program, RParameters& parameters,
                          const InterpreterOptions& options)
     : m_values(parameters, options),
       m_flow(std::move(program), m_values, options.library),
@@ -98,14 +101,14 @@ void Interpreter::refresh() {
 }
 
 Prepared Interpreter::next() {
-  const auto isSilent = [](const nc::Statement& statement) {
+  const auto isSilent = [](const nc::Step& statement) {
     const auto* const words = std::get_if<nc::Words>(&statement.what);
     return words != nullptr && isWithoutEffect(*words);
   };
   // A block may hold several statements (R1=0 R2=0 G1 X5): those that neither move nor jump are
   // executed together with what follows them in the same block.
   for (;;) {
-    const nc::Statement* const statement = m_flow.due();
+    const nc::Step* const statement = m_flow.due();
     if (statement == nullptr) {
       return m_flow.depth() > 1 ? leave()  // a subprogram may end without M17
                                 : Alarm{12080, "The program has no end (M30 or M17 is missing)."};
@@ -130,11 +133,11 @@ Prepared Interpreter::next() {
   }
 }
 
-Prepared Interpreter::execute(const nc::Statement& statement) {
+Prepared Interpreter::execute(const nc::Step& statement) {
   return std::visit(
       Overload{
           [&](const nc::Words& s) { return move(s, statement.place.line); },
-          [&](const nc::Dwell& s) -> Prepared {
+          [&](const nc::DwellStep& s) -> Prepared {
             const nc::Expected<double> seconds = m_values.number(s.seconds);
             if (!seconds) {
               return alarmOf(seconds.error());
@@ -142,8 +145,8 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
             return PreparedDwell{statement.place.line,
                                  base::fromSeconds(std::clamp(*seconds, 0.0, 1e6))};
           },
-          [](const nc::PreprocessingStop&) -> Prepared { return PreparedStopre{}; },
-          [this](const nc::Message& s) -> Prepared {
+          [](const nc::StopStep&) -> Prepared { return PreparedStopre{}; },
+          [this](const nc::MessageStep& s) -> Prepared {
             if (!s.text) {
               return PreparedMessage{};
             }
@@ -151,7 +154,7 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
                 nc::evaluate(*s.text, m_values, m_values.semantics());
             return text ? Prepared(PreparedMessage{nc::textOf(*text)}) : alarmOf(text.error());
           },
-          [this](const nc::FrameStatement& s) { return setFrame(s); },
+          [this](const nc::FrameStep& s) { return setFrame(s); },
           [this](const nc::Synchronized& s) -> Prepared {
             nc::Expected<SyncAction> action = frozen(s, m_values);
             if (!action) {
@@ -159,16 +162,16 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
             }
             return PreparedSync{std::make_shared<const SyncAction>(std::move(*action))};
           },
-          [this](const nc::Cancel& s) -> Prepared {
+          [this](const nc::CancelStep& s) -> Prepared {
             const nc::Expected<double> id = m_values.number(s.id);
             if (!id) {
               return alarmOf(id.error());
             }
             return PreparedCancel{static_cast<int>(std::lround(std::clamp(*id, 0.0, 255.0)))};
           },
-          [this](const nc::Return&) { return leave(); },
-          [](const nc::End&) -> Prepared { return PreparedEnd{}; },
-          [](const nc::Faulty& s) -> Prepared { return alarmOf(s.fault); },
+          [this](const nc::ReturnStep&) { return leave(); },
+          [](const nc::EndStep&) -> Prepared { return PreparedEnd{}; },
+          [](const nc::FaultyStep& s) -> Prepared { return alarmOf(s.fault); },
           [&](const auto&) -> Prepared {
             const nc::Expected<bool> jumped = m_flow.execute(statement);
             return jumped ? Prepared(PreparedNothing{*jumped}) : alarmOf(jumped.error());
@@ -288,44 +291,60 @@ std::variant<ArcPath, Alarm> Interpreter::arcOf(const BlockWords& words, base::V
         through.set(axis, m_absolute ? value : through[axis] + value);
       }
     }
-    return arcThrough(fromMm, rotated(through) + m_translationMm, toMm);
+    const std::optional<ArcPath> arc =
+        nc::arcThrough(fromMm, rotated(through) + m_translationMm, toMm);
+    return arc ? std::variant<ArcPath, Alarm>(*arc)
+               : Alarm{kEndPointError, "Circle end-point error: the three points lie on a line."};
   }
-  ArcEnds ends{fromMm, toMm, m_plane, m_mode == PathMode::Clockwise, 0};
-  if (m_isRotated && m_plane != Plane::XY) {
+  if (m_isRotated && m_plane != 0) {
     return Alarm{12550, "Arcs outside G17 cannot be programmed in a rotated frame here."};
   }
-  if (words.fullTurns) {
-    ends.fullTurns = static_cast<int>(std::clamp(std::round(words.fullTurns->value), 0.0, 999.0));
-  }
+  nc::Arc arc;
+  arc.startMm = fromMm;
+  arc.endMm = toMm;
+  arc.firstAxis = m_plane;
+  arc.clockwise = m_mode == PathMode::Clockwise;
+  arc.turns = words.fullTurns
+                  ? static_cast<int>(std::clamp(std::round(words.fullTurns->value), 0.0, 999.0))
+                  : 0;
+  nc::ArcWords given;
+  given.endIsGiven = words.axes[0] || words.axes[1] || words.axes[2];
   if (words.radius) {
-    return arcWithRadius(ends, unit() * words.radius->value);
+    given.radius = unit() * words.radius->value;
+  } else if (words.openingAngle) {
+    given.degrees = words.openingAngle->value;
   }
-  if (words.openingAngle) {
-    return arcWithAngle(ends, words.openingAngle->value);
-  }
-  if (!words.isArc()) {
-    return Alarm{14040, "The circle has neither centre nor radius."};
-  }
-  base::Vec3 offset{};
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (words.centre[axis]) {
-      // I J K count from the start point, whatever G90 and G91 say.
-      const bool absolute = words.centre[axis]->reference == nc::Word::Reference::Absolute;
-      offset.set(axis,
-                 unit() * words.centre[axis]->value - (absolute ? programmedFromMm[axis] : 0.0));
+  if (words.isArc() && !words.radius) {
+    base::Vec3 offset{};
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (words.centre[axis]) {
+        // I J K count from the start point, whatever G90 and G91 say.
+        const bool absolute = words.centre[axis]->reference == nc::Word::Reference::Absolute;
+        offset.set(axis,
+                   unit() * words.centre[axis]->value - (absolute ? programmedFromMm[axis] : 0.0));
+      }
+    }
+    // What lies across the plane is no part of the centre.
+    const std::size_t across = (m_plane + 2) % base::kAxisCount;
+    offset.set(across, 0.0);
+    offset = rotated(offset);
+    for (const std::size_t axis : {m_plane, (m_plane + 1) % base::kAxisCount}) {
+      given.centre[axis] = offset[axis];
     }
   }
-  // What lies across the plane is no part of the centre.
-  const base::Vec3 normal = normalOf(m_plane);
-  const base::Vec3 inPlane = offset - base::dot(offset, normal) * normal;
-  return arcAboutCentre(ends, fromMm + rotated(inPlane));
+  const nc::ResolvedArc resolved = nc::resolveArc(arc, given, kCircleErrorMm);
+  if (resolved.problem != nc::ArcProblem::None) {
+    return Alarm{kEndPointError,
+                 fmt::format("Circle end-point error: {}.", nc::describe(resolved.problem))};
+  }
+  return nc::inSpace(resolved.arc);
 }
 
 base::Vec3 Interpreter::rotated(base::Vec3 vector) const {
   return vector.x * m_rotation[0] + vector.y * m_rotation[1] + vector.z * m_rotation[2];
 }
 
-Prepared Interpreter::setFrame(const nc::FrameStatement& statement) {
+Prepared Interpreter::setFrame(const nc::FrameStep& statement) {
   const bool isRotation = statement.name.ends_with("ROT");
   if (!isRotation && !statement.name.ends_with("TRANS")) {
     return Alarm{12550, fmt::format("{} is not known to this machine.", statement.name)};
@@ -361,8 +380,8 @@ Prepared Interpreter::setFrame(const nc::FrameStatement& statement) {
     m_translationMm = m_translationMm + rotated(unit() * values);
     return PreparedNothing{};
   }
-  const bool aboutZ = inPlane ? m_plane == Plane::XY && !given[0] && !given[1] && !given[2]
-                              : !given[0] && !given[1];
+  const bool aboutZ =
+      inPlane ? m_plane == 0 && !given[0] && !given[1] && !given[2] : !given[0] && !given[1];
   if (!aboutZ) {
     return Alarm{12550, "Frames are rotated about Z only here."};
   }

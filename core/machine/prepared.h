@@ -17,18 +17,15 @@
 #include "base/instant.h"
 #include "base/vec3.h"
 #include "machine/alarm.h"
+#include "nc/geometry/arc.h"
 
 namespace rivulet::machine {
 
 struct SyncAction;
 
 /// A circle or helix from the end of the previous block to the block's target: the start point
-/// turns by `sweepRad` about the axis and rises evenly along it. Workpiece frame.
-struct ArcPath {
-  base::Vec3 centreMm;    ///< any point on the axis
-  base::Vec3 axis;        ///< unit vector; the turn is counterclockwise seen against it
-  double sweepRad = 0.0;  ///< > 0; more than a full circle with TURN=
-};
+/// turns about the axis and rises evenly along it. Workpiece frame.
+using ArcPath = nc::SpaceArc;
 
 /// How the path continues after the block.
 enum class BlockEnd {

@@ -10,12 +10,12 @@
 #include <limits>
 #include <numbers>
 
-#include "gcode/arc.h"
 #include "gcode/frame.h"
 #include "gcode/interpreter.h"
-#include "gcode/spline.h"
 #include "gcode/thinning.h"
 #include "gcode_text.h"
+#include "nc/geometry/arc.h"
+#include "nc/geometry/spline.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -109,21 +109,21 @@ class TestCurves : public QObject {
   /// Every place of the curve lies within the tolerance of its chords.
   void splinesWithinTolerance() {
     QVERIFY(rc::check("spline flattening", [] {
-      gcode::Spline spline;
+      nc::Spline spline;
       spline.degree = *rc::gen::inRange(1, 4);
       const int count = *rc::gen::inRange(spline.degree + 1, 9);
       for (int i = 0; i < count; ++i) {
         spline.controlMm.push_back(point());
         spline.weights.push_back(*rc::gen::inRange(1, 40) / 10.0);
       }
-      spline.knots = gcode::clampedKnots(spline.controlMm.size(), spline.degree);
+      spline.knots = nc::clampedKnots(spline.controlMm.size(), spline.degree);
       const double toleranceMm = *rc::gen::inRange(1, 200) / 1000.0;
       std::vector<Vec3> chords{spline.controlMm.front()};
-      gcode::flattenSpline(spline, toleranceMm, chords);
+      nc::flattenSpline(spline, toleranceMm, chords);
       RC_ASSERT(chords.back() == spline.controlMm.back());
       const double last = spline.knots.back();
       for (int i = 0; i <= 400; ++i) {
-        const Vec3 at = gcode::splinePoint(spline, last * i / 400.0 * (1 - 1e-12));
+        const Vec3 at = nc::splinePoint(spline, last * i / 400.0 * (1 - 1e-12));
         RC_ASSERT(distanceToPath(at, chords) <= toleranceMm + 1e-9);
       }
     }));
@@ -131,16 +131,16 @@ class TestCurves : public QObject {
 
   void splineOfWeightsIsACircle() {
     // A quarter circle as a rational quadratic: the weight of the corner is cos 45°.
-    gcode::Spline spline;
+    nc::Spline spline;
     spline.degree = 2;
     spline.controlMm = {{10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
     spline.weights = {1.0, std::numbers::sqrt2 / 2.0, 1.0};
-    spline.knots = gcode::clampedKnots(3, 2);
+    spline.knots = nc::clampedKnots(3, 2);
     for (int i = 0; i <= 20; ++i) {
-      QVERIFY(std::abs(base::norm(gcode::splinePoint(spline, i / 20.0)) - 10.0) < 1e-12);
+      QVERIFY(std::abs(base::norm(nc::splinePoint(spline, i / 20.0)) - 10.0) < 1e-12);
     }
     std::vector<Vec3> chords;
-    const double lengthMm = gcode::flattenSpline(spline, 1e-4, chords);
+    const double lengthMm = nc::flattenSpline(spline, 1e-4, chords);
     QVERIFY(std::abs(lengthMm - 5.0 * std::numbers::pi) < 1e-3);
   }
 
@@ -150,14 +150,14 @@ class TestCurves : public QObject {
       const Vec3 a = point();
       const Vec3 b = point();
       const Vec3 c = point();
-      const auto arc = gcode::arcThrough(a, b, c);
+      const auto arc = nc::arcThrough(a, b, c);
       RC_PRE(arc.has_value());
       const double radiusMm = base::distance(a, arc->centreMm);
       RC_PRE(radiusMm < 1e4);
       RC_ASSERT(std::abs(base::distance(b, arc->centreMm) - radiusMm) < 1e-6 * radiusMm + 1e-6);
       RC_ASSERT(std::abs(base::distance(c, arc->centreMm) - radiusMm) < 1e-6 * radiusMm + 1e-6);
       std::vector<Vec3> chords{a};
-      gcode::flattenSpaceArc(*arc, a, c, 0.01, chords);
+      nc::flattenSpaceArc(*arc, a, c, 0.01, chords);
       RC_ASSERT(distanceToPath(b, chords) <= 0.0101);
       for (const Vec3& chord : chords) {
         RC_ASSERT(std::abs(base::distance(chord, arc->centreMm) - radiusMm) <
@@ -171,7 +171,7 @@ class TestCurves : public QObject {
       const Vec3 from = point();
       const Vec3 direction = point();
       const Vec3 to = point();
-      const auto arc = gcode::tangentArc(from, direction, to);
+      const auto arc = nc::tangentArc(from, direction, to);
       RC_PRE(arc.has_value());
       const Vec3 radius = from - arc->centreMm;
       const double radiusMm = base::norm(radius);

@@ -269,7 +269,7 @@ Expected<Value> evaluate(const Expression& node, const ValueSource& source,
       return placed(std::move(value.error()), node.place);
     }
     if (const auto* number = std::get_if<double>(&*value);
-        number != nullptr && std::isnan(*number)) {
+        number != nullptr && !std::isfinite(*number)) {
       return fail(FaultCode::ValueUnknown, {}, node.place);
     }
     return value;

@@ -34,8 +34,8 @@ struct Semantics {
 
 [[nodiscard]] bool areEqual(double a, double b, const Semantics& semantics);
 
-/// Gives the values an evaluation asks for, or says why there is none. A NaN stands for a value
-/// that an earlier fault has left unknown.
+/// Gives the values an evaluation asks for, or says why there is none. What is not finite stands
+/// for a value that an earlier fault has left unknown.
 class ValueSource {
  public:
   virtual ~ValueSource() = default;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gcode/arc.h"
+#include "nc/geometry/arc.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 
 /// An arc known by its angles: what the flattened one is measured against.
 struct KnownArc {
-  gcode::Arc arc;
+  nc::Arc arc;
   double radiusMm = 1.0;
   double startAngle = 0.0;
   double sweep = 0.0;  ///< > 0
@@ -75,7 +75,7 @@ class TestArc : public QObject {
       const KnownArc known = drawArc();
       const double toleranceMm = std::pow(10.0, uniform(*rc::gen::inRange(0, 1001), -4.0, 0.0));
       std::vector<Vec3> points;
-      gcode::flattenArc(known.arc, toleranceMm, points);
+      nc::flattenArc(known.arc, toleranceMm, points);
       RC_ASSERT(!points.empty());
       RC_ASSERT(points.back() == known.arc.endMm);
       const std::size_t first = known.arc.firstAxis;
@@ -100,7 +100,7 @@ class TestArc : public QObject {
     QVERIFY(rc::check("corners follow the direction, the rise and the sweep", [] {
       const KnownArc known = drawArc();
       std::vector<Vec3> points;
-      const double lengthMm = gcode::flattenArc(known.arc, 0.01, points);
+      const double lengthMm = nc::flattenArc(known.arc, 0.01, points);
       const double exactMm = std::hypot(known.radiusMm * known.sweep, known.riseMm);
       RC_ASSERT(std::abs(lengthMm - exactMm) < 1e-6 * (1.0 + exactMm));
       const std::size_t first = known.arc.firstAxis;
@@ -123,7 +123,7 @@ class TestArc : public QObject {
       const KnownArc known = drawArc();
       RC_PRE(std::abs(known.sweep - kPi) > 1e-2);
       const double radiusMm = known.sweep > kPi ? -known.radiusMm : known.radiusMm;
-      const Vec3 centreMm = gcode::arcCentre(known.arc, radiusMm);
+      const Vec3 centreMm = nc::arcCentre(known.arc, radiusMm);
       for (const std::size_t axis : {known.arc.firstAxis, (known.arc.firstAxis + 1) % 3}) {
         // Near a full circle the chord is short and the centre ill-conditioned.
         RC_ASSERT(std::abs(centreMm[axis] - known.arc.centreMm[axis]) < 1e-6 * known.radiusMm);
@@ -132,9 +132,9 @@ class TestArc : public QObject {
   }
 
   void fullCircleReturnsToItsStart() {
-    gcode::Arc arc{{10, 0, 5}, {10, 0, 5}, {0, 0, 0}, 0, true};
+    nc::Arc arc{{10, 0, 5}, {10, 0, 5}, {0, 0, 0}, 0, true};
     std::vector<Vec3> points;
-    const double lengthMm = gcode::flattenArc(arc, 0.005, points);
+    const double lengthMm = nc::flattenArc(arc, 0.005, points);
     QVERIFY(std::abs(lengthMm - 20.0 * kPi) < 1e-9);
     QVERIFY(points.size() > 50);
     QVERIFY(points.front().y < 0.0);  // clockwise
@@ -147,16 +147,16 @@ class TestArc : public QObject {
   }
 
   void smallCircleKeepsItsShape() {
-    gcode::Arc arc{{0.001, 0, 0}, {0.001, 0, 0}, {0, 0, 0}, 0, false};
+    nc::Arc arc{{0.001, 0, 0}, {0.001, 0, 0}, {0, 0, 0}, 0, false};
     std::vector<Vec3> points;
-    gcode::flattenArc(arc, 1.0, points);
+    nc::flattenArc(arc, 1.0, points);
     QCOMPARE(points.size(), std::size_t{4});
   }
 
   void smallMismatchSpirals() {
-    gcode::Arc arc{{10, 0, 0}, {0, 10.02, 0}, {0, 0, 0}, 0, false};
+    nc::Arc arc{{10, 0, 0}, {0, 10.02, 0}, {0, 0, 0}, 0, false};
     std::vector<Vec3> points;
-    gcode::flattenArc(arc, 0.005, points);
+    nc::flattenArc(arc, 0.005, points);
     double radiusMm = 10.0;
     for (const Vec3& point : points) {
       const double next = std::hypot(point.x, point.y);
@@ -168,17 +168,17 @@ class TestArc : public QObject {
   }
 
   void shortRadiusBecomesAHalfCircle() {
-    const gcode::Arc arc{{0, 0, 0}, {10, 0, 0}, {}, 0, true};
-    const Vec3 centreMm = gcode::arcCentre(arc, 4.995);
+    const nc::Arc arc{{0, 0, 0}, {10, 0, 0}, {}, 0, true};
+    const Vec3 centreMm = nc::arcCentre(arc, 4.995);
     QCOMPARE(centreMm.x, 5.0);
     QCOMPARE(centreMm.y, 0.0);
   }
 
   void unknownHeightStaysUnknown() {
     const double unknown = std::nan("");
-    gcode::Arc arc{{10, 0, unknown}, {0, 10, unknown}, {0, 0, unknown}, 0, false};
+    nc::Arc arc{{10, 0, unknown}, {0, 10, unknown}, {0, 0, unknown}, 0, false};
     std::vector<Vec3> points;
-    const double lengthMm = gcode::flattenArc(arc, 0.005, points);
+    const double lengthMm = nc::flattenArc(arc, 0.005, points);
     QVERIFY(std::abs(lengthMm - 5.0 * kPi) < 1e-9);
     QVERIFY(std::isnan(points.front().z));
     QVERIFY(std::isfinite(points.front().x));

@@ -9,7 +9,7 @@
 
 #include "base/vec3.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 /// A rational B-spline. Workpiece frame or any other: the curve is where its points are.
 struct Spline {
@@ -33,4 +33,4 @@ struct Spline {
 double flattenSpline(const Spline& spline, double chordToleranceMm,
                      std::vector<base::Vec3>& points);
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "gcode/spline.h"
+#include "nc/geometry/spline.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/contract.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 namespace {
 
@@ -105,4 +105,4 @@ double flattenSpline(const Spline& spline, double chordToleranceMm, std::vector<
   return lengthMm;
 }
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

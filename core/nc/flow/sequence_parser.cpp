@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nc/syntax/parser.h"
+#include "nc/flow/sequence_parser.h"
 
 #include <fmt/format.h>
 
@@ -101,10 +101,10 @@ std::string programName(std::string_view text) {
 }
 
 /// Reads one line after another; control structures are closed by back-patching. A function that
-/// returns false has added a `Faulty` statement, or the rest of the line is not to be read.
+/// returns false has added a `FaultyStep` statement, or the rest of the line is not to be read.
 class Parser {
  public:
-  Parser(Tree& tree, std::uint16_t file) : m_tree(tree), m_file(file) {}
+  Parser(Sequence& tree, std::uint16_t file) : m_tree(tree), m_file(file) {}
 
   void line(std::string_view raw) {
     ++m_line;
@@ -132,9 +132,9 @@ class Parser {
       m_words = {};
     }
     if (m_ends) {
-      emit(End{});
+      emit(EndStep{});
     } else if (m_returns) {
-      emit(Return{});
+      emit(ReturnStep{});
     }
   }
 
@@ -143,7 +143,8 @@ class Parser {
       m_line = open.line;
       m_firstOfBlock = true;
       m_readsMainRun = false;
-      emit(Faulty{{FaultCode::NotClosed, std::string(nameOf(open.kind)), {open.line, m_file, 1}}});
+      emit(FaultyStep{
+          {FaultCode::NotClosed, std::string(nameOf(open.kind)), {open.line, m_file, 1}}});
       if (open.branch) {
         patch(*open.branch);
       }
@@ -219,7 +220,7 @@ class Parser {
 
   template <class What>
   std::size_t emit(What what) {
-    Statement& made = m_tree.statements.emplace_back();
+    Step& made = m_tree.statements.emplace_back();
     made.place = {m_line, m_file, m_wordColumn};
     made.beginsBlock = std::exchange(m_firstOfBlock, false);
     made.readsMainRun = std::exchange(m_readsMainRun, false);
@@ -228,7 +229,7 @@ class Parser {
   }
 
   bool fault(Fault fault) {
-    emit(Faulty{std::move(fault)});
+    emit(FaultyStep{std::move(fault)});
     return false;
   }
   bool fault(FaultCode code, std::string argument = {}) {
@@ -236,7 +237,7 @@ class Parser {
   }
 
   void patch(std::size_t branch) {
-    std::get<Branch>(m_tree.statements[branch].what).target = m_tree.statements.size();
+    std::get<BranchStep>(m_tree.statements[branch].what).target = m_tree.statements.size();
   }
 
   /// Takes the value out, or adds the fault.
@@ -359,7 +360,7 @@ class Parser {
     }
     if (made.address == "F" && m_dwells) {
       m_dwells = false;
-      emit(Dwell{std::move(*made.value)});
+      emit(DwellStep{std::move(*made.value)});
       return true;
     }
     if (made.address == "M" && isNumber && !made.extension) {
@@ -422,7 +423,7 @@ class Parser {
       return jump(std::nullopt, *direction);
     }
     if (name == "STOPRE") {
-      emit(PreprocessingStop{});
+      emit(StopStep{});
       return true;
     }
     if (name == "MSG") {
@@ -451,7 +452,7 @@ class Parser {
     if (name == "CANCEL") {
       std::optional<Expression> id;
       return expect('(') && (id = expression()) && expect(')') &&
-             (emit(Cancel{std::move(*id)}), true);
+             (emit(CancelStep{std::move(*id)}), true);
     }
     if (isOneOf(name, kFrames)) {
       return frame(name);
@@ -503,7 +504,7 @@ class Parser {
       if (!ended) {
         return false;
       }
-      const std::size_t jump = emit(Branch{});
+      const std::size_t jump = emit(BranchStep{});
       patch(*ended->branch);
       return open(Structure::If, jump, 0);
     }
@@ -516,7 +517,7 @@ class Parser {
       if (!condition) {
         return false;
       }
-      const std::size_t begin = emit(Branch{std::move(condition), 0});
+      const std::size_t begin = emit(BranchStep{std::move(condition), 0});
       return open(Structure::While, begin, begin);
     }
     if (word == "LOOP") {
@@ -537,7 +538,7 @@ class Parser {
         emit(Assignment{*ended->counter,
                         only(applied(Op::Add, *ended->counter, Expression::constant(1.0)))});
       }
-      emit(Branch{std::nullopt, ended->begin});
+      emit(BranchStep{std::nullopt, ended->begin});
       if (ended->branch) {
         patch(*ended->branch);
       }
@@ -549,7 +550,7 @@ class Parser {
     if (word == "UNTIL") {
       const std::optional<Open> ended = close(Structure::Repeat, word);
       std::optional<Expression> condition = ended ? expression() : std::nullopt;
-      return condition && (emit(Branch{std::move(condition), ended->begin}), true);
+      return condition && (emit(BranchStep{std::move(condition), ended->begin}), true);
     }
     if (word == "CASE") {
       return caseWord();
@@ -569,7 +570,7 @@ class Parser {
     if (!word.empty() || !m_in->isAtEnd()) {
       return fault(FaultCode::IfMalformed);
     }
-    const std::size_t branch = emit(Branch{std::move(condition), 0});
+    const std::size_t branch = emit(BranchStep{std::move(condition), 0});
     return open(Structure::If, branch, 0);
   }
 
@@ -596,7 +597,7 @@ class Parser {
     const Expression hidden = variable(limit.name);
     emit(Assignment{*counter, only(std::move(*first))});
     emit(std::move(limit));
-    const std::size_t begin = emit(Branch{applied(Op::LessEqual, *counter, hidden), 0});
+    const std::size_t begin = emit(BranchStep{applied(Op::LessEqual, *counter, hidden), 0});
     return open(Structure::For, begin, begin, std::move(counter));
   }
 
@@ -605,7 +606,7 @@ class Parser {
     if (m_in->isAtEnd() && !isBlockOnly) {
       return open(Structure::Repeat, std::nullopt, here());
     }
-    RepeatLabel made;
+    RepeatStep made;
     made.isBlockOnly = isBlockOnly;
     made.label = m_in->name();
     for (;;) {
@@ -678,7 +679,7 @@ class Parser {
       }
       m_in->take(':');
     }
-    emit(Jump{std::move(condition), direction, std::move(label)});
+    emit(JumpStep{std::move(condition), direction, std::move(label)});
     return true;
   }
 
@@ -716,13 +717,13 @@ class Parser {
 
   /// Behind the name: arguments, then how often.
   bool call(std::string name, bool isPlainName) {
-    Call made;
+    CallStep made;
     made.name = std::move(name);
     made.isPlainName = isPlainName;
     return finish(std::move(made));
   }
 
-  bool finish(Call made) {
+  bool finish(CallStep made) {
     auto arguments = got(m_in->arguments());
     if (!arguments) {
       return false;
@@ -746,7 +747,7 @@ class Parser {
     if (!text) {
       return false;
     }
-    Call made;
+    CallStep made;
     if (text->op == Op::Text) {
       made.name = programName(text->name);
     } else {
@@ -758,7 +759,7 @@ class Parser {
   // --- frames, messages, synchronized actions -----------------------------------------------
 
   bool frame(const std::string& name) {
-    FrameStatement made;
+    FrameStep made;
     made.name = name;
     while (!m_in->isAtEnd()) {
       Word word;
@@ -786,7 +787,7 @@ class Parser {
     if (!expect('(')) {
       return false;
     }
-    Message made;
+    MessageStep made;
     if (!m_in->take(')')) {
       made.text = expression();
       if (!made.text) {
@@ -853,7 +854,7 @@ class Parser {
     return true;
   }
 
-  Tree& m_tree;
+  Sequence& m_tree;
   std::uint16_t m_file;
   base::LineNumber m_line;
   std::string_view m_text;
@@ -871,8 +872,8 @@ class Parser {
 
 }  // namespace
 
-Tree parseSinumerik(std::string_view text, std::uint16_t file) {
-  Tree tree;
+Sequence sequenceOf(std::string_view text, std::uint16_t file) {
+  Sequence tree;
   Parser parser(tree, file);
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
