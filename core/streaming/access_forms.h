@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Which forms of access a control has been found to understand (`access_probe`).
+/// The forms of access that a control understands, as found by `access_probe`.
 /// @threadsafety plain values.
 #pragma once
 
@@ -14,12 +14,12 @@
 
 namespace rivulet::streaming {
 
-/// What was found out about one form.
+/// The result for one form.
 struct FormProof {
   opcua::Grouping form = opcua::Grouping::Single;
   bool writes = false;
   bool reads = false;
-  std::string why;  ///< where it does not work; in English, for the report
+  std::string why;  ///< why it does not work; in English, for the report
 
   [[nodiscard]] bool works() const { return writes && reads; }
 };
@@ -27,9 +27,9 @@ struct FormProof {
 struct AccessForms {
   std::vector<FormProof> proofs;  ///< of every form, the best first
 
-  /// The first that works. Single always does, or there would be no result.
+  /// The first that works. Single always works; otherwise there is no result.
   [[nodiscard]] opcua::Grouping best() const;
-  /// The best array form; nothing where arrays do not work.
+  /// The best array form; nothing if arrays do not work.
   [[nodiscard]] std::optional<opcua::Grouping> array() const;
 };
 

@@ -20,14 +20,14 @@ using base::Result;
 using opcua::Grouping;
 using opcua::LinkError;
 
-/// In this order a form is preferred.
+/// Forms in the order of preference.
 constexpr std::array kPreferred{Grouping::ArrayCount, Grouping::ArrayRange, Grouping::List,
                                 Grouping::Single};
 constexpr double kReset = 0.0;
 /// A value that was confirmed may be readable only from the next interpolation cycle on.
 constexpr int kReadBackTries = 3;
 
-/// The deadline of a request with so many items.
+/// The deadline of a request with this many items.
 Duration deadlineOf(Duration deadline, std::size_t items) {
   constexpr Duration kPerItem = std::chrono::milliseconds{20};
   return deadline + kPerItem * static_cast<Duration::rep>(items);
@@ -80,7 +80,7 @@ class Probe {
     return std::span(m_cells).subspan(1, m_cells.size() - 2);
   }
 
-  /// Looks whether the cells may be used, and keeps what stands in them.
+  /// Checks whether the cells may be used, and keeps their values.
   Result<void> begin() {
     const std::array<opcua::Variable, 1> channel{{{opcua::VariableKind::ChannelStatus, 0}}};
     const auto status = opcua::readNow(m_link, channel, m_deadline);
@@ -109,7 +109,7 @@ class Probe {
     return {};
   }
 
-  /// Numbers no other round has, and no other cell.
+  /// Numbers that differ from those of all other rounds and cells.
   [[nodiscard]] std::vector<opcua::Assignment> pattern() {
     constexpr double kRound = 100'000.0;
     ++m_round;
@@ -120,7 +120,7 @@ class Probe {
     return items;
   }
 
-  /// The yardstick of all others.
+  /// The reference for all others.
   Result<void> proveSingle() {
     const std::vector<opcua::Assignment> items = pattern();
     const Result<opcua::Event> written =
@@ -146,7 +146,7 @@ class Probe {
     return {};
   }
 
-  /// An error only where nothing more can be tried.
+  /// An error only if nothing more can be tried.
   Result<void> prove(FormProof& proof) {
     const std::vector<opcua::Assignment> items = pattern();
     const Result<opcua::Event> written =
@@ -169,9 +169,9 @@ class Probe {
       proof.writes = problem->empty();
       proof.why = std::move(*problem);
     }
-    // Reading is tried on numbers that are there for certain.
+    // Reading is tried on numbers that are certainly there.
     if (!proof.writes) {
-      // Wherever the form wrote to: both sides of the array are as they were, then.
+      // Wherever the form wrote to: afterwards both sides of the array have their old values.
       if (Result<void> again = restore(); !again) {
         return again;
       }
@@ -196,7 +196,7 @@ class Probe {
     return {};
   }
 
-  /// The pattern of the round before, which single access has written.
+  /// The pattern of the previous round, written by single access.
   [[nodiscard]] std::vector<opcua::Assignment> last() {
     --m_round;
     return pattern();
@@ -209,18 +209,18 @@ class Probe {
     return status == LinkError::NotWritable ? "not writable" : "rejected";
   }
 
-  /// Late, it may still be carried out at any time: nothing may be built on these cells any more.
+  /// A late request may still be carried out at any time: these cells can no longer be relied on.
   static bool isFinal(const base::Error& error) {
     return error.code == LinkError::ConnectionLost || error.code == LinkError::DeadlineExceeded ||
            error.code == LinkError::NotReachable;
   }
 
-  /// Whether the numbers can be read in that form, and the cells on both sides are untouched.
-  /// @return what is wrong; empty if nothing is
+  /// Whether the numbers can be read in that form, and the cells on both sides are unchanged.
+  /// @return the problem; empty if there is none
   Result<std::string> standsThere(const std::vector<opcua::Assignment>& items, Grouping form) {
     std::string problem;
     for (int attempt = 0; attempt < kReadBackTries; ++attempt) {
-      // The guards are always read by themselves.
+      // The guard cells are always read one by one.
       const bool isSingle = form == Grouping::Single;
       const std::span<const opcua::Variable> asked =
           isSingle ? std::span<const opcua::Variable>(m_cells) : inner();

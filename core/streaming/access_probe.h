@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Finds out in which forms a control lets R-parameters be accessed. What a control claims proves
-/// nothing: each form writes numbers of its own into cells the caller has named, and they must
-/// stand there and nowhere beside when they are read one by one. Afterwards the cells are as they
-/// were.
+/// Finds out which forms of access to R-parameters a control understands. A confirmation by the
+/// control proves nothing: each form writes its own numbers into cells named by the caller, and
+/// these numbers must be there, and in no neighbouring cell, when the cells are read one by one.
+/// Afterwards the cells have their old values.
 /// @threadsafety runs on the calling thread.
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace rivulet::streaming {
 
-/// R-parameters nobody uses meanwhile, both ends included. The first and the last are not written:
-/// they must not change when arrays between them are.
+/// R-parameters that nobody uses meanwhile, both ends included. The first and the last are not
+/// written: they must not change when arrays between them are written.
 struct ScratchCells {
   static constexpr int kCountMin = 4;
   int first = 0;
@@ -27,7 +27,7 @@ struct ScratchCells {
 /// access and two requests for each other form.
 /// @return VariableMissing (fewer than four cells, or one does not exist), ChannelBusy,
 /// NotWritable,
-///         or what the link says; the message tells if the cells could not be put back
+/// or the error of the link; the message says if the cells could not be restored
 [[nodiscard]] base::Result<AccessForms> probeAccess(opcua::Link& link, const ScratchCells& cells,
                                                     base::Duration deadline);
 

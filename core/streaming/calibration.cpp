@@ -28,7 +28,7 @@ using opcua::LinkError;
 constexpr std::array<int, 7> kCounts{1, 2, 5, 10, 20, 50, 100};
 constexpr std::array kArrays{Grouping::ArrayCount, Grouping::ArrayRange};
 constexpr double kReset = 0.0;
-/// Shots of each kind that say how long the rest takes.
+/// Shots of each kind that show how long the rest takes.
 constexpr int kFirstShots = 5;
 /// Before them, one that does not count: a control may have to look a node up once.
 constexpr int kIdleShots = 1;
@@ -36,7 +36,7 @@ constexpr int kIdleShots = 1;
 constexpr double kAssumedNodeNs = 4.3e6;
 /// A value that was confirmed may be readable only from the next interpolation cycle on.
 constexpr int kReadBackTries = 3;
-/// What a straight line cannot say, as a share of a duration; see `AccessFit`.
+/// Deviation from a straight line, as a share of a duration; see `AccessFit`.
 constexpr double kLineShare = 0.005;
 constexpr double kLineMs = 0.001;
 constexpr int kTailPerMille = 990;
@@ -51,7 +51,7 @@ Duration fromNanoseconds(double value) {
   return Duration{std::llround(value)};
 }
 
-/// Of a request with so many cells.
+/// Of a request with this many cells.
 Duration deadlineOf(Duration deadline, std::size_t cells) {
   constexpr Duration kPerCell = std::chrono::milliseconds{20};
   return deadline + kPerCell * static_cast<Duration::rep>(cells);
@@ -64,7 +64,7 @@ struct Kind {
   Grouping grouping = Grouping::List;
   std::vector<Duration> durations;
   double sumNs = 0.0;
-  double assumedNs = 0.0;  ///< of one request, while there is none
+  double assumedNs = 0.0;  ///< of one request, as long as none has been measured
   int planned = 0;
   bool refused = false;
 
@@ -87,7 +87,7 @@ std::vector<Kind> kindsOf(int cells, const std::vector<Grouping>& forms) {
   return kinds;
 }
 
-/// Every kind gets the same time, unless it needs less. @param budgetNs  of all shots; 0: any
+/// Every kind gets the same time, unless it needs less. @param budgetNs  of all shots; 0: no limit
 void planShots(std::vector<Kind>& kinds, int shots, double budgetNs) {
   const auto within = [shots](const Kind& kind, double timeNs) {
     const double most = timeNs / std::max(kind.meanNs(), 1.0);
@@ -122,7 +122,7 @@ void planShots(std::vector<Kind>& kinds, int shots, double budgetNs) {
   }
 }
 
-/// What the proof of the forms, the last write and the last look cost.
+/// Cost of the proof of the forms, the last write and the last read.
 double besideNs(int cells, const std::vector<Grouping>& forms) {
   constexpr double kAccessesPerCell = 4.0;
   return kAssumedNodeNs * cells * kAccessesPerCell * static_cast<double>(forms.size());
@@ -139,8 +139,8 @@ struct WeightedPoint {
   double weight = 1.0;
 };
 
-/// Weighted least squares with neither figure below zero: no request takes less for more cells.
-/// With one x only the line goes through the origin.
+/// Weighted least squares with neither figure below zero: no request takes less time for more
+/// cells. With only one x the line goes through the origin.
 Line lineOf(const std::vector<WeightedPoint>& points) {
   double w = 0.0;
   double wx = 0.0;
@@ -259,7 +259,7 @@ Result<void> requireReset(opcua::Link& link, Duration deadline) {
   return {};
 }
 
-/// Writes the values and looks whether they stand there.
+/// Writes the values and reads them back.
 Result<void> restore(opcua::Link& link, const std::vector<opcua::Assignment>& before,
                      Duration deadline) {
   const auto failed = [](const std::string& why) {
@@ -321,8 +321,8 @@ class Measurement {
       return base::fail(restoredAnew(measured.error()));
     }
     tell(Phase::Restore);
-    // Where a program runs by now nothing more is written; outside the proof, which puts back what
-    // it wrote, only the cells' own values were.
+    // If a program is running by now, nothing more is written. Apart from the proof, which restores
+    // what it wrote, only the cells' own values were written.
     Result<void> done = requireReset(m_link, m_plan.deadline);
     if (done) {
       done = restore(m_link, m_before, m_plan.deadline);
@@ -343,7 +343,7 @@ class Measurement {
   }
 
  private:
-  /// Over a new connection, where there is one.
+  /// Over a new connection, if there is one.
   base::Error restoredAnew(base::Error error) {
     opcua::Link* link = m_hooks.reconnect ? m_hooks.reconnect() : nullptr;
     if (link != nullptr && requireReset(*link, m_plan.deadline) &&
@@ -393,8 +393,8 @@ class Measurement {
     return otherShots();
   }
 
-  /// One of each kind after the other, so that a control that gets slower meanwhile is slower for
-  /// all of them; and each time in another order.
+  /// One request of each kind in turn, so that a control that slows down meanwhile slows down for
+  /// all of them; each time in a different order.
   Result<void> firstShots() {
     for (int shot = 0; shot < kIdleShots + std::min(kFirstShots, m_plan.shots); ++shot) {
       std::vector<std::size_t> turn;
@@ -408,7 +408,7 @@ class Measurement {
     return {};
   }
 
-  /// Kinds with fewer shots are spread over the whole time as well.
+  /// Kinds with fewer shots are also spread over the whole time.
   Result<void> otherShots() {
     int rounds = 0;
     std::vector<int> rest;
@@ -430,7 +430,7 @@ class Measurement {
         return done;
       }
       if (m_plan.budget > Duration{} && m_link.now() - m_from >= m_plan.budget) {
-        break;  // slower than it was at first
+        break;  // slower than at first
       }
     }
     return {};
@@ -486,14 +486,14 @@ class Measurement {
       if (!opcua::isArray(kind.grouping)) {
         return base::fail(refused, "A scratch cell cannot be accessed any more.");
       }
-      kind.refused = true;  // longer than this control takes
+      kind.refused = true;  // longer than this control accepts
       kind.durations.clear();
       kind.sumNs = 0.0;
     }
     return event->at - event->sent;
   }
 
-  /// @return false: it is to be cancelled
+  /// @return false: cancel
   bool tell(Phase phase) {
     CalibrationProgress progress;
     progress.phase = phase;
@@ -641,7 +641,7 @@ Duration expectedDuration(const CalibrationPlan& plan, const Calibration* earlie
   std::vector<Grouping> forms{Grouping::List, Grouping::Single};
   if (plan.arrays && cells >= ScratchCells::kCountMin) {
     for (const Grouping array : kArrays) {
-      // What did not work before is not expected to work now.
+      // A form that did not work before is not expected to work now.
       if (earlier == nullptr || !earlier->forms || earlier->fit(true, array) != nullptr) {
         forms.push_back(array);
       }
@@ -694,7 +694,7 @@ Result<std::vector<opcua::Assignment>> readScratchCells(opcua::Link& link,
 
 Result<Calibration> calibrate(opcua::Link& link, const CalibrationPlan& plan,
                               const CalibrationHooks& hooks) {
-  // Read before the channel is looked at: a range that is none is refused in any case.
+  // Read before the channel is checked: an invalid range is rejected in any case.
   auto before = readScratchCells(link, plan);
   if (!before) {
     return base::fail(before.error());

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Measures what access to a control costs: reads and writes of 1 to 100 R-parameters, one by one,
-/// in a list, and in each array form that has been proved. Works only on cells the user has named;
-/// while it measures it writes the values that stand there, so that nothing is lost by an error or
-/// a cancel, and at the end it puts them back and looks whether they are there.
+/// Measures the cost of access to a control: reads and writes of 1 to 100 R-parameters, one by one,
+/// in a list, and in each array form that has been proved. It works only on cells that the user has
+/// named. While it measures, it writes their present values, so that an error or a cancel loses
+/// nothing; at the end it restores the values and reads them back.
 /// @threadsafety runs on the calling thread.
 #pragma once
 
@@ -25,7 +25,7 @@ enum class CalibrationError {
   NoCells = 1,  ///< the range is empty or not a range of R-parameters
   ChannelBusy,  ///< a program runs: its cells must not be touched
   Cancelled,
-  NotRestored,  ///< the cells do not have the values they had
+  NotRestored,  ///< the cells do not have their old values
 };
 
 [[nodiscard]] std::error_code make_error_code(CalibrationError code);
@@ -34,11 +34,11 @@ struct CalibrationPlan {
   int firstCell = 0;  ///< scratch R-parameters, both ends included
   int lastCell = 0;
   int shots = 500;  ///< requests of each kind, >= 2
-  /// Time for all of it; zero: as long as it takes. Where it is short, the kinds that take longest
-  /// get fewer shots (`AccessSeries::shotsMade`), but never fewer than a first look at each.
+  /// Time limit; zero: none. If it is too short, the kinds that take longest get fewer shots
+  /// (`AccessSeries::shotsMade`), but never fewer than the first ones of each.
   base::Duration budget{};
-  /// Arrays too, where there are cells enough to prove that they work; the proof writes other
-  /// values for a moment.
+  /// Arrays too, if there are enough cells to prove that they work; the proof writes other values
+  /// for a moment.
   bool arrays = true;
   std::uint64_t seed = 1;  ///< of the order in which the kinds take turns
   base::Duration deadline = std::chrono::seconds{5};
@@ -55,19 +55,19 @@ struct AccessSeries {
   base::Duration mean{};
   base::Duration max{};
   double deviationMs = 0.0;                    ///< standard deviation
-  std::vector<trace::Percentile> percentiles;  ///< those the number of shots carries
+  std::vector<trace::Percentile> percentiles;  ///< those that the number of shots allows
   trace::Histogram histogram;
 
-  /// Nothing where there were too few shots. @param perMille  500, 900, 950, 990 or 999
+  /// Nothing if there were too few shots. @param perMille  500, 900, 950, 990 or 999
   [[nodiscard]] std::optional<base::Duration> percentile(int perMille) const;
-  /// The 99th percentile, or the longest where there were too few shots for one.
+  /// The 99th percentile, or the longest if there were too few shots for one.
   [[nodiscard]] base::Duration tail() const;
 };
 
 /// duration = overhead + cells · time per cell: a least-squares line through the averages of one
-/// form and direction, with neither figure below zero. Each average counts as much as it is
-/// certain: its variance is that of the mean plus half a per cent of itself, which stands for what
-/// a straight line cannot say.
+/// form and direction, with neither figure below zero. Each average is weighted by its certainty:
+/// its variance is that of the mean plus half a per cent of itself, which allows for deviations
+/// from a straight line.
 struct AccessFit {
   bool write = false;
   opcua::Grouping grouping = opcua::Grouping::List;
@@ -88,23 +88,23 @@ struct Calibration {
   std::vector<AccessFit> fits;       ///< of every form that was measured, reads and writes
   std::optional<AccessForms> forms;  ///< which forms were proved; nothing: not tried
 
-  /// Null where the form was not measured.
+  /// Null if the form was not measured.
   [[nodiscard]] const AccessFit* fit(bool write, opcua::Grouping grouping) const;
-  /// The 99th percentile of a request, between the sizes that were measured in a straight line and
-  /// beyond them along the fit. @param nodes >= 1 @return nothing where the form was not measured
+  /// The 99th percentile of a request: interpolated linearly between the measured sizes, and along
+  /// the fit beyond them. @param nodes >= 1 @return nothing if the form was not measured
   [[nodiscard]] std::optional<base::Duration> tail(bool write, opcua::Grouping grouping,
                                                    int nodes) const;
   /// The best form that works: what a run with free choice of access will use.
   [[nodiscard]] opcua::Grouping best() const;
-  /// Some kind got fewer shots than were ordered.
+  /// Some kind got fewer shots than requested.
   [[nodiscard]] bool isCut() const;
 };
 
-/// A moment of a calibration.
+/// Progress of a calibration.
 struct CalibrationProgress {
   enum class Phase {
     Forms,  ///< which forms of access work
-    First,  ///< a few shots of each kind, which say how long the rest takes
+    First,  ///< a few shots of each kind, which show how long the rest takes
     Shots,
     Restore,
   };
@@ -115,23 +115,23 @@ struct CalibrationProgress {
   int shotsPlanned = 0;
 };
 
-/// What a calibration tells and asks while it lasts. Both may be empty.
+/// Callbacks during a calibration. Both may be empty.
 struct CalibrationHooks {
   /// False cancels.
   std::function<bool(const CalibrationProgress&)> progress;
-  /// Asked once, when the connection has broken: a new one, only to put the cells back; null if
-  /// there is none.
+  /// Called once if the connection has broken: a new one, only to restore the cells; null if there
+  /// is none.
   std::function<opcua::Link*()> reconnect;
 };
 
-/// How long a calibration will take, with its proof and its end.
+/// The expected time of a calibration, including its proof and its end.
 /// @param earlier  of the same control, for its costs; null: 4.3 ms per cell ([P1] Table I)
 [[nodiscard]] base::Duration expectedDuration(const CalibrationPlan& plan,
                                               const Calibration* earlier = nullptr);
 
-/// The channel must be in reset; it is looked at again and again, and a program that is started
-/// meanwhile ends the calibration at once.
-/// @return NoCells, ChannelBusy, Cancelled, NotRestored, or what the link says. Whatever it is, the
+/// The channel must be in reset. It is checked repeatedly, and a program that is started meanwhile
+/// ends the calibration at once.
+/// @return NoCells, ChannelBusy, Cancelled, NotRestored, or the error of the link. In every case the
 ///         message says what the cells hold
 [[nodiscard]] base::Result<Calibration> calibrate(opcua::Link& link, const CalibrationPlan& plan,
                                                   const CalibrationHooks& hooks = {});

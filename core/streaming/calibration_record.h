@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A calibration with what it belongs to: which control it was measured on, and when.
+/// A calibration, the control on which it was measured, and when.
 /// @threadsafety plain values.
 #pragma once
 
@@ -16,11 +16,11 @@ namespace rivulet::streaming {
 struct CalibrationRecord {
   std::string endpoint;
   opcua::ServerIdentity server;
-  std::string measuredAtUtc;  ///< "2026-05-04T09:30:00Z"; given by whoever has a clock
+  std::string measuredAtUtc;  ///< "2026-05-04T09:30:00Z"; given by a caller that has a clock
   std::string toolVersion;
   Calibration calibration;
 
-  /// The server says of itself something else than it did: what was measured may not hold.
+  /// The server no longer reports the same identity: the measurement may not be valid.
   [[nodiscard]] bool isOutdated(const opcua::ServerIdentity& now) const { return !(server == now); }
 };
 

@@ -24,22 +24,22 @@ using base::Result;
 using opcua::Variable;
 using opcua::VariableKind;
 
-/// Beyond every number of a flexible program (`templates::layoutNumber` stays below 2^24): neither
-/// is taken for the other.
+/// Above every number of a flexible program (`templates::layoutNumber` is below 2^24): the two
+/// cannot be confused.
 constexpr int kLayoutNumber = 1 << 24;
 constexpr double kReset = 0.0;
 
-/// The dwells that keep the main run busy, and in front of which one it says where it is.
+/// The dwells that keep the main run busy, and the one before which it reports its progress.
 constexpr int kDwells = 4;
 constexpr int kMarkedDwell = 2;
 constexpr int kDwellS = 1;
-/// Passes of the asking loop, where the buffer never seems to run empty: a minute and more.
+/// Passes of the asking loop if the buffer never seems to become empty: a minute or more.
 constexpr int kPassesMax = 50'000;
-/// Passes of the waiting loop, 20 ms and more each, before the program ends without a client.
+/// Passes of the waiting loop, 20 ms or more each, before the program ends without a client.
 constexpr int kWaitingPassesMax = 1500;
 
 constexpr int kQuestions = 20;
-/// A control that answers fewer in seconds was not seen often enough.
+/// With fewer answers within seconds, the control was not observed often enough.
 constexpr int kAnswersMin = 5;
 /// From the beginning of the dwells to the end of the program.
 constexpr Duration kRunMax = std::chrono::minutes{3};
@@ -51,7 +51,7 @@ enum Cell { Question, Echo, Begin, Cycles, Layout, Phase, Passes, Buffer, Cycles
 constexpr double kAsking = 1.0;
 constexpr double kThrough = 2.0;
 
-/// One look at the cells while the program asks.
+/// One reading of the cells while the program asks.
 struct Look {
   Instant at{};
   double answer = 0.0;
@@ -187,11 +187,11 @@ class Test {
                 (*values)[3], (*values)[4], (*values)[5]};
   }
 
-  /// One question after the other, until the main run is through.
+  /// One number after another, until the main run has finished.
   Result<void> ask() {
     const Instant until = m_link.now() + kRunMax;
     Instant askedAt{};
-    bool isOpen = false;  // a question has not been answered
+    bool isOpen = false;  // a number has not been answered
     while (m_link.now() < until) {
       if (Result<void> on = proceed(CommissioningStep::Running); !on) {
         return on;
@@ -204,10 +204,10 @@ class Test {
         return {};
       }
       if (seen->phase != kAsking) {
-        continue;  // it has not seen yet that we are there
+        continue;  // it has not yet seen the client
       }
       m_looks.push_back(*seen);
-      // Numbers that no counter comes by.
+      // Numbers that no counter can reach.
       if (isOpen && seen->answer == questionOf(m_result.asked)) {
         ++m_result.answered;
         m_result.slowestAnswer = std::max(m_result.slowestAnswer, seen->at - askedAt);

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The test a control has to pass before method credit is offered on it. That method rests on what
-/// is published of no control: that the interpreter reads an R-parameter each time it passes a
-/// block, though other blocks wait to be executed, and that neither a question nor a jump stops it.
+/// The test that a control must pass before method credit is offered on it. The method relies on
+/// two properties that are not published for any control: that the interpreter reads an R-parameter
+/// each time it passes a block, even if other blocks wait to be executed, and that neither a
+/// condition nor a jump stops it.
 ///
 /// The test is an NC program that moves no axis. Its main run is kept busy with dwells; meanwhile
-/// the program repeats what the client asks, over and over, without a STOPRE. The answers must come
-/// while the dwells last. Where they do not, the program ends by itself all the same.
+/// the program repeats the client's numbers in a loop, without a STOPRE. The answers must arrive
+/// while the dwells are in progress. If they do not, the program ends by itself all the same.
 /// @threadsafety runs on the calling thread.
 #pragma once
 
@@ -30,7 +31,7 @@ struct CommissioningPlan {
   base::Duration startDeadline = std::chrono::minutes{5};  ///< for cycle start at the control
 };
 
-/// What was looked at, and what was seen.
+/// One check and its result.
 struct CommissioningCheck {
   std::string name;  ///< "answers-while-busy", ...
   bool passed = false;
@@ -43,11 +44,11 @@ struct Commissioning {
   int answered = 0;                ///< while the main run was busy
   base::Duration slowestAnswer{};  ///< of those
 
-  /// Every check holds.
+  /// Every check has passed.
   [[nodiscard]] bool passed() const;
 };
 
-/// What the test waits for.
+/// What the test is waiting for.
 enum class CommissioningStep {
   CycleStart,  ///< the operator, at the control
   Running,
@@ -59,10 +60,10 @@ enum class CommissioningStep {
 [[nodiscard]] std::string commissioningFileName();
 
 /// Transfers the program, reads it back, selects it, has it started (a virtual machine: starts it),
-/// asks, and judges what came back. A control that fails the test is a result, not an error.
-/// @param progress  told what is waited for; false ends the test
+/// sends numbers, and judges the answers. A control that fails the test is a result, not an error.
+/// @param progress  called with what the test is waiting for; false ends the test
 /// @return ChannelBusy, ControlAlarm, NotStarted, WrongProgram, TransferRefused, StreamStalled,
-///         Cancelled, or what the link says
+/// Cancelled, or the error of the link
 [[nodiscard]] base::Result<Commissioning> commission(
     opcua::Link& link, opcua::Control& control, const CommissioningPlan& plan,
     const std::function<bool(CommissioningStep)>& progress = {});

@@ -22,8 +22,8 @@ using base::RotarySet;
 using opcua::Variable;
 using opcua::VariableKind;
 
-/// An axis that is to stay may stand beside the programmed place by this much: the control rounds
-/// what it shows.
+/// An axis that is to stay may differ from the programmed position by this much: the control rounds
+/// the values it shows.
 constexpr double kStandsMm = 0.01;
 constexpr double kStandsDeg = 0.01;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Which rotary axes a control has and where they stand, and whether the axes that are streamed are
-/// those a program moves. @threadsafety runs on the calling thread; for use outside a stream.
+/// The rotary axes of a control and their positions, and a check whether the streamed axes are
+/// those that a program moves. @threadsafety runs on the calling thread; for use outside a stream.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace rivulet::streaming {
 
-/// Where a control has A, B and C among the axes of its channel.
+/// The places of A, B and C among the axes of a control's channel.
 struct ControlAxes {
   /// Index of `VariableKind::ActualPosition`; below 0: the control has no such axis.
   std::array<int, base::kRotaryAxisCount> index{-1, -1, -1};
@@ -27,30 +27,32 @@ struct ControlAxes {
   }
 };
 
-/// Asks for the names of the axes behind X, Y and Z. A control that does not say them has none.
+/// Reads the names of the axes after X, Y and Z. A control that does not report them has none.
 [[nodiscard]] base::Result<ControlAxes> readControlAxes(opcua::Link& link, base::Duration deadline);
 
-/// Angles of the wanted axes, 0 for others. @return AxisMissing, or what the read brought
+/// Angles of the wanted axes, 0 for others. @return AxisMissing, or the error of the read
 [[nodiscard]] base::Result<base::RotaryDeg> readAngles(opcua::Link& link, const ControlAxes& axes,
                                                        const base::RotarySet& wanted,
                                                        base::Duration deadline);
 
-/// The axes a run streams where nobody chooses: X, Y, Z and those the program turns.
-/// @param parameters  method window; with another method they stay as they are
+/// The axes that a run streams if none are selected: X, Y, Z and the rotary axes that the program
+/// moves.
+/// @param parameters  method window; with another method they are not changed
 [[nodiscard]] templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
                                                            const gcode::Trajectory& trajectory);
 
-/// Before a run: every axis that turns is streamed, and the control has it. An axis that is only
-/// set before the path need not be streamed if it stands there already, or if the control has none.
-/// @param atDeg  where the control's axes stand
+/// Check before a run: every rotary axis that moves is streamed, and the control has it. An axis
+/// that is only set before the path need not be streamed if it is there already, or if the control
+/// does not have it.
+/// @param atDeg  positions of the control's axes
 /// @return ProgramNotStreamable, AxesNotChosen, AxisMissing
 [[nodiscard]] base::Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
                                                    const templates::TemplateParameters& parameters,
                                                    const ControlAxes& axes,
                                                    const base::RotaryDeg& atDeg);
 
-/// `gcode::streamPoints` for the chosen axes: the others stay where they stand.
-/// @return AxesNotChosen if the program moves one of X, Y, Z that is not chosen
+/// `gcode::streamPoints` for the chosen axes: the others do not move.
+/// @return AxesNotChosen if the program moves one of X, Y, Z that is not selected
 [[nodiscard]] base::Result<gcode::PointList> pointsOnAxes(
     const gcode::Trajectory& trajectory, const templates::TemplateParameters& parameters,
     const base::AxisPosition& start);

@@ -16,7 +16,7 @@ using base::Instant;
 /// At most 20 writes a second: faster than any drift that is worth a correction, and a small part
 /// of what the variable service can do.
 constexpr Duration kWriteInterval = std::chrono::milliseconds{50};
-/// Where the stream leaves no slack, a correction waits no longer than this for its turn.
+/// If the stream leaves no slack, a correction waits at most this long.
 constexpr Duration kAgeMax = std::chrono::milliseconds{500};
 
 }  // namespace

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The cells of the online correction: what is wanted, what is on its way, what the control has.
-/// It says when a write is worth its time; the driver says when there is room for one.
+/// The cells of the online correction: the values requested, sent and confirmed. This class decides
+/// when a write is due; the driver decides when there is time for it.
 /// @threadsafety one object, one thread.
 #pragma once
 
@@ -22,19 +22,20 @@ class CorrectionCells {
   /// @param cells  of the program; it may have none
   CorrectionCells(const templates::CellMap& cells, const templates::TemplateParameters& parameters);
 
-  /// False: the program has no correction, and nothing of the rest is to be called.
+  /// False: the program has no correction, and no other function may be called.
   [[nodiscard]] bool exists() const { return !m_axes.empty(); }
   [[nodiscard]] int nodeCount() const { return static_cast<int>(m_axes.size()); }
   [[nodiscard]] const Correction& value() const { return m_value; }
 
-  /// What the axes are to be corrected by. Cut off at the limit; what is no number, and an axis
+  /// The requested correction, clamped to the limit. A value that is not a number, or an axis
   /// without a cell, changes nothing.
   void want(base::Vec3 wantedMm, base::Instant now);
   /// There is something to write, and the last write was long enough ago.
   [[nodiscard]] bool isDue(base::Instant now) const;
-  /// It has waited for as long as it may: it goes next, whether there is slack or not.
+  /// It has waited for the longest allowed time: it goes next, whether there is slack or not.
   [[nodiscard]] bool isOverdue(base::Instant now) const;
-  /// What to write now, valid until the next call. Then either `confirm` or `lost`.
+  /// The values to write now, valid until the next call. Call either `confirm` or `lost`
+  /// afterwards.
   [[nodiscard]] std::span<const opcua::Assignment> take(base::Instant now);
   void confirm();
   /// No answer: whether it was carried out is not known. It is written again.
@@ -46,8 +47,8 @@ class CorrectionCells {
   double m_limitMm;
   Correction m_value;
   base::Vec3 m_sentMm;
-  bool m_isUnsure = false;       ///< what the control has may be another value than `confirmedMm`
-  base::Instant m_waitsSince{};  ///< since when something else is wanted than was sent
+  bool m_isUnsure = false;       ///< the control may have another value than `confirmedMm`
+  base::Instant m_waitsSince{};  ///< since when the requested value differs from the one sent
   base::Instant m_nextWrite{};
 };
 

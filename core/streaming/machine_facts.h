@@ -21,7 +21,7 @@ namespace rivulet::streaming {
 struct CreditTest {
   std::string endpoint;
   opcua::ServerIdentity server;
-  std::string testedAtUtc;  ///< "2026-05-04T09:30:00Z"; given by whoever has a clock
+  std::string testedAtUtc;  ///< "2026-05-04T09:30:00Z"; given by a caller that has a clock
   std::string toolVersion;
   Commissioning result;
 };
@@ -39,7 +39,7 @@ enum class MachineFileError {
 [[nodiscard]] std::string versionText(const opcua::ServerIdentity& server);
 
 /// Whether method credit may run on a machine.
-/// @param test  the last one made there  @param now  what the server says of itself
+/// @param test  the last one made there @param now  what the server reports about itself
 /// @return NotCommissioned: no test was made, it failed, or it was made with another version of
 ///         the server
 [[nodiscard]] base::Result<void> requireCreditTest(const std::optional<CreditTest>& test,

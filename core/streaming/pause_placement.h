@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the machine stands for a moment because of the method: at the STOPREs of the program on
-/// the control. Method window may choose: its windows are cut, as far as their size allows, where
-/// the path stands or turns anyway.
+/// Where the machine pauses because of the method: at the STOPREs of the program on the control.
+/// Method window has a choice: as far as the size of its windows allows, it ends them where the
+/// path stops or turns anyway.
 ///
-/// Off the cut is a pause at the end of a point where one of these holds:
+/// A pause is off the cut if it is at the end of a point for which one of these holds:
 /// - the move to it is a rapid, so the tool is out of the material;
-/// - the move to it is a retract, straight up along Z with no rotary axis turned: what was cut lies
-///   below the tool;
+/// - the move to it is a retract, straight up along Z with no rotary axis turned: the cut is below
+///   the tool;
 /// - the path turns there by `kCornerDegrees` or more. The look-ahead brakes for such a corner
 ///   without any STOPRE: docs/methods.md says to which speed;
-/// - it is the last point.
-/// Everywhere else a pause is in the cut: the tool would have gone on at its speed. The end of a
-/// cut from which a rapid goes straight on is in the cut, too.
+/// - it is the last point. Everywhere else a pause is in the cut: without it the tool would have
+/// kept its speed. The end of a cut from which a rapid goes straight on is in the cut, too.
 /// @threadsafety pure.
 #pragma once
 
@@ -28,7 +27,7 @@
 
 namespace rivulet::streaming {
 
-/// A change of direction for which the path slows down to next to nothing, with G64 too. Degrees.
+/// Change of direction at which the path nearly stops, also with G64; degrees.
 inline constexpr double kCornerDegrees = 45.0;
 
 struct PausePlacement {
@@ -59,13 +58,13 @@ struct PausePlacement {
 
 /// One pause of a run that is still to come.
 struct PlannedPause {
-  std::uint32_t point = 0;  ///< index of the point at whose end the axes stand
+  std::uint32_t point = 0;  ///< index of the point at whose end the axes stop
   bool inCut = false;
   friend bool operator==(const PlannedPause&, const PlannedPause&) = default;
 };
 
-/// Every pause of a run, in order: of methods window and file between its windows, of method
-/// position behind each loop, of method signal behind each half of a loop. There is none behind the
+/// Every pause of a run, in order: with methods window and file between windows, with method
+/// position after each loop, with method signal after each half of a loop. There is none after the
 /// last point, and none with method credit as long as the client is on time.
 /// @param points         at least 1
 /// @param pointsPerLoop  N, >= 1; method window: M

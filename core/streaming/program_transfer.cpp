@@ -14,7 +14,7 @@ namespace {
 using base::Result;
 using opcua::LinkError;
 
-/// The user may not, or this server cannot: a person at the control can.
+/// The user has no right, or the server has no method: the operator can do it at the control.
 bool isRefusal(const base::Error& error) {
   return error.code == LinkError::Rejected || error.code == LinkError::MethodMissing ||
          error.code == LinkError::NotWritable;
@@ -44,7 +44,7 @@ Result<bool> compare(opcua::Control& control, const std::string& name, const std
   return true;
 }
 
-/// @return true: done; false: a person has to
+/// @return true: done; false: the operator has to
 Result<bool> select(opcua::Control& control, const std::string& name) {
   const Result<void> done = control.selectProgram(name);
   if (!done) {
@@ -73,7 +73,7 @@ Result<ProgramTransfer> transferProgram(opcua::Control& control, const std::stri
   const bool isAwaited =
       way == TransferWay::ByHand && !compared && compared.error().code == LinkError::ProgramMissing;
   if (isAwaited) {
-    return transfer;  // the person has not brought it yet
+    return transfer;  // the operator has not stored it yet
   }
   if (!compared) {
     return base::fail(compared.error());

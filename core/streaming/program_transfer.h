@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Brings the flexible program onto the control: written, read back, compared and selected as far
-/// as the rights of the OPC UA user go. Nothing here starts it. @threadsafety runs on the calling
-/// thread.
+/// Transfers the flexible program to the control: written, read back, compared and selected, as far
+/// as the rights of the OPC UA user permit. Nothing here starts it. @threadsafety runs on the
+/// calling thread.
 #pragma once
 
 #include <string>
@@ -14,26 +14,26 @@
 
 namespace rivulet::streaming {
 
-/// Who brings the program onto the control.
+/// Who transfers the program to the control.
 enum class TransferWay {
   Link,    ///< Rivulet, through the methods of the server
-  ByHand,  ///< a person, who stores the file, selects it and presses cycle start
+  ByHand,  ///< the operator, who stores the file, selects it and presses cycle start
 };
 
-/// What was done, and what is known of the program on the control. In every case the run goes on
-/// only when that program has shown its layout number.
+/// What was done, and what is known of the program on the control. In every case the run continues
+/// only after that program has shown its layout number.
 struct ProgramTransfer {
   bool written = false;   ///< by us; else it was there already
-  bool compared = false;  ///< read back and found the same
-  bool selected = false;  ///< by us; else a person has to
+  bool compared = false;  ///< read back and identical
+  bool selected = false;  ///< by us; else the operator has to
 
   friend bool operator==(const ProgramTransfer&, const ProgramTransfer&) = default;
 };
 
-/// Link: where the control refuses the write or has no method for it, the same program may be there
-/// already. ByHand: writes and selects nothing; compares if it may read.
+/// Link: if the control refuses the write or has no method for it, the same program may already be
+/// there. ByHand: writes and selects nothing; compares if it may read.
 /// @return StreamError::TransferRefused if the program cannot be written, or not read back;
-///         WrongProgram if what lies there differs; or what the control says
+/// WrongProgram if the program there differs; or the error of the control
 [[nodiscard]] base::Result<ProgramTransfer> transferProgram(opcua::Control& control,
                                                             const std::string& name,
                                                             const std::string& text,

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where a run of method window or credit can be taken up again: asked of the control, never
-/// remembered by the client alone. Called only because an operator wants it; nothing resumes by
-/// itself.
+/// Finds where a run of method window or credit can be resumed: the control is asked; the client's
+/// memory alone is not enough. Called only on request of an operator; nothing resumes by itself.
 /// @threadsafety runs on the calling thread.
 #pragma once
 
@@ -13,25 +12,25 @@
 namespace rivulet::streaming {
 
 /// Finds the first point that has not been executed. A program that still waits for the run's
-/// windows is told to end first (it executes the windows it has taken over, nothing more) and its
-/// end is awaited. Where the control was reset in the middle of them, the place of the tool on
-/// their path decides.
+/// windows is first commanded to end (it executes only the windows it has copied), and its end is
+/// awaited. If the control was reset in the middle of them, the place of the tool on their path
+/// decides.
 /// @param settings  of the earlier run
 /// @param last      the checkpoint in its report
-/// @return what `RunSettings::resume` needs. CannotResume if the control has run something else
-///         since, every point is done, or the tool stands beside the path or where the path passes
-///         twice; ChannelBusy if another program runs; StopNotConfirmed; or a link error
+/// @return what `RunSettings::resume` needs. CannotResume if the control has run another program
+///         since, every point is done, or the tool is off the path or where the path passes twice;
+///         ChannelBusy if another program is running; StopNotConfirmed; or a link error
 [[nodiscard]] base::Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
                                               const RunSettings& settings, const Checkpoint& last);
 
-/// Index of the first point ahead of a tool that stands on the path.
-/// @param path   where the tool came from, then the points; at least two
-/// @param toolMm where it stands
-/// @return 1 to path.size() (all reached); nothing if it stands beside the path, or where the path
-///         passes twice
+/// Index of the first point ahead of a tool that is on the path.
+/// @param path  start of the tool, then the points; at least two
+/// @param toolMm  position of the tool
+/// @return 1 to path.size() (all reached); nothing if it is off the path, or where the path passes
+///         twice
 [[nodiscard]] std::optional<std::size_t> pointAhead(const std::vector<base::Vec3>& path,
                                                     base::Vec3 toolMm);
-/// The same with rotary axes, which turn evenly along each way: a degree counts as a millimetre.
+/// The same with rotary axes, which turn evenly along each move: a degree counts as a millimetre.
 [[nodiscard]] std::optional<std::size_t> pointAhead(const std::vector<base::AxisPosition>& path,
                                                     const base::AxisPosition& tool);
 

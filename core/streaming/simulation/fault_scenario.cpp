@@ -23,13 +23,14 @@ using base::MethodKind;
 using base::Random;
 
 constexpr int kAttemptsMax = 2000;
-/// Some windows at a slow feed, then the 1000 passes after which the program gives the client up.
+/// Some windows at a slow feed, then the 1000 passes after which the program stops waiting for the
+/// client.
 constexpr Duration kAloneMax = std::chrono::minutes{30};
 /// Long enough to see whether something moves that must not.
 constexpr Duration kWatched = std::chrono::seconds{30};
 constexpr double kStillMm = 1e-9;
 
-/// What the operator orders, and a limit so that every attempt ends.
+/// The operator's requests, and a limit so that every attempt ends.
 class Operator final : public RunSink, public RunOrders {
  public:
   std::optional<Instant> stopAt;
@@ -78,7 +79,7 @@ void addRotaryAxes(FaultScenario& drawn, Random random) {
   scenario.settings.parameters.rotaryAxes = axes;
 }
 
-/// One exposure, step by step.
+/// One scenario, step by step.
 class Exposure {
  public:
   explicit Exposure(const FaultScenario& scenario)
@@ -140,8 +141,8 @@ class Exposure {
     return m_evidence.reports.back();
   }
 
-  /// The client is gone; nobody touches the machine. What was delivered may still be executed;
-  /// then the axes stand, and the channel comes to reset by itself.
+  /// The client is gone; nobody touches the machine. Delivered windows may still be executed; then
+  /// the axes stop, and the channel goes to reset by itself.
   void leaveAlone(const RunReport& report) {
     m_intrusionAt.reset();
     if (!m_isWindow ||
@@ -152,7 +153,7 @@ class Exposure {
     if (stopped) {
       watchStanding("after a confirmed stop");
     }
-    // Who lost the connection sends nothing more; what is on its way still arrives.
+    // A client that has lost the connection sends nothing more; requests in transit still arrive.
     if (m_link.isConnected() && report.outcome != Outcome::Stopped &&
         m_machine.state().channel != machine::ChannelStatus::Reset) {
       m_link.reconnect();
@@ -188,7 +189,7 @@ class Exposure {
   }
 
   /// The operator connects again and asks the control, until it answers.
-  /// @return false if there is nothing to take up
+  /// @return false if there is nothing to resume
   bool findResume() {
     if (!m_checkpoint) {
       // Nothing has been streamed: from the beginning.
@@ -207,7 +208,7 @@ class Exposure {
       if (resume.error().code == StreamError::CannotResume) {
         return false;
       }
-      // A program that nobody feeds ends by itself: in a while.
+      // A program without a client ends by itself after a while.
       m_link.wait(m_machine.now() + std::chrono::seconds{5});
     }
     return false;
@@ -225,7 +226,7 @@ class Exposure {
     m_evidence.segments.push_back(std::move(segment));
   }
 
-  /// Behind a stop no window is taken any more, but for one that the program was just reading. (A
+  /// After a stop no window is copied any more, except one that the program was just reading. (A
   /// control that does not read cells when it passes a block sees the stop later.)
   void lookForWindowsBehindStop() {
     const bool reads = m_scenario.run.scenario.machine.rRead == machine::RRead::AtInterpretation;
@@ -249,7 +250,7 @@ class Exposure {
       return;
     }
     if (m_evidence.intrusions > 0) {
-      return;  // what the numbers say is no longer ours
+      return;  // the numbers are no longer those of our run
     }
     const int window = (cell - m_cells.windowCount(0)) / m_cells.windowStride;
     const auto latched = static_cast<long long>(m_machine.ncRParameter(m_cells.latched));
@@ -273,7 +274,7 @@ class Exposure {
     }
   }
 
-  /// Another client writes what it believes to be its own: numbers, content, whole windows.
+  /// Another client writes cells that it considers its own: numbers, content, whole windows.
   void intrude() {
     ++m_evidence.intrusions;
     const int first = m_cells.run;
@@ -295,7 +296,7 @@ class Exposure {
         }
         break;
       }
-      default:  // the head as a program of [P1] is armed and started
+      default:  // the header, as for starting a program of [P1]
         for (int i = 0; i < 5; ++i) {
           m_machine.writeRParameter(first + i, i == 1 ? 1.0 : 0.0);
         }
@@ -325,8 +326,9 @@ class Exposure {
   templates::CellMap m_cells;
   bool m_isWindow;
   bool m_wasReset = false;
-  long long m_delivered = 0;              ///< windows, as the client of this connection has said
-  std::optional<double> m_latchedAtStop;  ///< windows the control had when it was told to end
+  long long m_delivered = 0;  ///< windows, as the client of this connection has said
+  std::optional<double>
+      m_latchedAtStop;  ///< windows that the control had when it was commanded to end
   Instant m_startedAt{};
   std::optional<Instant> m_resetAt;
   std::optional<Instant> m_intrusionAt;

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Runs on which everything goes wrong that can, drawn from a seed, a third of those of method
-/// window with rotary axes: what `FaultyLink` does, stops
-/// and holds at any moment, a control that drops into reset, another writer in the same cells,
-/// another program on the control. Afterwards an operator takes the run up again, as often as it
-/// takes. What is left behind is evidence, not a judgement: the machine's own trace, and each write
-/// into a window that was not to be written into.
+/// Runs with faults drawn from a seed, a third of those of method window with rotary axes: the
+/// faults of `FaultyLink`, stops and holds at any moment, a control that drops into reset, another
+/// writer in the same cells, another program on the control. Afterwards an operator resumes the
+/// run, as often as necessary. The result is evidence, not a judgement: the machine's own trace,
+/// and each write into a window that must not be written.
 /// @threadsafety pure; runs on the calling thread.
 #pragma once
 
@@ -27,9 +26,9 @@ struct FaultScenario {
   std::optional<base::Duration> holdAfter;  ///< of the first attempt
   base::Duration holdFor{};
   std::optional<base::Duration> resetAfter;     ///< the control drops into reset
-  std::optional<base::Duration> intruderAfter;  ///< from then on someone else writes now and then
+  std::optional<base::Duration> intruderAfter;  ///< from then on another client writes now and then
   bool wrongProgram = false;  ///< the control runs another template than the one transferred
-  bool resumes = true;        ///< an operator takes the run up again
+  bool resumes = true;        ///< an operator resumes the run
   /// … the moment the connection is lost, while requests of the old one are still on their way.
   bool hurries = false;
 };
@@ -37,7 +36,7 @@ struct FaultScenario {
 /// One start of the program on the control, up to the next or to the end.
 struct FaultSegment {
   trace::ControlTrace trace;
-  base::Vec3 endMm;  ///< where the tool stood when it was over
+  base::Vec3 endMm;  ///< position of the tool at its end
   base::RotaryDeg endDeg{};
   bool wasReset = false;  ///< the control dropped into reset meanwhile
 };
@@ -45,13 +44,13 @@ struct FaultSegment {
 struct FaultEvidence {
   std::vector<FaultSegment> segments;
   std::vector<RunReport> reports;       ///< of each attempt
-  std::vector<std::string> violations;  ///< writes and motions that must not have been
+  std::vector<std::string> violations;  ///< writes and motions that must not occur
   std::size_t strayWrites = 0;
   std::size_t intrusions = 0;
-  bool endedByItself = true;  ///< wherever the client was gone, the channel came to reset
+  bool endedByItself = true;  ///< whenever the client was gone, the channel went to reset
 };
 
-/// @param method  which is exposed to it
+/// @param method  the method exposed to it
 [[nodiscard]] FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& preset,
                                        base::MethodKind method);
 

@@ -16,9 +16,9 @@ using opcua::LinkError;
 
 namespace {
 
-/// Between looks at the machine while nothing else happens.
+/// Interval between checks of the machine while nothing else happens.
 constexpr Duration kStep = std::chrono::milliseconds{50};
-/// The inner link never gives up a request before the outer one does.
+/// The inner link never times out before the outer one.
 constexpr Duration kNeverGivenUp = std::chrono::hours{10};
 
 }  // namespace
@@ -186,7 +186,7 @@ std::optional<Event> FaultyLink::wait(Instant until) {
       const Sent answered = std::move(*request);
       m_requests.erase(request);
       if (answered.fate == Fate::AnswerLost && !answered.givenUp) {
-        // Nobody hears of it: it stays as one that never arrives, until its deadline.
+        // Nobody sees it: it is treated as one that never arrives, until its deadline.
         Sent waiting = answered;
         waiting.inner.reset();
         waiting.fate = Fate::RequestLost;
@@ -199,7 +199,7 @@ std::optional<Event> FaultyLink::wait(Instant until) {
       event->request = answered.id;
       event->sent = answered.sent;
       if (m_random.uniform() < m_faults.stallProbability) {
-        // The client is away: the machine goes on, and requests on their way arrive.
+        // The client is stalled: the machine continues, and requests in transit arrive.
         const Instant back = now() + drawn(m_faults.stallMax);
         while (now() < back) {
           m_inner.wait(std::min(back, now() + kStep));

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A link between a client and a virtual machine on which everything goes wrong that can: requests
-/// and answers are late or lost, the client stands still, the connection breaks, and what was on
-/// its way when it broke arrives later, between the requests of the next connection. Within one
-/// connection requests keep their order, as on TCP. What goes wrong when is drawn from a seed.
+/// A link between a client and a virtual machine with all kinds of faults: requests and answers are
+/// late or lost, the client stalls, the connection breaks, and requests that were in transit arrive
+/// later, between the requests of the next connection. Within one connection requests keep their
+/// order, as with TCP. The faults are drawn from a seed.
 /// @threadsafety one object, one thread.
 #pragma once
 
@@ -20,17 +20,17 @@
 
 namespace rivulet::streaming {
 
-/// How often what goes wrong, per request unless it says otherwise.
+/// Probability of each fault, per request unless stated otherwise.
 struct LinkFaults {
   double delayProbability = 0.0;
-  base::Duration delayMax{};  ///< of a request on its way
+  base::Duration delayMax{};  ///< of a request in transit
   double lostRequestProbability = 0.0;
   double lostAnswerProbability = 0.0;
-  double stallProbability = 0.0;  ///< the client stands still behind an answer
+  double stallProbability = 0.0;  ///< the client stalls after an answer
   base::Duration stallMax{};
   double disconnectProbability = 0.0;
-  /// Requests that were on their way when the connection broke arrive within this time, in any
-  /// order; zero: they are gone.
+  /// Requests that were in transit when the connection broke arrive within this time, in any order;
+  /// zero: they are lost.
   base::Duration strayMax{};
 };
 
@@ -39,19 +39,19 @@ class FaultyLink final : public opcua::Link, public opcua::Control {
   /// @param machine  must outlive the link
   FaultyLink(machine::Machine& machine, const LinkFaults& faults, std::uint64_t seed);
 
-  /// The next connection. Requests of the one before that are still on their way become strays.
+  /// The next connection. Requests of the previous one that are still in transit become strays.
   void reconnect();
-  /// What goes wrong from now on.
+  /// The faults from now on.
   void setFaults(const LinkFaults& faults) { m_faults = faults; }
   [[nodiscard]] bool isConnected() const { return m_connected; }
 
-  /// Called in front of each cell that is written. `stray`: by a request of an earlier connection.
+  /// Called before each cell that is written. `stray`: by a request of an earlier connection.
   std::function<void(int cell, double value, bool stray)> onWrite;
   /// Called between events; the machine may be acted upon.
   std::function<void()> onTime;
-  /// Called in front of each start of a program: what the machine has recorded is about to go.
+  /// Called before each start of a program, when the machine's trace is about to be cleared.
   std::function<void()> onCycleStart;
-  /// Stands for a program on the control that is not the one transferred; empty: that one.
+  /// A program on the control that replaces the transferred one; empty: none.
   std::string programInstead;
 
   [[nodiscard]] base::Instant now() const override { return m_machine.now(); }

@@ -15,14 +15,15 @@ namespace rivulet::streaming {
 
 namespace {
 
-/// Beyond this distance from the middle a drawn contour turns back, mm.
+/// At this distance from the centre a drawn contour turns back, mm.
 constexpr double kAreaMm = 100.0;
-/// Standard deviation of the change of course from step to step, rad: a CAM contour bends gently.
+/// Standard deviation of the change of course from step to step, rad: a CAM contour has gentle
+/// bends.
 constexpr double kTurnRadDeviation = 0.15;
 /// Greatest change of course per step on the way back, rad.
 constexpr double kReturnTurnRad = 0.2;
 
-/// Looks on; orders a stop when the time is over.
+/// Observes the run; requests a stop when the time is over.
 class TimeLimit final : public RunSink, public RunOrders {
  public:
   explicit TimeLimit(base::Duration limit) : m_limit(limit) {}

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// One run in virtual time, as a value: everything that decides it is in the scenario, and the
-/// same scenario gives the same run to the bit. The production job, driver and methods do it.
+/// One run in virtual time, as a value: everything that decides it is in the scenario, and the same
+/// scenario gives the same run to the bit. It uses the production job, driver and methods.
 /// @threadsafety pure; runs on the calling thread.
 #pragma once
 
@@ -24,13 +24,12 @@ struct Scenario {
   std::shared_ptr<const gcode::Program> program;
   RunSettings settings;
   std::uint64_t seed = 1;
-  /// A run that gets nowhere repeats its loop for ever: it is stopped after this much machine
-  /// time.
+  /// A run without progress repeats its loop forever: it is stopped after this much machine time.
   base::Duration limit = std::chrono::hours{2};
 };
 
 /// Runs it from preflight to the oracle's judgement.
-/// @param load  where the machine's account of the accesses goes; may be null
+/// @param load  receives the machine's count of the accesses; may be null
 [[nodiscard]] RunReport simulate(const Scenario& scenario, ServiceLoad* load = nullptr);
 
 /// Program whose points are streamed as they are.
@@ -45,8 +44,8 @@ struct Scenario {
 [[nodiscard]] machine::MachineConfig withRotaryAxes(machine::MachineConfig machine,
                                                     const base::RotarySet& rotaryAxes);
 
-/// A contour as [P1] describes its own: thinned, so that no two neighbours are closer than d_min
-/// and most are further apart. Steps are d_min plus an exponential rest; the direction wanders, in
+/// A contour like that of [P1]: thinned so that no two neighbours are closer than d_min, and most
+/// are further apart. Steps are d_min plus an exponential rest; the direction varies at random in
 /// the plane Z = 0, within the working area.
 struct ContourOptions {
   std::size_t points = 200;

@@ -18,8 +18,8 @@ using opcua::LinkError;
 
 namespace {
 
-/// No answer arrives in the moment of the question, however free the access is: a client that
-/// polls would never let the time go on.
+/// No answer arrives at the moment of the request, however cheap access is: a client that polls
+/// would never let time advance.
 constexpr base::Duration kRoundTripMin = std::chrono::microseconds{100};
 
 }  // namespace
@@ -137,7 +137,7 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
       beginNode(request);
     }
     if (!request.reported && request.deadline < request.nextDoneAt && request.deadline <= until) {
-      // The client gives up; the control carries the request out all the same.
+      // The client gives up, but the control still carries the request out.
       m_machine.advance(request.deadline);
       request.reported = true;
       Event event;
@@ -177,7 +177,7 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
 void SimulatedLink::access(Request& request, std::size_t length) {
   const std::size_t first = request.next;
   const bool isRead = request.kind == machine::AccessKind::Read;
-  // An array exists only where all its elements do.
+  // An array exists only if all its elements exist.
   const bool isArray = length > 1;
   const bool exists =
       !isArray ||

@@ -28,10 +28,10 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   /// @param machine  must outlive the link
   explicit SimulatedLink(machine::Machine& machine) : m_machine(machine) {}
 
-  /// Looks on: called in front of each R-parameter that is written, at the machine's time.
+  /// Observer: called before each R-parameter that is written, at the machine's time.
   std::function<void(base::RequestId request, int cell, double value)> onWrite;
 
-  /// Since the program was started last; storing a program is a request without nodes.
+  /// Since the last start of the program; storing a program is a request without nodes.
   [[nodiscard]] const ServiceLoad& served() const { return m_served; }
 
   [[nodiscard]] base::Instant now() const override { return m_machine.now(); }
@@ -75,7 +75,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   base::RequestId submit(Request request, base::Duration deadline);
   void beginNode(Request& request);
   [[nodiscard]] base::Instant serveNode();
-  /// True once nothing is left to be served.
+  /// True if nothing is left to be served.
   [[nodiscard]] static bool isServed(const Request& request);
   /// Variables of the node to be served.
   [[nodiscard]] static std::size_t nodeLength(const Request& request);

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Puts a flexible program to the proof: the production client drives it on a virtual machine in
-/// virtual time, on time and late, over a bad network, until it is stopped or the client is gone.
-/// What it moved is judged by the machine's own trace. @threadsafety pure; runs on the calling
-/// thread.
+/// Proves a flexible program: the production client drives it on a virtual machine in virtual time,
+/// on time and late, over a bad network, until it is stopped or the client is gone. The motion is
+/// judged by the machine's own trace. @threadsafety pure; runs on the calling thread.
 #pragma once
 
 #include <string>
@@ -21,10 +20,10 @@ namespace rivulet::streaming {
 /// One situation, in a number of runs.
 struct ProofCase {
   std::string name;        ///< "on-time", "late-client", ...
-  bool isRequired = true;  ///< false: what the method does not promise, for information
+  bool isRequired = true;  ///< false: not guaranteed by the method, for information
   std::size_t runs = 0;
   std::size_t failures = 0;
-  std::string message;  ///< the first failure: what was expected, and what happened
+  std::string message;  ///< the first failure: expected and actual behaviour
 
   [[nodiscard]] bool holds() const { return failures == 0; }
 };
@@ -33,7 +32,7 @@ struct TemplateProof {
   std::vector<templates::LintFinding> findings;
   std::vector<ProofCase> cases;  ///< none if a finding is an error: such a program is not run
 
-  /// No finding is an error, and every case that is required holds.
+  /// No finding is an error, and every required case has passed.
   [[nodiscard]] bool holds() const;
 };
 
@@ -45,9 +44,9 @@ struct TemplateProof {
     std::string_view text, const templates::TemplateParameters& parameters,
     const machine::MachineConfig& machine);
 
-/// What goes to a real control has run on the virtual one first: the generated program of the
-/// parameters is put to the proof on the machine of the paper.
-/// @return nothing if it holds; else LintError::Rejected, or the errors of `proveTemplate`
+/// A program for a real control first runs on the virtual one: the program generated for the
+/// parameters is proved on the machine of the paper.
+/// @return nothing if it passes; else LintError::Rejected, or the errors of `proveTemplate`
 [[nodiscard]] base::Result<void> requireProven(const templates::TemplateParameters& parameters);
 
 }  // namespace rivulet::streaming
