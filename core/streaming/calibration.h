@@ -131,8 +131,8 @@ struct CalibrationHooks {
 
 /// The channel must be in reset. It is checked repeatedly, and a program that is started meanwhile
 /// ends the calibration at once.
-/// @return NoCells, ChannelBusy, Cancelled, NotRestored, or the error of the link. In every case the
-///         message says what the cells hold
+/// @return NoCells, ChannelBusy, Cancelled, NotRestored, or the error of the link. In every case
+///         the message says what the cells hold
 [[nodiscard]] base::Result<Calibration> calibrate(opcua::Link& link, const CalibrationPlan& plan,
                                                   const CalibrationHooks& hooks = {});
 
