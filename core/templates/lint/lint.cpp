@@ -248,8 +248,7 @@ class Linter {
                             call->name));
         } else if (!isOwnSubprogram(call->name)) {
           warn(LintRule::NotChecked, statement.place.line,
-               fmt::format("The subprogram {} is not looked into. Write its blocks into this "
-                           "program.",
+               fmt::format("The subprogram {} is not checked. Write its blocks into this program.",
                            call->name));
         }
       } else if (const auto* sync = std::get_if<nc::Synchronized>(&statement.what)) {
@@ -259,7 +258,7 @@ class Linter {
         const auto* repeat = std::get_if<nc::RepeatStep>(&statement.what);
         const std::string& label = jump != nullptr ? jump->label : repeat->label;
         error(LintRule::MissingLabel, statement.place.line,
-              fmt::format("There is no label {} where the jump looks for it. Write the label, or "
+              fmt::format("There is no label {} in the direction of the jump. Write the label, or "
                           "correct the direction of the jump.",
                           label));
       }
@@ -283,17 +282,17 @@ class Linter {
       if (target.name == "$AC_OVR" && m_isCredit) {
         if (value.isUnknown || value.values.back() > 100.0) {
           error(LintRule::FeedRaised, line,
-                "The override may become more than 100 %: the axes would move faster than the "
-                "client has ordered. Write a number up to 100.");
+                "The override may exceed 100 %: the axes would move faster than the client has "
+                "commanded. Write a number up to 100.");
         }
       } else if (isR && isCertain && isClients(cell)) {
         error(LintRule::ClientCellOverwritten, line,
-              fmt::format("R{} belongs to the client, and a synchronized action writes it. Leave "
-                          "it out.",
-                          cell));
+              fmt::format(
+                  "A synchronized action writes R{}, which belongs to the client. Remove this.",
+                  cell));
       } else if (!isR || !isCertain || !m_isCredit || cell != m_cells.executed) {
         warn(LintRule::NotChecked, line,
-             "What a synchronized action writes is not followed. Leave it out.");
+             "The effect of this synchronized action is not checked. Remove it.");
       }
     }
   }
@@ -344,17 +343,17 @@ class Linter {
     }
     if (!isBounded) {
       error(LintRule::CorrectionUnbounded, line,
-            fmt::format("The action may lay more over an axis than {:.3f} mm, or what is no "
-                        "number, or over an axis that has no correction. Let it act only "
-                        "while the cell of the axis lies within the limit.",
+            fmt::format("The action may apply more than {:.3f} mm to an axis, or a value that is "
+                        "not a number, or a value to an axis without a correction. Let it act only "
+                        "while the cell of the axis is within the limit.",
                         limitMm));
     } else if (follows && action.trigger != nc::Trigger::When &&
                action.trigger != nc::Trigger::Every) {
       m_corrected.insert(cell);
     } else if (!isZero) {
       error(LintRule::CorrectionUnbounded, line,
-            fmt::format("The action lays something else over the axis than R{} says. Write "
-                        "$R{} there, in each cycle in which it lies within the limit.",
+            fmt::format("The action applies another value to the axis than that of R{}. Write $R{} "
+                        "there, in each cycle in which it is within the limit.",
                         cell, cell));
     }
   }
@@ -467,7 +466,7 @@ class Linter {
     if (cell < 0 || cell >= m_parameters.rParameterCount) {
       error(LintRule::RParameterOutOfRange, line,
             fmt::format("R{} does not exist: this control has R0 to R{}. Use fewer points per "
-                        "loop, or have MD28050 raised to {} at least.",
+                        "loop, or have MD28050 raised to at least {}.",
                         cell, m_parameters.rParameterCount - 1, cell + 1));
     }
   }
@@ -476,8 +475,8 @@ class Linter {
     const base::LineNumber line = statement.place.line;
     if (evaluation.hasUnknownIndex) {
       warn(LintRule::RParameterUnbounded, line,
-           "Which R-parameter is meant cannot be told before the program runs. Compute the number "
-           "from variables of the program alone, within bounds that it checks.");
+           "It cannot be determined before the run which R-parameter is read. Compute the number "
+           "only from variables of the program, within bounds that it checks.");
     }
     // In a loop over the slots the same words read another slot in each pass.
     const bool isCertain = evaluation.reads.size() == 1;
@@ -486,31 +485,29 @@ class Linter {
       if (isWindowCell(cell)) {
         if (!state.mustStand && !m_isCredit) {
           errorOnce(LintRule::StopreMissing, line,
-                    fmt::format("A window is taken from R{} on a path without STOPRE since the "
+                    fmt::format("A window is copied from R{} on a path without STOPRE since the "
                                 "last motion: the control may have read it before the client wrote "
-                                "it. Put a STOPRE in front of the question for R{}.",
+                                "it. Put a STOPRE before the check of R{}.",
                                 cell, m_cells.delivered));
         } else if (!state.mustDelivered) {
-          errorOnce(
-              LintRule::HandshakeMissing, line,
-              fmt::format("A window is taken from R{} on a path that has not asked R{} "
-                          "since the last motion: the client may still be writing it. Take it "
-                          "only behind a condition on R{}.",
-                          cell, m_cells.delivered, m_cells.delivered));
+          errorOnce(LintRule::HandshakeMissing, line,
+                    fmt::format("A window is copied from R{} on a path that has not checked R{} "
+                                "since the last motion: the client may still be writing it. Copy "
+                                "it only after a condition on R{}.",
+                                cell, m_cells.delivered, m_cells.delivered));
         }
       } else if (!m_isWindow && m_slotCells.contains(cell)) {
         if (!state.mustRun) {
           errorOnce(LintRule::HandshakeMissing, line,
                     fmt::format("R{} is read on a path that has not waited for the client: R{} was "
-                                "not asked. Wait in a loop until R{} is 1.",
+                                "not checked. Wait in a loop until R{} is 1.",
                                 cell, m_cells.run, m_cells.run));
         }
         if (isCertain && state.mayStale.contains(cell)) {
           errorOnce(LintRule::StopreMissing, line,
-                    fmt::format("R{} is read again on a path without STOPRE since it was read "
-                                "last: the control would run ahead of the client and repeat the "
-                                "point. Put a STOPRE on every way from the last point to the next "
-                                "pass.",
+                    fmt::format("R{} is read again on a path without STOPRE since the last read: "
+                                "the control would run ahead of the client and repeat the point. "
+                                "Put a STOPRE on every path from the last point to the next pass.",
                                 cell));
         }
       }
@@ -557,27 +554,26 @@ class Linter {
                                   m_cells.feed));
     }
     if (!state.mustLayout) {
-      errorOnce(LintRule::LayoutNumberMissing, line,
-                fmt::format("The axes move on a path that has not written R{}={}: the client would "
-                            "not know the program. Write it in front of the waiting loop, behind "
-                            "a STOPRE.",
-                            m_cells.layout, m_layoutNumber));
+      errorOnce(
+          LintRule::LayoutNumberMissing, line,
+          fmt::format("The axes move on a path that has not written R{}={}: the client would not "
+                      "recognise the program. Write it before the waiting loop, after a STOPRE.",
+                      m_cells.layout, m_layoutNumber));
     }
     if (state.mayRapid) {
       warn(LintRule::RapidMotion, line,
-           "The block moves with G0, at rapid speed whatever the feed. Write G1.");
+           "The block moves with G0, at rapid speed regardless of the feed. Write G1.");
     }
     if (state.mayRelative) {
       error(LintRule::RelativeMotion, line,
-            "The block may move by increments (G91), but the client sends positions. Write G90 in "
-            "front of the loop.");
+            "The block may move by increments (G91), but the client sends positions. Write G90 "
+            "before the loop.");
     }
     for (const int cell : reads) {
       if (isWindowCell(cell)) {
         error(LintRule::MotionFromCells, line,
-              fmt::format("The axes move to what R{} says at this moment, which nothing has "
-                          "checked. Copy the window, check its check number, and move from the "
-                          "copy.",
+              fmt::format("The axes move to the present value of R{}, which has not been checked. "
+                          "Copy the window, check its check number, and move from the copy.",
                           cell));
         break;
       }
@@ -591,8 +587,8 @@ class Linter {
     const Evaluation value = evaluate(*assign.initial.values.front(), state.values);
     if (index.result.isUnknown) {
       warn(LintRule::RParameterUnbounded, line,
-           "Which R-parameter is written cannot be told before the program runs. Compute the "
-           "number from variables of the program alone.");
+           "It cannot be determined before the run which R-parameter is written. Compute the "
+           "number only from variables of the program.");
       return;
     }
     for (const double number : index.result.values) {
@@ -602,19 +598,20 @@ class Linter {
         writeLayout(line, value.result, state);
       } else if (state.mayLayout && isClients(cell)) {
         error(LintRule::ClientCellOverwritten, line,
-              fmt::format("R{} belongs to the client once the layout number stands in R{}, and is "
-                          "overwritten here. Set it in front of R{}={}.",
+              fmt::format("R{} belongs to the client as soon as the layout number is in R{}, but "
+                          "it is overwritten here. Set it before R{}={}.",
                           cell, m_cells.layout, m_cells.layout, m_layoutNumber));
       } else if (!m_isWindow && cell == m_cells.signal &&
                  m_parameters.method == MethodKind::Signal && !state.mustStand) {
         signalAhead(line);
       } else if (m_isCredit && (cell == m_cells.executed || cell == m_cells.state) &&
                  !state.mustStand) {
-        error(LintRule::SignalAhead, line,
-              fmt::format("R{} is written on a path without STOPRE since the last motion: the "
-                          "client would take for executed what the axes have before them. Put a "
-                          "STOPRE in front of it.",
-                          cell));
+        error(
+            LintRule::SignalAhead, line,
+            fmt::format(
+                "R{} is written on a path without STOPRE since the last motion: the client would "
+                "consider points executed that the axes have not reached. Put a STOPRE before it.",
+                cell));
       }
     }
   }
@@ -624,7 +621,7 @@ class Linter {
     add(LintRule::SignalAhead, isWanted ? LintSeverity::Warning : LintSeverity::Error, line,
         fmt::format("R{} is set on a path without STOPRE since the last motion: the control sets "
                     "it before the axes have passed the points, and the client overwrites them too "
-                    "early. Put a STOPRE in front of it.",
+                    "early. Put a STOPRE before it.",
                     m_cells.signal));
   }
 
@@ -635,14 +632,13 @@ class Linter {
     state.mustLayout = true;  // a wrong one is told of here, not at every motion
     if (!isRight) {
       error(LintRule::WrongLayoutNumber, line,
-            fmt::format("R{} must become {} for this method, these points, cells and axes; here "
-                        "it gets {}. Write R{}={}, or choose the settings the program was made "
-                        "for.",
-                        m_cells.layout, m_layoutNumber,
-                        value.isUnknown || value.values.empty()
-                            ? std::string("a computed value")
-                            : fmt::format("{}", value.values.front()),
-                        m_cells.layout, m_layoutNumber));
+            fmt::format(
+                "R{} must be set to {} for this method, these points, cells and axes; here it is "
+                "set to {}. Write R{}={}, or choose the settings for which the program was made.",
+                m_cells.layout, m_layoutNumber,
+                value.isUnknown || value.values.empty() ? std::string("a computed value")
+                                                        : fmt::format("{}", value.values.front()),
+                m_cells.layout, m_layoutNumber));
     }
   }
 
@@ -732,11 +728,11 @@ class Linter {
       if (!lasts(cycle) || waitsForOverlay(cycle)) {
         return;
       }
-      error(LintRule::StopCheckMissing, m_statements[cycle.back()].place.line,
-            fmt::format("The loop from line {} back from here can be gone round without asking "
-                        "R{}: a stop of the client would not be seen. Put a condition on R{} that "
-                        "leaves it into the loop.",
-                        m_statements[cycle.front()].place.line.value, m_stopCell, m_stopCell));
+      error(
+          LintRule::StopCheckMissing, m_statements[cycle.back()].place.line,
+          fmt::format("The loop from line {} to here can repeat without checking R{}: a stop of "
+                      "the client would not be seen. Add a condition on R{} that leaves the loop.",
+                      m_statements[cycle.front()].place.line.value, m_stopCell, m_stopCell));
     });
     findCycles(stops, [this](const std::vector<std::size_t>& cycle) {
       if (m_isCredit && endsByItself(cycle)) {
@@ -746,13 +742,13 @@ class Linter {
         for (const int cell : conditionReads(at)) {
           if (isClients(cell) || (cell == m_cells.signal && !m_isWindow)) {
             error(LintRule::StopreMissing, m_statements[at].place.line,
-                  fmt::format("The loop asks R{} again and again without a STOPRE: the control may "
-                              "never see what the client writes. {}",
-                              cell,
-                              m_isCredit ? "Count its passes, and leave it for a STOPRE when they "
-                                           "become too many."
-                                         : "Put a STOPRE into the loop, in front of the "
-                                           "question."));
+                  fmt::format(
+                      "The loop checks R{} repeatedly without a STOPRE: the control may never see "
+                      "what the client writes. {}",
+                      cell,
+                      m_isCredit
+                          ? "Count its passes, and leave it for a STOPRE if there are too many."
+                          : "Put a STOPRE into the loop, before the check."));
             return;
           }
         }
@@ -838,7 +834,7 @@ class Linter {
     const base::LineNumber last =
         m_statements.empty() ? base::LineNumber{} : m_statements.back().place.line;
     if (m_statements.empty() || m_isReached[m_statements.size()]) {
-      warn(LintRule::NoEnd, last, "The program runs off its last line. End it with M30.");
+      warn(LintRule::NoEnd, last, "The program has no end after its last line. End it with M30.");
     }
     const bool hasErrors = std::any_of(m_findings.begin(), m_findings.end(), [](const auto& f) {
       return f.severity == LintSeverity::Error;
@@ -849,8 +845,8 @@ class Linter {
     for (const int cell : m_slotCells) {
       if (!m_slotsRead.contains(cell)) {
         error(LintRule::SlotNotRead, last,
-              fmt::format("Nothing reads R{}, where the client writes a coordinate: the point "
-                          "would be left out. Move to all slots of the method.",
+              fmt::format("R{}, into which the client writes a coordinate, is never read: the "
+                          "point would be left out. Move to all slots of the method.",
                           cell));
         return;
       }
@@ -859,15 +855,16 @@ class Linter {
       const int cell = m_cells.correction[axis];
       if (cell >= 0 && !m_corrected.contains(cell)) {
         error(LintRule::CorrectionIgnored, last,
-              fmt::format("Nothing lays R{} over {}: the client would take for corrected what is "
-                          "not. Write a synchronized action that does, within the limit.",
-                          cell, base::kAxisNames[axis]));
+              fmt::format(
+                  "R{} is never applied to {}: the client would assume a correction that does not "
+                  "take place. Write a synchronized action that applies it, within the limit.",
+                  cell, base::kAxisNames[axis]));
       }
     }
     if (!m_isWindow && !m_usesClientFeed) {
       warn(LintRule::FeedNotFromClient, last,
-           fmt::format("R{}, the feed of the client, is never used: the verdict on feasibility "
-                       "does not hold. Write F=R{} into the blocks.",
+           fmt::format("R{}, the feed of the client, is never used: the feasibility verdict would "
+                       "not apply. Write F=R{} into the blocks.",
                        m_cells.feed, m_cells.feed));
     }
   }
