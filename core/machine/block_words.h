@@ -16,7 +16,7 @@
 #include "base/vec3.h"
 #include "machine/alarm.h"
 #include "machine/prepared.h"
-#include "nc/flow/sequence.h"
+#include "nc/syntax/tree.h"
 
 namespace rivulet::machine {
 

@@ -80,7 +80,7 @@ void Interpreter::Values::refresh() {
 
 // --- statement by statement -------------------------------------------------------------------
 
-Interpreter::Interpreter(std::shared_ptr<const nc::Sequence> program, RParameters& parameters,
+Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,
                          const InterpreterOptions& options)
     : m_values(parameters, options),
       m_flow(std::move(program), m_values, options.library),
@@ -101,14 +101,14 @@ void Interpreter::refresh() {
 }
 
 Prepared Interpreter::next() {
-  const auto isSilent = [](const nc::Step& statement) {
+  const auto isSilent = [](const nc::Statement& statement) {
     const auto* const words = std::get_if<nc::Words>(&statement.what);
     return words != nullptr && isWithoutEffect(*words);
   };
   // A block may hold several statements (R1=0 R2=0 G1 X5): those that neither move nor jump are
   // executed together with what follows them in the same block.
   for (;;) {
-    const nc::Step* const statement = m_flow.due();
+    const nc::Statement* const statement = m_flow.due();
     if (statement == nullptr) {
       return m_flow.depth() > 1 ? leave()  // a subprogram may end without M17
                                 : Alarm{12080, "The program has no end (M30 or M17 is missing)."};
@@ -133,11 +133,11 @@ Prepared Interpreter::next() {
   }
 }
 
-Prepared Interpreter::execute(const nc::Step& statement) {
+Prepared Interpreter::execute(const nc::Statement& statement) {
   return std::visit(
       Overload{
           [&](const nc::Words& s) { return move(s, statement.place.line); },
-          [&](const nc::DwellStep& s) -> Prepared {
+          [&](const nc::Dwell& s) -> Prepared {
             const nc::Expected<double> seconds = m_values.number(s.seconds);
             if (!seconds) {
               return alarmOf(seconds.error());
@@ -145,8 +145,8 @@ Prepared Interpreter::execute(const nc::Step& statement) {
             return PreparedDwell{statement.place.line,
                                  base::fromSeconds(std::clamp(*seconds, 0.0, 1e6))};
           },
-          [](const nc::StopStep&) -> Prepared { return PreparedStopre{}; },
-          [this](const nc::MessageStep& s) -> Prepared {
+          [](const nc::PreprocessingStop&) -> Prepared { return PreparedStopre{}; },
+          [this](const nc::Message& s) -> Prepared {
             if (!s.text) {
               return PreparedMessage{};
             }
@@ -154,7 +154,7 @@ Prepared Interpreter::execute(const nc::Step& statement) {
                 nc::evaluate(*s.text, m_values, m_values.semantics());
             return text ? Prepared(PreparedMessage{nc::textOf(*text)}) : alarmOf(text.error());
           },
-          [this](const nc::FrameStep& s) { return setFrame(s); },
+          [this](const nc::FrameStatement& s) { return setFrame(s); },
           [this](const nc::Synchronized& s) -> Prepared {
             nc::Expected<SyncAction> action = frozen(s, m_values);
             if (!action) {
@@ -162,16 +162,16 @@ Prepared Interpreter::execute(const nc::Step& statement) {
             }
             return PreparedSync{std::make_shared<const SyncAction>(std::move(*action))};
           },
-          [this](const nc::CancelStep& s) -> Prepared {
+          [this](const nc::Cancel& s) -> Prepared {
             const nc::Expected<double> id = m_values.number(s.id);
             if (!id) {
               return alarmOf(id.error());
             }
             return PreparedCancel{static_cast<int>(std::lround(std::clamp(*id, 0.0, 255.0)))};
           },
-          [this](const nc::ReturnStep&) { return leave(); },
-          [](const nc::EndStep&) -> Prepared { return PreparedEnd{}; },
-          [](const nc::FaultyStep& s) -> Prepared { return alarmOf(s.fault); },
+          [this](const nc::Return&) { return leave(); },
+          [](const nc::End&) -> Prepared { return PreparedEnd{}; },
+          [](const nc::Faulty& s) -> Prepared { return alarmOf(s.fault); },
           [&](const auto&) -> Prepared {
             const nc::Expected<bool> jumped = m_flow.execute(statement);
             return jumped ? Prepared(PreparedNothing{*jumped}) : alarmOf(jumped.error());
@@ -344,7 +344,7 @@ base::Vec3 Interpreter::rotated(base::Vec3 vector) const {
   return vector.x * m_rotation[0] + vector.y * m_rotation[1] + vector.z * m_rotation[2];
 }
 
-Prepared Interpreter::setFrame(const nc::FrameStep& statement) {
+Prepared Interpreter::setFrame(const nc::FrameStatement& statement) {
   const bool isRotation = statement.name.ends_with("ROT");
   if (!isRotation && !statement.name.ends_with("TRANS")) {
     return Alarm{12550, fmt::format("{} is not known to this machine.", statement.name)};

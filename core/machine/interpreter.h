@@ -17,7 +17,7 @@
 #include "machine/prepared.h"
 #include "machine/r_parameters.h"
 #include "nc/eval/variables.h"
-#include "nc/flow/sequencer.h"
+#include "nc/flow/flow.h"
 
 namespace rivulet::machine {
 
@@ -37,7 +37,7 @@ struct InterpreterOptions {
 class Interpreter {
  public:
   /// @param parameters  must outlive the interpreter, as must the main run
-  Interpreter(std::shared_ptr<const nc::Sequence> program, RParameters& parameters,
+  Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,
               const InterpreterOptions& options);
 
   /// Interprets the next block. After an alarm or the end it must not be called again.
@@ -65,18 +65,18 @@ class Interpreter {
     std::vector<double> m_cache;  // empty: read live
   };
 
-  [[nodiscard]] Prepared execute(const nc::Step& statement);
+  [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared move(const nc::Words& words, base::LineNumber line);
   [[nodiscard]] std::optional<Alarm> modes(const BlockWords& words);
   [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const BlockWords& words, base::Vec3 fromMm,
                                                    base::Vec3 toMm, base::Vec3 programmedFromMm);
   [[nodiscard]] Prepared leave();
-  [[nodiscard]] Prepared setFrame(const nc::FrameStep& statement);
+  [[nodiscard]] Prepared setFrame(const nc::FrameStatement& statement);
   [[nodiscard]] base::Vec3 rotated(base::Vec3 vector) const;
   [[nodiscard]] double unit() const;
 
   Values m_values;
-  nc::Sequencer m_flow;
+  nc::Flow m_flow;
   bool m_hasStopped = false;  ///< the stop that the next statement needs has been made
   base::Vec3 m_endMm;         ///< of the last block, machine
   base::Vec3 m_programmedMm;  ///< the same as programmed, before frames

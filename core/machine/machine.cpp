@@ -15,7 +15,7 @@
 #include "machine/r_parameters.h"
 #include "machine/servo_model.h"
 #include "machine/sync_action.h"
-#include "nc/flow/sequence_parser.h"
+#include "nc/syntax/parser.h"
 
 namespace rivulet::machine {
 
@@ -191,7 +191,7 @@ class Machine::Impl final : public MainRun {
     m_timers.fill(-1.0);
     options.cacheUntilStopre = m_config.rRead == RRead::CachedUntilStopre;
     m_prerun.start(std::make_unique<Interpreter>(
-                       std::make_shared<const nc::Sequence>(nc::sequenceOf(program->second)),
+                       std::make_shared<const nc::Tree>(nc::parseSinumerik(program->second)),
                        m_parameters, options),
                    m_now);
     return {};
@@ -232,11 +232,11 @@ class Machine::Impl final : public MainRun {
   [[nodiscard]] base::Vec3 commandMm() const { return m_planner.commandMm() + m_offsetMm; }
 
   /// "NAME", as NAME.SPF or NAME.MPF on the control.
-  [[nodiscard]] std::shared_ptr<const nc::Sequence> subprogram(const std::string& name) const {
+  [[nodiscard]] std::shared_ptr<const nc::Tree> subprogram(const std::string& name) const {
     for (const char* ending : {"", ".SPF", ".MPF"}) {
       const auto found = m_programs.find(name + ending);
       if (found != m_programs.end()) {
-        return std::make_shared<const nc::Sequence>(nc::sequenceOf(found->second));
+        return std::make_shared<const nc::Tree>(nc::parseSinumerik(found->second));
       }
     }
     return nullptr;

@@ -17,7 +17,7 @@
 
 #include "machine/alarm.h"
 #include "machine/main_run.h"
-#include "nc/flow/sequence.h"
+#include "nc/syntax/tree.h"
 
 namespace rivulet::machine {
 

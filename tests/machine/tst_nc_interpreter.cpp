@@ -13,7 +13,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "machine/interpreter.h"
-#include "nc/flow/sequence_parser.h"
+#include "nc/syntax/parser.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -54,13 +54,13 @@ Outcome runProgram(const std::string& text, const std::map<std::string, std::str
   options.rapidMmPerS = 100.0;
   options.feedMmPerS = feedMmPerS;
   options.roundingMm = 0.01;
-  options.library = [&library](const std::string& name) -> std::shared_ptr<const nc::Sequence> {
+  options.library = [&library](const std::string& name) -> std::shared_ptr<const nc::Tree> {
     const auto found = library.find(name);
     return found == library.end()
                ? nullptr
-               : std::make_shared<const nc::Sequence>(nc::sequenceOf(found->second));
+               : std::make_shared<const nc::Tree>(nc::parseSinumerik(found->second));
   };
-  Interpreter interpreter(std::make_shared<const nc::Sequence>(nc::sequenceOf(text)),
+  Interpreter interpreter(std::make_shared<const nc::Tree>(nc::parseSinumerik(text)),
                           outcome.parameters, options);
   for (int block = 0; block < 20000; ++block) {
     const machine::Prepared prepared = interpreter.next();

@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "nc/eval/variables.h"
 #include "support/test_program.h"
-#include "support/test_program.h"
 
 using namespace rivulet;
 using nc::Variables;

@@ -17,7 +17,7 @@ namespace rivulet::templates {
 namespace {
 
 using nc::Expression;
-using Statement = nc::Step;
+using nc::Statement;
 
 /// More values than a loop over the cells of a control has passes.
 constexpr std::size_t kValuesMax = 512;
@@ -185,7 +185,7 @@ Evaluation evaluate(const Expression& expression, const Environment& environment
   return evaluation;
 }
 
-std::vector<std::string> indexVariables(const nc::Sequence& program) {
+std::vector<std::string> indexVariables(const nc::Tree& program) {
   std::set<std::string, std::less<>> followed;
   const auto follow = [&followed](const Probe& probe) {
     followed.insert(probe.locals.begin(), probe.locals.end());
@@ -227,13 +227,13 @@ std::vector<std::string> indexVariables(const nc::Sequence& program) {
   return names;
 }
 
-Exits exitsOf(const nc::Sequence& program, std::size_t statement) {
+Exits exitsOf(const nc::Tree& program, std::size_t statement) {
   const auto& what = program.statements[statement].what;
   Exits exits;
   const auto unless = [&](const std::optional<Expression>& condition) {
     exits.condition = condition ? &*condition : nullptr;
   };
-  if (const auto* jump = std::get_if<nc::JumpStep>(&what)) {
+  if (const auto* jump = std::get_if<nc::Jump>(&what)) {
     unless(jump->condition);
     exits.whenTrue = program.find(jump->label, jump->direction, statement);
     if (!exits.whenTrue && jump->direction == nc::JumpDirection::ForwardNoAlarm) {
@@ -243,7 +243,7 @@ Exits exitsOf(const nc::Sequence& program, std::size_t statement) {
     if (exits.condition != nullptr) {
       exits.whenFalse = statement + 1;
     }
-  } else if (const auto* branch = std::get_if<nc::BranchStep>(&what)) {
+  } else if (const auto* branch = std::get_if<nc::Branch>(&what)) {
     unless(branch->condition);
     if (exits.condition != nullptr) {
       exits.whenTrue = statement + 1;
@@ -251,13 +251,12 @@ Exits exitsOf(const nc::Sequence& program, std::size_t statement) {
     } else {
       exits.whenTrue = branch->target;
     }
-  } else if (const auto* repeat = std::get_if<nc::RepeatStep>(&what)) {
+  } else if (const auto* repeat = std::get_if<nc::RepeatLabel>(&what)) {
     exits.whenTrue = statement + 1;
     exits.whenFalse = program.find(repeat->label, nc::JumpDirection::Backward, statement);
     exits.misses = !exits.whenFalse;
-  } else if (std::holds_alternative<nc::EndStep>(what) ||
-             std::holds_alternative<nc::ReturnStep>(what) ||
-             std::holds_alternative<nc::FaultyStep>(what)) {
+  } else if (std::holds_alternative<nc::End>(what) || std::holds_alternative<nc::Return>(what) ||
+             std::holds_alternative<nc::Faulty>(what)) {
     exits.ends = true;
   } else {
     exits.whenTrue = statement + 1;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "nc/flow/sequence.h"
+#include "nc/syntax/tree.h"
 
 namespace rivulet::templates {
 
@@ -48,7 +48,7 @@ struct Evaluation {
 [[nodiscard]] Evaluation evaluate(const nc::Expression& expression, const Environment& environment);
 
 /// Variables from which R numbers are computed, with all their values unknown until assigned.
-[[nodiscard]] std::vector<std::string> indexVariables(const nc::Sequence& program);
+[[nodiscard]] std::vector<std::string> indexVariables(const nc::Tree& program);
 
 /// Where control goes from a statement. The index behind the last statement is the end of the text.
 struct Exits {
@@ -58,6 +58,6 @@ struct Exits {
   bool ends = false;
   bool misses = false;  ///< its label does not exist
 };
-[[nodiscard]] Exits exitsOf(const nc::Sequence& program, std::size_t statement);
+[[nodiscard]] Exits exitsOf(const nc::Tree& program, std::size_t statement);
 
 }  // namespace rivulet::templates

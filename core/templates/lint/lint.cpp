@@ -21,7 +21,7 @@
 #include "machine/block_words.h"
 #include "machine/main_run.h"
 #include "nc/eval/evaluate.h"
-#include "nc/flow/sequence_parser.h"
+#include "nc/syntax/parser.h"
 #include "templates/generator.h"
 #include "templates/lint/flow.h"
 
@@ -30,7 +30,7 @@ namespace rivulet::templates {
 namespace {
 
 using base::MethodKind;
-using Statement = nc::Step;
+using nc::Statement;
 using nc::Words;
 
 constexpr int kUnknownNameAlarm = 12550;
@@ -116,7 +116,7 @@ struct State {
 
 class Linter {
  public:
-  Linter(const nc::Sequence& program, const TemplateParameters& parameters, const CellMap& cells)
+  Linter(const nc::Tree& program, const TemplateParameters& parameters, const CellMap& cells)
       : m_program(program),
         m_statements(program.statements),
         m_parameters(parameters),
@@ -187,7 +187,7 @@ class Linter {
 
   /// What the control would say of the block whatever the values; nothing: it reads it.
   [[nodiscard]] std::optional<machine::Alarm> alarmOf(const Statement& statement) const {
-    if (const auto* faulty = std::get_if<nc::FaultyStep>(&statement.what)) {
+    if (const auto* faulty = std::get_if<nc::Faulty>(&statement.what)) {
       return machine::alarmOf(faulty->fault);
     }
     if (const auto* words = std::get_if<Words>(&statement.what)) {
@@ -240,7 +240,7 @@ class Linter {
         error(isName ? LintRule::UnknownName : LintRule::Syntax, statement.place.line,
               fmt::format("The control would stop here with alarm {}: {} Correct the block.",
                           alarm->number, alarm->text));
-      } else if (const auto* call = std::get_if<nc::CallStep>(&statement.what)) {
+      } else if (const auto* call = std::get_if<nc::Call>(&statement.what)) {
         if (call->isPlainName) {
           error(LintRule::UnknownName, statement.place.line,
                 fmt::format("{} is neither a word of the control nor a variable of this program. "
@@ -254,8 +254,8 @@ class Linter {
       } else if (const auto* sync = std::get_if<nc::Synchronized>(&statement.what)) {
         lookAtSync(statement.place.line, *sync);
       } else if (exitsOf(i).misses) {
-        const auto* jump = std::get_if<nc::JumpStep>(&statement.what);
-        const auto* repeat = std::get_if<nc::RepeatStep>(&statement.what);
+        const auto* jump = std::get_if<nc::Jump>(&statement.what);
+        const auto* repeat = std::get_if<nc::RepeatLabel>(&statement.what);
         const std::string& label = jump != nullptr ? jump->label : repeat->label;
         error(LintRule::MissingLabel, statement.place.line,
               fmt::format("There is no label {} in the direction of the jump. Write the label, or "
@@ -429,7 +429,7 @@ class Linter {
                                    : ValueSet{false, {0.0}};
       }
     };
-    if (std::holds_alternative<nc::StopStep>(statement.what)) {
+    if (std::holds_alternative<nc::PreprocessingStop>(statement.what)) {
       stop(after);
     } else if (const auto* words = std::get_if<Words>(&statement.what)) {
       move(statement.place.line, *words, reads, after);
@@ -705,7 +705,7 @@ class Linter {
       }
       const std::vector<int> reads = conditionReads(at);
       asksStop[at] = std::find(reads.begin(), reads.end(), m_stopCell) != reads.end();
-      stops[at] = std::holds_alternative<nc::StopStep>(m_statements[at].what) ||
+      stops[at] = std::holds_alternative<nc::PreprocessingStop>(m_statements[at].what) ||
                   m_statements[at].readsMainRun;
       // A loop with motion in it goes round once per window: only one without waits.
       stops[at] = stops[at] || (m_isCredit && moves(m_statements[at]));
@@ -817,8 +817,8 @@ class Linter {
     bool leaves = false;
     for (const std::size_t at : cycle) {
       const auto& what = m_statements[at].what;
-      if (std::holds_alternative<nc::DwellStep>(what) ||
-          std::holds_alternative<nc::StopStep>(what) || !conditionReads(at).empty()) {
+      if (std::holds_alternative<nc::Dwell>(what) ||
+          std::holds_alternative<nc::PreprocessingStop>(what) || !conditionReads(at).empty()) {
         return true;
       }
       for (const std::size_t next : nextOf(at)) {
@@ -869,7 +869,7 @@ class Linter {
     }
   }
 
-  const nc::Sequence& m_program;
+  const nc::Tree& m_program;
   std::set<std::string, std::less<>> m_defined;  ///< variables
   std::set<std::size_t> m_alarms;                ///< statements the control complains about
   const std::vector<Statement>& m_statements;
@@ -933,7 +933,7 @@ base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
   if (!cells) {
     return base::fail(cells.error());
   }
-  const nc::Sequence program = nc::sequenceOf(text);
+  const nc::Tree program = nc::parseSinumerik(text);
   return Linter(program, parameters, *cells).run();
 }
 

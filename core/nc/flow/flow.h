@@ -14,28 +14,28 @@
 #include <vector>
 
 #include "nc/eval/variables.h"
-#include "nc/flow/sequence.h"
+#include "nc/syntax/tree.h"
 
 namespace rivulet::nc {
 
 /// Programs by their name in upper case; null: there is none.
-using Library = std::function<std::shared_ptr<const Sequence>(const std::string& name)>;
+using Library = std::function<std::shared_ptr<const Tree>(const std::string& name)>;
 
-class Sequencer {
+class Flow {
  public:
   /// @param variables  must outlive the flow; it enters and leaves scopes there
-  Sequencer(std::shared_ptr<const Sequence> program, Variables& variables, Library library);
+  Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library);
 
   /// The statement that is due; null at the end of a program's text.
-  [[nodiscard]] const Step* due() const;
+  [[nodiscard]] const Statement* due() const;
   /// Steps over it, as is done before it is executed.
   void step();
   /// True if what is due stands in the block of the statement stepped over last.
   [[nodiscard]] bool continuesBlock() const;
 
   /// Executes a statement that has just been stepped over: Assignment, Definition, Jump, Branch,
-  /// RepeatStep and Call. Others are the caller's. @return true if it led somewhere else
-  [[nodiscard]] Expected<bool> execute(const Step& statement);
+  /// RepeatLabel and Call. Others are the caller's. @return true if it led somewhere else
+  [[nodiscard]] Expected<bool> execute(const Statement& statement);
   /// M17, RET or the end of the text. @return false in the main program
   [[nodiscard]] bool leave();
   /// Programs within each other, 1: the main program.
@@ -50,7 +50,7 @@ class Sequencer {
     int left = 0;
   };
   struct Level {
-    std::shared_ptr<const Sequence> program;
+    std::shared_ptr<const Tree> program;
     std::size_t next = 0;
     std::map<std::size_t, int> repeats;  ///< REPEAT statements in progress, rounds left
     std::vector<Range> ranges;
@@ -60,12 +60,12 @@ class Sequencer {
 
   [[nodiscard]] Level& level() { return m_levels.back(); }
   void goTo(std::size_t target);
-  void enter(std::shared_ptr<const Sequence> program, Scope scope, int callsLeft);
+  void enter(std::shared_ptr<const Tree> program, Scope scope, int callsLeft);
   [[nodiscard]] Expected<bool> holds(const std::optional<Expression>& condition) const;
   [[nodiscard]] Expected<int> rounds(const std::optional<Expression>& times) const;
-  [[nodiscard]] Expected<bool> jump(const JumpStep& jump);
-  [[nodiscard]] Expected<bool> repeat(const RepeatStep& repeat);
-  [[nodiscard]] Expected<bool> call(const CallStep& call);
+  [[nodiscard]] Expected<bool> jump(const Jump& jump);
+  [[nodiscard]] Expected<bool> repeat(const RepeatLabel& repeat);
+  [[nodiscard]] Expected<bool> call(const Call& call);
 
   Variables& m_variables;
   Library m_library;

@@ -4,7 +4,7 @@
 /// @file
 /// An NC program as a list of statements. Control structures are branches with targets: IF, WHILE,
 /// FOR, LOOP, REPEAT … UNTIL and CASE leave nothing but conditions and places to go to, so that a
-/// loop runs over the list and no text is read twice. What cannot be read becomes a `FaultyStep`
+/// loop runs over the list and no text is read twice. What cannot be read becomes a `Faulty`
 /// statement: like the control, a reader complains about a block when it comes to it.
 /// @threadsafety plain values, immutable once read.
 #pragma once
@@ -37,16 +37,16 @@ struct Words {
   std::vector<Word> words;
 };
 /// TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR with their axes.
-struct FrameStep {
+struct FrameStatement {
   std::string name;
   std::vector<Word> words;
 };
 /// G4 F.
-struct DwellStep {
+struct Dwell {
   Expression seconds;
 };
-struct StopStep {};
-struct MessageStep {
+struct PreprocessingStop {};
+struct Message {
   std::optional<Expression> text;
 };
 
@@ -58,26 +58,26 @@ enum class JumpDirection : std::uint8_t {
   Start
 };
 /// To a label, if the condition holds (no condition: always).
-struct JumpStep {
+struct Jump {
   std::optional<Expression> condition;
   JumpDirection direction = JumpDirection::ForwardThenBackward;
   std::string label;  ///< upper case, or "N10" for a block number
 };
 /// To statement `target` if the condition does not hold (no condition: always).
-struct BranchStep {
+struct Branch {
   std::optional<Expression> condition;
   std::size_t target = 0;
 };
 /// REPEAT label P=n: the blocks from the label up to here n times more; REPEAT from to P=n: from
 /// one label to the other; REPEATB label P=n: the block of the label.
-struct RepeatStep {
+struct RepeatLabel {
   std::string label;
   std::string endLabel;
   bool isBlockOnly = false;
   std::optional<Expression> times;
 };
 /// A subprogram by its name.
-struct CallStep {
+struct Call {
   std::string name;
   bool isPlainName = false;            ///< a word that might as well be a name misspelt
   std::optional<Expression> computed;  ///< CALL with a text that is not known before
@@ -100,20 +100,20 @@ struct Synchronized {
   std::optional<Expression> condition;
   std::vector<Assignment> assignments;
 };
-struct CancelStep {
+struct Cancel {
   Expression id;
 };
 /// M17, RET: back to where the program was called; in the main program its end.
-struct ReturnStep {};
-struct EndStep {};
-struct FaultyStep {
+struct Return {};
+struct End {};
+struct Faulty {
   Fault fault;
 };
 
-struct Step {
-  using What = std::variant<Words, Assignment, Definition, FrameStep, DwellStep, StopStep,
-                            MessageStep, JumpStep, BranchStep, RepeatStep, CallStep, Synchronized,
-                            CancelStep, ReturnStep, EndStep, FaultyStep>;
+struct Statement {
+  using What =
+      std::variant<Words, Assignment, Definition, FrameStatement, Dwell, PreprocessingStop, Message,
+                   Jump, Branch, RepeatLabel, Call, Synchronized, Cancel, Return, End, Faulty>;
   Place place;
   What what;
   /// False for the second and later statements of one block.
@@ -122,14 +122,14 @@ struct Step {
   bool readsMainRun = false;
 };
 
-struct SequenceLabel {
+struct Label {
   std::string name;  ///< upper case, or "N10" for a block number
   std::size_t statement = 0;
 };
 
-struct Sequence {
-  std::vector<Step> statements;
-  std::vector<SequenceLabel> labels;   ///< in the order of the text
+struct Tree {
+  std::vector<Statement> statements;
+  std::vector<Label> labels;           ///< in the order of the text
   std::vector<Definition> parameters;  ///< of PROC
 
   /// Where a jump from statement `from` goes. @return nothing if the label is not found
@@ -140,6 +140,7 @@ struct Sequence {
 };
 
 /// Calls `visit` for each expression of the statement.
-void forEachExpression(const Step& statement, const std::function<void(const Expression&)>& visit);
+void forEachExpression(const Statement& statement,
+                       const std::function<void(const Expression&)>& visit);
 
 }  // namespace rivulet::nc

@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "nc/flow/sequence.h"
+#include "nc/syntax/tree.h"
 
 namespace rivulet::nc {
 
 /// Never fails: see tree.h. @param file  number of the text, for the places in it
-[[nodiscard]] Sequence sequenceOf(std::string_view text, std::uint16_t file = 0);
+[[nodiscard]] Tree parseSinumerik(std::string_view text, std::uint16_t file = 0);
 
 }  // namespace rivulet::nc

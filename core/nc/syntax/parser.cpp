@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nc/flow/sequence_parser.h"
+#include "nc/syntax/parser.h"
 
 #include <fmt/format.h>
 
@@ -101,10 +101,10 @@ std::string programName(std::string_view text) {
 }
 
 /// Reads one line after another; control structures are closed by back-patching. A function that
-/// returns false has added a `FaultyStep` statement, or the rest of the line is not to be read.
+/// returns false has added a `Faulty` statement, or the rest of the line is not to be read.
 class Parser {
  public:
-  Parser(Sequence& tree, std::uint16_t file) : m_tree(tree), m_file(file) {}
+  Parser(Tree& tree, std::uint16_t file) : m_tree(tree), m_file(file) {}
 
   void line(std::string_view raw) {
     ++m_line;
@@ -132,9 +132,9 @@ class Parser {
       m_words = {};
     }
     if (m_ends) {
-      emit(EndStep{});
+      emit(End{});
     } else if (m_returns) {
-      emit(ReturnStep{});
+      emit(Return{});
     }
   }
 
@@ -143,8 +143,7 @@ class Parser {
       m_line = open.line;
       m_firstOfBlock = true;
       m_readsMainRun = false;
-      emit(FaultyStep{
-          {FaultCode::NotClosed, std::string(nameOf(open.kind)), {open.line, m_file, 1}}});
+      emit(Faulty{{FaultCode::NotClosed, std::string(nameOf(open.kind)), {open.line, m_file, 1}}});
       if (open.branch) {
         patch(*open.branch);
       }
@@ -220,7 +219,7 @@ class Parser {
 
   template <class What>
   std::size_t emit(What what) {
-    Step& made = m_tree.statements.emplace_back();
+    Statement& made = m_tree.statements.emplace_back();
     made.place = {m_line, m_file, m_wordColumn};
     made.beginsBlock = std::exchange(m_firstOfBlock, false);
     made.readsMainRun = std::exchange(m_readsMainRun, false);
@@ -229,7 +228,7 @@ class Parser {
   }
 
   bool fault(Fault fault) {
-    emit(FaultyStep{std::move(fault)});
+    emit(Faulty{std::move(fault)});
     return false;
   }
   bool fault(FaultCode code, std::string argument = {}) {
@@ -237,7 +236,7 @@ class Parser {
   }
 
   void patch(std::size_t branch) {
-    std::get<BranchStep>(m_tree.statements[branch].what).target = m_tree.statements.size();
+    std::get<Branch>(m_tree.statements[branch].what).target = m_tree.statements.size();
   }
 
   /// Takes the value out, or adds the fault.
@@ -360,7 +359,7 @@ class Parser {
     }
     if (made.address == "F" && m_dwells) {
       m_dwells = false;
-      emit(DwellStep{std::move(*made.value)});
+      emit(Dwell{std::move(*made.value)});
       return true;
     }
     if (made.address == "M" && isNumber && !made.extension) {
@@ -423,7 +422,7 @@ class Parser {
       return jump(std::nullopt, *direction);
     }
     if (name == "STOPRE") {
-      emit(StopStep{});
+      emit(PreprocessingStop{});
       return true;
     }
     if (name == "MSG") {
@@ -452,7 +451,7 @@ class Parser {
     if (name == "CANCEL") {
       std::optional<Expression> id;
       return expect('(') && (id = expression()) && expect(')') &&
-             (emit(CancelStep{std::move(*id)}), true);
+             (emit(Cancel{std::move(*id)}), true);
     }
     if (isOneOf(name, kFrames)) {
       return frame(name);
@@ -504,7 +503,7 @@ class Parser {
       if (!ended) {
         return false;
       }
-      const std::size_t jump = emit(BranchStep{});
+      const std::size_t jump = emit(Branch{});
       patch(*ended->branch);
       return open(Structure::If, jump, 0);
     }
@@ -517,7 +516,7 @@ class Parser {
       if (!condition) {
         return false;
       }
-      const std::size_t begin = emit(BranchStep{std::move(condition), 0});
+      const std::size_t begin = emit(Branch{std::move(condition), 0});
       return open(Structure::While, begin, begin);
     }
     if (word == "LOOP") {
@@ -538,7 +537,7 @@ class Parser {
         emit(Assignment{*ended->counter,
                         only(applied(Op::Add, *ended->counter, Expression::constant(1.0)))});
       }
-      emit(BranchStep{std::nullopt, ended->begin});
+      emit(Branch{std::nullopt, ended->begin});
       if (ended->branch) {
         patch(*ended->branch);
       }
@@ -550,7 +549,7 @@ class Parser {
     if (word == "UNTIL") {
       const std::optional<Open> ended = close(Structure::Repeat, word);
       std::optional<Expression> condition = ended ? expression() : std::nullopt;
-      return condition && (emit(BranchStep{std::move(condition), ended->begin}), true);
+      return condition && (emit(Branch{std::move(condition), ended->begin}), true);
     }
     if (word == "CASE") {
       return caseWord();
@@ -570,7 +569,7 @@ class Parser {
     if (!word.empty() || !m_in->isAtEnd()) {
       return fault(FaultCode::IfMalformed);
     }
-    const std::size_t branch = emit(BranchStep{std::move(condition), 0});
+    const std::size_t branch = emit(Branch{std::move(condition), 0});
     return open(Structure::If, branch, 0);
   }
 
@@ -597,7 +596,7 @@ class Parser {
     const Expression hidden = variable(limit.name);
     emit(Assignment{*counter, only(std::move(*first))});
     emit(std::move(limit));
-    const std::size_t begin = emit(BranchStep{applied(Op::LessEqual, *counter, hidden), 0});
+    const std::size_t begin = emit(Branch{applied(Op::LessEqual, *counter, hidden), 0});
     return open(Structure::For, begin, begin, std::move(counter));
   }
 
@@ -606,7 +605,7 @@ class Parser {
     if (m_in->isAtEnd() && !isBlockOnly) {
       return open(Structure::Repeat, std::nullopt, here());
     }
-    RepeatStep made;
+    RepeatLabel made;
     made.isBlockOnly = isBlockOnly;
     made.label = m_in->name();
     for (;;) {
@@ -679,7 +678,7 @@ class Parser {
       }
       m_in->take(':');
     }
-    emit(JumpStep{std::move(condition), direction, std::move(label)});
+    emit(Jump{std::move(condition), direction, std::move(label)});
     return true;
   }
 
@@ -717,13 +716,13 @@ class Parser {
 
   /// Behind the name: arguments, then how often.
   bool call(std::string name, bool isPlainName) {
-    CallStep made;
+    Call made;
     made.name = std::move(name);
     made.isPlainName = isPlainName;
     return finish(std::move(made));
   }
 
-  bool finish(CallStep made) {
+  bool finish(Call made) {
     auto arguments = got(m_in->arguments());
     if (!arguments) {
       return false;
@@ -747,7 +746,7 @@ class Parser {
     if (!text) {
       return false;
     }
-    CallStep made;
+    Call made;
     if (text->op == Op::Text) {
       made.name = programName(text->name);
     } else {
@@ -759,7 +758,7 @@ class Parser {
   // --- frames, messages, synchronized actions -----------------------------------------------
 
   bool frame(const std::string& name) {
-    FrameStep made;
+    FrameStatement made;
     made.name = name;
     while (!m_in->isAtEnd()) {
       Word word;
@@ -787,7 +786,7 @@ class Parser {
     if (!expect('(')) {
       return false;
     }
-    MessageStep made;
+    Message made;
     if (!m_in->take(')')) {
       made.text = expression();
       if (!made.text) {
@@ -854,7 +853,7 @@ class Parser {
     return true;
   }
 
-  Sequence& m_tree;
+  Tree& m_tree;
   std::uint16_t m_file;
   base::LineNumber m_line;
   std::string_view m_text;
@@ -872,8 +871,8 @@ class Parser {
 
 }  // namespace
 
-Sequence sequenceOf(std::string_view text, std::uint16_t file) {
-  Sequence tree;
+Tree parseSinumerik(std::string_view text, std::uint16_t file) {
+  Tree tree;
   Parser parser(tree, file);
   while (!text.empty()) {
     const std::size_t end = text.find('\n');

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nc/flow/sequencer.h"
+#include "nc/flow/flow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,20 +19,20 @@ constexpr double kRoundsMax = 9999.0;
 
 }  // namespace
 
-Sequencer::Sequencer(std::shared_ptr<const Sequence> program, Variables& variables, Library library)
+Flow::Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library)
     : m_variables(variables), m_library(std::move(library)) {
   Level main;
   main.program = std::move(program);
   m_levels.push_back(std::move(main));
 }
 
-const Step* Sequencer::due() const {
+const Statement* Flow::due() const {
   const Level& level = m_levels.back();
   return level.next < level.program->statements.size() ? &level.program->statements[level.next]
                                                        : nullptr;
 }
 
-void Sequencer::step() {
+void Flow::step() {
   Level& at = level();
   m_stepped = at.next++;
   m_moved = false;
@@ -48,12 +48,12 @@ void Sequencer::step() {
   }
 }
 
-bool Sequencer::continuesBlock() const {
-  const Step* const next = due();
+bool Flow::continuesBlock() const {
+  const Statement* const next = due();
   return !m_moved && next != nullptr && !next->beginsBlock;
 }
 
-void Sequencer::goTo(std::size_t target) {
+void Flow::goTo(std::size_t target) {
   Level& at = level();
   at.next = target;
   m_moved = true;
@@ -63,7 +63,7 @@ void Sequencer::goTo(std::size_t target) {
   }
 }
 
-Expected<bool> Sequencer::holds(const std::optional<Expression>& condition) const {
+Expected<bool> Flow::holds(const std::optional<Expression>& condition) const {
   if (!condition) {
     return true;
   }
@@ -71,13 +71,13 @@ Expected<bool> Sequencer::holds(const std::optional<Expression>& condition) cons
   return value ? Expected<bool>(*value != 0.0) : fail(value.error());
 }
 
-Expected<int> Sequencer::rounds(const std::optional<Expression>& times) const {
+Expected<int> Flow::rounds(const std::optional<Expression>& times) const {
   const Expected<double> value = times ? m_variables.number(*times) : Expected<double>(1.0);
   return value ? Expected<int>(static_cast<int>(std::clamp(std::round(*value), 0.0, kRoundsMax)))
                : fail(value.error());
 }
 
-Expected<bool> Sequencer::execute(const Step& statement) {
+Expected<bool> Flow::execute(const Statement& statement) {
   const auto done = [](const Expected<void>& result) {
     return result ? Expected<bool>(false) : fail(result.error());
   };
@@ -87,32 +87,31 @@ Expected<bool> Sequencer::execute(const Step& statement) {
   if (const auto* definition = std::get_if<Definition>(&statement.what)) {
     return done(m_variables.define(*definition));
   }
-  if (const auto* branch = std::get_if<BranchStep>(&statement.what)) {
-    const Expected<bool> stays =
-        branch->condition ? holds(branch->condition) : Expected<bool>(false);
+  if (const auto* branch = std::get_if<Branch>(&statement.what)) {
+    const Expected<bool> stays = branch->condition ? holds(branch->condition) : Expected<bool>(false);
     if (stays && !*stays) {
       goTo(branch->target);
     }
     return stays ? Expected<bool>(!*stays) : stays;
   }
-  if (const auto* to = std::get_if<JumpStep>(&statement.what)) {
+  if (const auto* to = std::get_if<Jump>(&statement.what)) {
     return jump(*to);
   }
-  if (const auto* again = std::get_if<RepeatStep>(&statement.what)) {
+  if (const auto* again = std::get_if<RepeatLabel>(&statement.what)) {
     return repeat(*again);
   }
-  if (const auto* subprogram = std::get_if<CallStep>(&statement.what)) {
+  if (const auto* subprogram = std::get_if<Call>(&statement.what)) {
     return call(*subprogram);
   }
   return false;
 }
 
-Expected<bool> Sequencer::jump(const JumpStep& jump) {
+Expected<bool> Flow::jump(const Jump& jump) {
   const Expected<bool> goes = holds(jump.condition);
   if (!goes || !*goes) {
     return goes;
   }
-  const Sequence& program = *level().program;
+  const Tree& program = *level().program;
   std::optional<std::size_t> target = program.find(jump.label, jump.direction, m_stepped);
   if (!target) {
     // The label may be the text in a variable.
@@ -130,9 +129,9 @@ Expected<bool> Sequencer::jump(const JumpStep& jump) {
   return true;
 }
 
-Expected<bool> Sequencer::repeat(const RepeatStep& repeat) {
+Expected<bool> Flow::repeat(const RepeatLabel& repeat) {
   const std::size_t at = m_stepped;
-  const Sequence& program = *level().program;
+  const Tree& program = *level().program;
   std::optional<std::size_t> begin = program.find(repeat.label, JumpDirection::Backward, at);
   if (!begin) {
     begin = program.find(repeat.label, JumpDirection::Forward, at);
@@ -171,7 +170,7 @@ Expected<bool> Sequencer::repeat(const RepeatStep& repeat) {
   return true;
 }
 
-Expected<bool> Sequencer::call(const CallStep& call) {
+Expected<bool> Flow::call(const Call& call) {
   if (m_levels.size() == kLevelsMax) {
     return fail(FaultCode::CallsTooDeep);
   }
@@ -187,7 +186,7 @@ Expected<bool> Sequencer::call(const CallStep& call) {
     }
     name = base::toUpper(textOf(*text));
   }
-  std::shared_ptr<const Sequence> program = m_library ? m_library(name) : nullptr;
+  std::shared_ptr<const Tree> program = m_library ? m_library(name) : nullptr;
   if (!program) {
     return fail(call.isPlainName ? FaultCode::NeitherNameNorProgram : FaultCode::SubprogramMissing,
                 name);
@@ -203,7 +202,7 @@ Expected<bool> Sequencer::call(const CallStep& call) {
   return true;
 }
 
-void Sequencer::enter(std::shared_ptr<const Sequence> program, Scope scope, int callsLeft) {
+void Flow::enter(std::shared_ptr<const Tree> program, Scope scope, int callsLeft) {
   Level entered;
   entered.program = std::move(program);
   entered.callsLeft = callsLeft;
@@ -213,7 +212,7 @@ void Sequencer::enter(std::shared_ptr<const Sequence> program, Scope scope, int 
   m_moved = true;
 }
 
-bool Sequencer::leave() {
+bool Flow::leave() {
   if (m_levels.size() == 1) {
     return false;
   }

@@ -1,27 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nc/flow/sequence.h"
+#include "nc/syntax/tree.h"
 
 #include <algorithm>
 #include <type_traits>
 
 namespace rivulet::nc {
 
-std::optional<std::size_t> Sequence::find(std::string_view label, JumpDirection direction,
-                                          std::size_t from) const {
+std::optional<std::size_t> Tree::find(std::string_view label, JumpDirection direction,
+                                      std::size_t from) const {
   if (direction == JumpDirection::Start) {
     return 0;
   }
   // Labels are stored in the order of the text; a label at `from` itself lies behind the jump.
-  const auto after =
-      std::find_if(labels.begin(), labels.end(), [&](const SequenceLabel& candidate) {
-        return candidate.statement > from && candidate.name == label;
-      });
-  const auto before =
-      std::find_if(labels.rbegin(), labels.rend(), [&](const SequenceLabel& candidate) {
-        return candidate.statement <= from && candidate.name == label;
-      });
+  const auto after = std::find_if(labels.begin(), labels.end(), [&](const Label& candidate) {
+    return candidate.statement > from && candidate.name == label;
+  });
+  const auto before = std::find_if(labels.rbegin(), labels.rend(), [&](const Label& candidate) {
+    return candidate.statement <= from && candidate.name == label;
+  });
   if (direction != JumpDirection::Backward && after != labels.end()) {
     return after->statement;
   }
@@ -34,7 +32,7 @@ std::optional<std::size_t> Sequence::find(std::string_view label, JumpDirection 
   return std::nullopt;
 }
 
-std::size_t Sequence::nextBlock(std::size_t statement) const {
+std::size_t Tree::nextBlock(std::size_t statement) const {
   do {
     ++statement;
   } while (statement < statements.size() && !statements[statement].beginsBlock);
@@ -66,11 +64,11 @@ void each(const Initial& initial, const Visit& visit) {
 
 }  // namespace
 
-void forEachExpression(const Step& statement, const Visit& visit) {
+void forEachExpression(const Statement& statement, const Visit& visit) {
   std::visit(
       [&visit](const auto& what) {
         using What = std::decay_t<decltype(what)>;
-        if constexpr (std::is_same_v<What, Words> || std::is_same_v<What, FrameStep>) {
+        if constexpr (std::is_same_v<What, Words> || std::is_same_v<What, FrameStatement>) {
           each(what.words, visit);
         } else if constexpr (std::is_same_v<What, Assignment>) {
           for (const Expression& index : what.target.operands) {
@@ -84,21 +82,21 @@ void forEachExpression(const Step& statement, const Visit& visit) {
           if (what.initial) {
             each(*what.initial, visit);
           }
-        } else if constexpr (std::is_same_v<What, DwellStep>) {
+        } else if constexpr (std::is_same_v<What, Dwell>) {
           visit(what.seconds);
-        } else if constexpr (std::is_same_v<What, MessageStep>) {
+        } else if constexpr (std::is_same_v<What, Message>) {
           each(what.text, visit);
-        } else if constexpr (std::is_same_v<What, JumpStep> || std::is_same_v<What, BranchStep>) {
+        } else if constexpr (std::is_same_v<What, Jump> || std::is_same_v<What, Branch>) {
           each(what.condition, visit);
-        } else if constexpr (std::is_same_v<What, RepeatStep>) {
+        } else if constexpr (std::is_same_v<What, RepeatLabel>) {
           each(what.times, visit);
-        } else if constexpr (std::is_same_v<What, CallStep>) {
+        } else if constexpr (std::is_same_v<What, Call>) {
           each(what.computed, visit);
           each(what.times, visit);
           for (const std::optional<Expression>& argument : what.arguments) {
             each(argument, visit);
           }
-        } else if constexpr (std::is_same_v<What, CancelStep>) {
+        } else if constexpr (std::is_same_v<What, Cancel>) {
           visit(what.id);
         }
       },
