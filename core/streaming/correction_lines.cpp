@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/text.h"
 
@@ -35,42 +37,54 @@ std::optional<double> takeNumber(std::string_view& text, std::string_view ends) 
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-constexpr std::string_view kBlanks = " \t\r";
-
-/// "x": 0.01, ... between the braces.
-std::optional<CorrectionLine> parseObject(std::string_view text) {
-  CorrectionLine line;
-  for (bool isFirst = true;; isFirst = false) {
-    skip(text, kBlanks);
-    if (text.empty() && isFirst) {
-      return std::nullopt;
-    }
-    if (text.size() < 3 || text[0] != '"' || text[2] != '"') {
-      return std::nullopt;
-    }
-    const std::optional<std::size_t> axis = axisOf(text[1]);
-    text.remove_prefix(3);
-    skip(text, kBlanks);
-    if (!axis || line[*axis] || text.empty() || text.front() != ':') {
-      return std::nullopt;
-    }
-    text.remove_prefix(1);
-    skip(text, kBlanks);
-    const std::optional<double> number = takeNumber(text, ", \t\r");
-    if (!number) {
-      return std::nullopt;
-    }
-    line[*axis] = number;
-    skip(text, kBlanks);
-    if (text.empty()) {
-      return line;
-    }
-    if (text.front() != ',') {
-      return std::nullopt;
-    }
-    text.remove_prefix(1);
+/// {"x": 0.01, ...}: accepts one flat object whose keys are axes, each once, with finite numbers.
+class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  [[nodiscard]] std::optional<CorrectionLine> read(std::string_view text) {
+    const bool understood = nlohmann::json::sax_parse(text, this);
+    return understood && m_names > 0 ? std::optional(m_line) : std::nullopt;
   }
-}
+
+  bool start_object(std::size_t) override { return !std::exchange(m_isOpen, true); }
+  bool end_object() override { return true; }
+  bool key(std::string& name) override {
+    const std::optional<std::size_t> axis = name.size() == 1 ? axisOf(name.front()) : std::nullopt;
+    if (!axis || m_line[*axis]) {
+      return false;
+    }
+    m_axis = *axis;
+    ++m_names;
+    return true;
+  }
+  bool number_integer(number_integer_t value) override { return take(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) override {
+    return take(static_cast<double>(value));
+  }
+  bool number_float(number_float_t value, const std::string&) override { return take(value); }
+  bool null() override { return false; }
+  bool boolean(bool) override { return false; }
+  bool string(std::string&) override { return false; }
+  bool binary(nlohmann::json::binary_t&) override { return false; }
+  bool start_array(std::size_t) override { return false; }
+  bool end_array() override { return false; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  bool take(double value) {
+    if (m_names == 0 || !std::isfinite(value)) {
+      return false;
+    }
+    m_line[m_axis] = value;
+    return true;
+  }
+
+  CorrectionLine m_line;
+  std::size_t m_axis = 0;
+  std::size_t m_names = 0;
+  bool m_isOpen = false;
+};
 
 }  // namespace
 
@@ -80,7 +94,7 @@ std::optional<CorrectionLine> parseCorrectionLine(std::string_view text) {
     return CorrectionLine{};
   }
   if (text.front() == '{') {
-    return text.back() == '}' ? parseObject(text.substr(1, text.size() - 2)) : std::nullopt;
+    return ObjectReader().read(text);
   }
   CorrectionLine line;
   while (!text.empty()) {

@@ -31,6 +31,7 @@ class TestCorrectionLines : public QObject {
     known("  Z=0.5; X = 1 ", 1.0, 0.0, 0.5);
     known("{\"x\": 0.01, \"Y\":-0.02}", 0.01, -0.02, 0.0);
     known("{ \"z\" : 1e-3 }", 0.0, 0.0, 0.001);
+    known("{\"x\": 1, \"z\": -2}", 1.0, 0.0, -2.0);
     known("", 0.0, 0.0, 0.0);
     known("# X 1", 0.0, 0.0, 0.0);
     for (const char* line : {"X",
@@ -53,6 +54,9 @@ class TestCorrectionLines : public QObject {
                              "{\"a\": 1}",
                              "{\"x\": 1, \"x\": 2}",
                              "{\"x\" 1}",
+                             "{\"x\": true}",
+                             "{\"x\": -1e400}",
+                             "{\"x\": {\"y\": 1}}",
                              "[1, 2]",
                              "{\"x\": 1} X 2"}) {
       unknown(line);
