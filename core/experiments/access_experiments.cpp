@@ -116,9 +116,9 @@ Result<Experiment> table1(opcua::Link& link, std::size_t shots, const std::strin
     const std::string name = cellName(cell);
     table.rows.push_back({name, fmt::format("{:.2f}", cell.average), fmt::format("{:.2f}", average),
                           fmt::format("{:.2f}", cell.deviation), fmt::format("{:.2f}", deviation),
-                          fmt::format("{:.2f}", quantileOf(*durations, 0.0)),
+                          fmt::format("{:.2f}", quantileOf(*durations, 0)),
                           fmt::format("{:.2f}", medianOf(*durations)),
-                          fmt::format("{:.2f}", quantileOf(*durations, 1.0))});
+                          fmt::format("{:.2f}", quantileOf(*durations, base::kPerMille))});
     const double tolerance = cell.nodes == 1 ? 0.25 : 0.05;
     result.checks.push_back({name + ", average", "ms", "[P1] Table I", cell.average, average,
                              (1.0 - tolerance) * cell.average, (1.0 + tolerance) * cell.average});
@@ -403,10 +403,10 @@ Result<Experiment> runSubscription(const ExperimentOptions& options) {
       "observed; {} repetitions.",
       base::toMilliseconds(machine.blockPreparation), seeds);
   result.checks.push_back(
-      {"changes seen, fewest", "", "[P1] IV.B", 2.0, quantileOf(seen, 0.0), 2.0, 4.0});
+      {"changes seen, fewest", "", "[P1] IV.B", 2.0, quantileOf(seen, 0), 2.0, 4.0});
   result.checks.push_back({"changes seen, median", "", "[P1] IV.B", 2.0, medianOf(seen), 2.0, 4.0});
   result.checks.push_back(
-      {"changes seen, most", "", "[P1] IV.B", 4.0, quantileOf(seen, 1.0), 2.0, 4.0});
+      {"changes seen, most", "", "[P1] IV.B", 4.0, quantileOf(seen, base::kPerMille), 2.0, 4.0});
   result.checks.push_back(
       {"shortest delay of a change", "ms", "[P1] IV.B", 10.0, leastDelayMs, 10.0, 20.0});
   result.tables.push_back(std::move(table));

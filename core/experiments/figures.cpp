@@ -29,13 +29,9 @@ double deviationOf(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-double quantileOf(std::vector<double> values, double share) {
-  RIVULET_ASSERT(!values.empty());
+double quantileOf(std::vector<double> values, std::size_t perMille) {
   std::sort(values.begin(), values.end());
-  const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+  return base::quantile(values, perMille);
 }
 
 Share shareOf(std::size_t hits, std::size_t trials) {

@@ -6,17 +6,20 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
+
+#include "base/quantile.h"
 
 namespace rivulet::experiments {
 
 [[nodiscard]] double meanOf(const std::vector<double>& values);
 /// Standard deviation of a sample (n - 1). 0 for fewer than two values.
 [[nodiscard]] double deviationOf(const std::vector<double>& values);
-/// By linear interpolation between the values. @param share 0 to 1 @param values not empty
-[[nodiscard]] double quantileOf(std::vector<double> values, double share);
+/// `base::quantile` of values in any order. @param values not empty @param perMille  0 to 1000
+[[nodiscard]] double quantileOf(std::vector<double> values, std::size_t perMille);
 [[nodiscard]] inline double medianOf(std::vector<double> values) {
-  return quantileOf(std::move(values), 0.5);
+  return quantileOf(std::move(values), base::kPerMille / 2);
 }
 
 /// A share seen in a number of trials, and the interval that holds the true one with 95 %

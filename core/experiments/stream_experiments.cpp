@@ -194,8 +194,8 @@ Result<Experiment> runFigure3(const ExperimentOptions& options) {
     const double mean = meanOf(durationsMs);
     table.rows.push_back({name, fmt::format("{} of {}", right, seeds), fmt::format("{:.1f}", mean),
                           fmt::format("{:.1f}", deviationOf(durationsMs)),
-                          fmt::format("{:.0f}", quantileOf(durationsMs, 0.0)),
-                          fmt::format("{:.0f}", quantileOf(durationsMs, 1.0)),
+                          fmt::format("{:.0f}", quantileOf(durationsMs, 0)),
+                          fmt::format("{:.0f}", quantileOf(durationsMs, base::kPerMille)),
                           fmt::format("{:.2f}", perLoop)});
     result.checks.push_back(
         {"mean standstill, method " + name, "ms", "[P1] VI", 40.0, mean, 36.0, 44.0});
@@ -276,8 +276,8 @@ Result<Experiment> runFigure4(const ExperimentOptions& options) {
     const std::vector<double> trials(limits.begin() + static_cast<std::ptrdiff_t>(i * seeds),
                                      limits.begin() + static_cast<std::ptrdiff_t>((i + 1) * seeds));
     const double median = medianOf(trials);
-    const double low = quantileOf(trials, 0.25);
-    const double high = quantileOf(trials, 0.75);
+    const double low = quantileOf(trials, 250);
+    const double high = quantileOf(trials, 750);
     medianAt500 = feed == 500.0 ? median : medianAt500;
     medianSquares += std::pow(bandDistance(feed, median), 2);
     for (const double trial : trials) {

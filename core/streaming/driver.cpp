@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/quantile.h"
 #include "streaming/calibration.h"
 
 namespace rivulet::streaming {
@@ -201,7 +202,7 @@ std::optional<Duration> Driver::slowAccess() const {
   if (!m_recentAccess.empty()) {
     std::vector<Duration> sorted(m_recentAccess.begin(), m_recentAccess.end());
     std::sort(sorted.begin(), sorted.end());
-    slow = trace::quantile(sorted, 99);
+    slow = base::quantile(sorted, 990);
   }
   // A hundredth is seen among a hundred; until then what was measured before speaks too.
   if (m_recentAccess.size() < kRecentMax && m_calibratedTail) {

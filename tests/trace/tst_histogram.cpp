@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/quantile.h"
 #include "base/random.h"
 #include "support/test_program.h"
 #include "trace/analysis/histogram.h"
@@ -41,7 +42,7 @@ class TestHistogram : public QObject {
     QCOMPARE(all.size(), std::size_t{5});
     QVERIFY(all[0].value == microseconds{500});
     QVERIFY(all[4].value == microseconds{999});
-    QVERIFY(quantilePerMille(upTo(7), 1000) == microseconds{7});
+    QVERIFY(rivulet::base::quantile(upTo(7), 1000) == microseconds{7});
   }
 
   /// Nothing gets lost, the bins are few, their borders round, and a far one stretches nothing.

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "base/quantile.h"
 #include "support/test_program.h"
 #include "trace/analysis/statistics.h"
 
@@ -42,11 +43,12 @@ class TestStatistics : public QObject {
       }
       return values;
     }();
-    QCOMPARE(quantile(twenty, 95).count(), 19);  // exactly 19 of 20
-    QCOMPARE(quantile(twenty, 96).count(), 20);
-    QCOMPARE(quantile(twenty, 1).count(), 1);
-    QCOMPARE(quantile(twenty, 100).count(), 20);
-    QCOMPARE(quantile({Duration{7}}, 50).count(), 7);
+    QCOMPARE(rivulet::base::quantile(twenty, 950).count(), 19);  // exactly 19 of 20
+    QCOMPARE(rivulet::base::quantile(twenty, 960).count(), 20);
+    QCOMPARE(rivulet::base::quantile(twenty, 0).count(), 1);
+    QCOMPARE(rivulet::base::quantile(twenty, 10).count(), 1);
+    QCOMPARE(rivulet::base::quantile(twenty, 1000).count(), 20);
+    QCOMPARE(rivulet::base::quantile(std::vector{Duration{7}}, 500).count(), 7);
   }
 
   void sumsLongRuns() {

@@ -7,7 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/contract.h"
+#include "base/nice_step.h"
+#include "base/quantile.h"
 
 namespace rivulet::trace {
 
@@ -15,7 +16,6 @@ namespace {
 
 using base::Duration;
 
-constexpr std::size_t kWhole = 1000;
 constexpr std::size_t kMedian = 500;
 constexpr std::size_t kLowerQuarter = 250;
 constexpr std::size_t kUpperQuarter = 750;
@@ -25,42 +25,14 @@ constexpr double kBinsMax = 40.0;
 /// If all durations are the same, a bin of one microsecond is enough.
 constexpr double kWidthMinNs = 1000.0;
 
-/// 1, 2 or 5 times a power of ten. @param value > 0
-double roundUp(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * power >= value) {
-      return step * power;
-    }
-  }
-  return 10.0 * power;
-}
-
-double roundDown(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {5.0, 2.0}) {
-    if (step * power <= value) {
-      return step * power;
-    }
-  }
-  return power;
-}
-
 }  // namespace
-
-Duration quantilePerMille(const std::vector<Duration>& ascending, std::size_t perMille) {
-  RIVULET_ASSERT(!ascending.empty());
-  RIVULET_ASSERT(perMille >= 1);
-  RIVULET_ASSERT(perMille <= kWhole);
-  return ascending[(ascending.size() * perMille + kWhole - 1) / kWhole - 1];
-}
 
 std::vector<Percentile> percentiles(const std::vector<Duration>& ascending) {
   std::vector<Percentile> result;
   for (const std::size_t perMille : kShown) {
-    if (ascending.size() * (kWhole - perMille) >= kWhole ||
+    if (ascending.size() * (base::kPerMille - perMille) >= base::kPerMille ||
         (perMille == kMedian && !ascending.empty())) {
-      result.push_back({static_cast<int>(perMille), quantilePerMille(ascending, perMille)});
+      result.push_back({static_cast<int>(perMille), base::quantile(ascending, perMille)});
     }
   }
   return result;
@@ -72,13 +44,14 @@ Histogram histogram(const std::vector<Duration>& ascending) {
     return result;
   }
   const auto count = [](Duration duration) { return static_cast<double>(duration.count()); };
-  const double spread = count(quantilePerMille(ascending, kUpperQuarter)) -
-                        count(quantilePerMille(ascending, kLowerQuarter));
+  const double spread = count(base::quantile(ascending, kUpperQuarter)) -
+                        count(base::quantile(ascending, kLowerQuarter));
   const double least = count(ascending.front());
-  const double tail = count(quantilePerMille(ascending, kTail));
+  const double tail = count(base::quantile(ascending, kTail));
   const double wanted = 2.0 * spread / std::cbrt(static_cast<double>(ascending.size()));
-  const double width = std::max(roundDown(std::max(wanted, kWidthMinNs)),
-                                roundUp(std::max((tail - least) / kBinsMax, kWidthMinNs)));
+  const double width =
+      std::max(base::niceStepBelow(std::max(wanted, kWidthMinNs)),
+               base::niceStepAbove(std::max((tail - least) / kBinsMax, kWidthMinNs)));
   result.width = Duration{std::llround(width)};
   result.from = Duration{std::llround(std::floor(least / width) * width)};
   const Duration end = Duration{std::llround(tail)};

@@ -13,10 +13,6 @@
 
 namespace rivulet::trace {
 
-/// By nearest rank, as `quantile`. @param ascending  sorted, not empty @param perMille  1 to 1000
-[[nodiscard]] base::Duration quantilePerMille(const std::vector<base::Duration>& ascending,
-                                              std::size_t perMille);
-
 struct Percentile {
   int perMille = 0;  ///< 500, 900, 950, 990 or 999
   base::Duration value{};

@@ -6,18 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/contract.h"
+#include "base/quantile.h"
 
 namespace rivulet::trace {
-
-base::Duration quantile(const std::vector<base::Duration>& ascending, std::size_t percent) {
-  RIVULET_ASSERT(!ascending.empty());
-  RIVULET_ASSERT(percent >= 1);
-  RIVULET_ASSERT(percent <= 100);
-  // ceil(percent / 100 * n) in whole numbers: 0.95 * 20 is a little more than 19 as a double.
-  const std::size_t rank = (ascending.size() * percent + 99) / 100;
-  return ascending[rank - 1];
-}
 
 DurationStatistics durationStatistics(std::vector<base::Duration> durations) {
   DurationStatistics figures;
@@ -32,9 +23,9 @@ DurationStatistics durationStatistics(std::vector<base::Duration> durations) {
   }
   figures.count = durations.size();
   figures.mean = base::Duration{std::llround(sum / static_cast<long double>(durations.size()))};
-  figures.p50 = quantile(durations, 50);
-  figures.p95 = quantile(durations, 95);
-  figures.p99 = quantile(durations, 99);
+  figures.p50 = base::quantile(durations, 500);
+  figures.p95 = base::quantile(durations, 950);
+  figures.p99 = base::quantile(durations, 990);
   figures.max = durations.back();
   return figures;
 }

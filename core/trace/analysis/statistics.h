@@ -22,13 +22,6 @@ struct DurationStatistics {
   base::Duration max{};
 };
 
-/// The quantile by nearest rank: the smallest value such that at least `percent` of a hundred
-/// values are not above it. It is always one of the values; nothing is interpolated, so a rare
-/// slow access is never averaged away.
-/// @param ascending  sorted, not empty   @param percent  1 to 100
-[[nodiscard]] base::Duration quantile(const std::vector<base::Duration>& ascending,
-                                      std::size_t percent);
-
 /// Quantiles by nearest rank. O(n log n). @param durations  in any order; copied and sorted
 [[nodiscard]] DurationStatistics durationStatistics(std::vector<base::Duration> durations);
 
