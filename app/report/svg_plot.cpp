@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/nice_step.h"
+
 namespace rivulet::report {
 
 using experiments::Plot;
@@ -66,13 +68,10 @@ class Scale {
       min -= room;
       max += room;
     }
-    const double raw = (max - min) / ticks;
-    const double power = std::pow(10.0, std::floor(std::log10(raw)));
-    const double share = raw / power;
-    m_step = power * (share <= 1.0 ? 1.0 : share <= 2.0 ? 2.0 : share <= 5.0 ? 5.0 : 10.0);
+    m_step = base::niceStepAbove((max - min) / ticks);
     m_min = m_step * std::floor(min / m_step + 1e-9);
     m_max = m_step * std::ceil(max / m_step - 1e-9);
-    m_decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(m_step) - 1e-9)));
+    m_decimals = base::decimalsOfStep(m_step);
   }
 
   [[nodiscard]] double share(double value) const { return (value - m_min) / (m_max - m_min); }

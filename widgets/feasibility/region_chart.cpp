@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/nice_step.h"
 #include "base/units.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
@@ -524,14 +525,14 @@ void RegionChart::chooseRanges() {
             model.smallestDistancesMm[model.smallestDistancesMm.size() * 3 / 4] * 1.2;
         reach = std::clamp(typical, reach, 4.0 * reach);
       }
-      m_xMax = niceCeil(reach);
+      m_xMax = base::niceCeil(reach);
       break;
     }
     case SweepAxis::PointsPerLoop:
-      m_xMax = std::max(20.0, niceCeil(2.0 * model.operatingPoint.pointsPerLoop));
+      m_xMax = std::max(20.0, base::niceCeil(2.0 * model.operatingPoint.pointsPerLoop));
       break;
     case SweepAxis::Delta:
-      m_xMax = niceCeil(std::max(2.0 * model.operatingPoint.deltaMm, 0.1));
+      m_xMax = base::niceCeil(std::max(2.0 * model.operatingPoint.deltaMm, 0.1));
       break;
   }
   // High enough for the operating point and for the feed that would be possible here.
@@ -550,7 +551,7 @@ void RegionChart::chooseRanges() {
   if (std::isfinite(limitMmPerS)) {
     reach = std::max(reach, std::min(1.5 * limitMmPerS, 20.0 * model.operatingPoint.feedMmPerS));
   }
-  m_feedMmPerMinMax = niceCeil(std::max(base::mmPerMinFromMmPerS(reach), 1.0));
+  m_feedMmPerMinMax = base::niceCeil(std::max(base::mmPerMinFromMmPerS(reach), 1.0));
 }
 
 double RegionChart::abscissa() const {

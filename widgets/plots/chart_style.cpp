@@ -9,26 +9,11 @@
 #include <QLocale>
 #include <QValueAxis>
 #include <algorithm>
-#include <cmath>
 
+#include "base/nice_step.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
-
-double niceStep(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * power >= value * (1.0 - 1e-9)) {
-      return step * power;
-    }
-  }
-  return 10.0 * power;
-}
-
-double niceCeil(double value) {
-  const double step = niceStep(value / 10.0);
-  return std::ceil(value / step - 1e-9) * step;
-}
 
 void styleChart(QChart* chart, const QPalette& palette) {
   const ThemeColors& colors = themeColors(palette);
@@ -56,8 +41,8 @@ void styleChart(QChart* chart, const QPalette& palette) {
 }
 
 void divideAxis(QValueAxis* axis, double min, double max, int ticks) {
-  const double step = niceStep((max - min) / std::max(ticks, 1));
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
+  const double step = base::niceStepAbove((max - min) / std::max(ticks, 1));
+  const int decimals = std::min(base::decimalsOfStep(step), 6);
   const QString format = QStringLiteral("%.%1f").arg(decimals);
   // The ticks are laid out again at each of these calls, so nothing is set that is already set, and
   // the step comes first: a wide range divided by an old, small step would make a million ticks.

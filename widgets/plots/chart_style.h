@@ -14,16 +14,11 @@ class QValueAxis;
 
 namespace rivulet::widgets {
 
-/// 1, 2 or 5 times a power of ten, not below `value`. @param value > 0
-[[nodiscard]] double niceStep(double value);
-
-/// Smallest multiple of a nice step that is not below `value`. @param value > 0
-[[nodiscard]] double niceCeil(double value);
-
 /// Background, fonts and colours of chart and axes.
 void styleChart(QChart* chart, const QPalette& palette);
 
-/// Divides [min, max] into about `ticks` nice steps; labels get the decimals the step needs.
+/// Divides [min, max] into about `ticks` steps (see `base/nice_step.h`); labels get the decimals
+/// the step needs.
 /// @param min < max
 void divideAxis(QValueAxis* axis, double min, double max, int ticks);
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nice_step.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/chart_style.h"
 #include "widgets/plots/pause_bands.h"
@@ -185,7 +186,7 @@ void TimePlot::redraw() {
     }
   }
   const int ticks = std::clamp(static_cast<int>(area.height() / 34.0), 1, 6);
-  const double step = niceStep((max - min) / ticks);
+  const double step = base::niceStepAbove((max - min) / ticks);
   min = std::floor(min / step) * step;
   max = std::ceil(max / step) * step;
   divideAxis(m_valueAxis, min, max, ticks);
