@@ -146,8 +146,6 @@ int main(int argc, char** argv) {
       app.add_subcommand("points", "Write the points of an NC program as a table");
   pointsCommand->add_option("FILE", points.file, "NC program")->required();
   addLoading(pointsCommand, points.loading);
-  bool csv = true;
-  pointsCommand->add_flag("--csv", csv, "As comma-separated values (the only form)");
   pointsCommand->add_option("-o,--output", points.output, "File to write");
   pointsCommand->add_flag("--keep-arcs", points.keepArcs, "One point per arc instead of chords");
   addResampling(pointsCommand, points.resampling);

@@ -116,7 +116,7 @@ class TestCli : public QObject {
 
   void writesPoints() {
     const QString program = file("p.nc", "G0 X0 Y0 Z0\nG1 X1 F60\nX2\nX3 Y1\n");
-    const Outcome all = run({QStringLiteral("points"), program, QStringLiteral("--csv")});
+    const Outcome all = run({QStringLiteral("points"), program});
     QCOMPARE(all.exit, 0);
     QCOMPARE(all.output,
              QString::fromLatin1("line,kind,x_mm,y_mm,z_mm,feed_mm_per_min\n1,rapid,0,0,0,\n"

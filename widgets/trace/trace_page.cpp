@@ -100,7 +100,6 @@ void TracePage::clear() {
   m_pauses->clear();
   m_pauseTotal = {};
   m_source = Source::Nothing;
-  m_note.clear();
   m_window->clear();
   showNote();
   showSummary();
@@ -166,17 +165,11 @@ void TracePage::showControlTrace(const std::shared_ptr<const trace::ControlTrace
   m_cycle = trace->cycle;
   m_truncated = trace->truncated;
   m_source = Source::Control;
-  m_note.clear();
   m_window->clear();
   m_window->setEnd(base::toSeconds(trace->samples.back().at - origin));
   m_window->showAll();
   showNote();
   showSummary();
-}
-
-void TracePage::setSourceNote(const QString& note) {
-  m_note = note;
-  showNote();
 }
 
 void TracePage::redrawNow() {
@@ -216,10 +209,6 @@ void TracePage::restyle() {
 }
 
 void TracePage::showNote() {
-  if (!m_note.isEmpty()) {
-    m_sourceNote->setStatus(Status::Good, m_note);
-    return;
-  }
   switch (m_source) {
     case Source::Nothing:
       m_sourceNote->setStatus(Status::Unknown, tr("No samples yet"));

@@ -54,9 +54,6 @@ class TracePage final : public Page {
   /// sample on; the pauses are on the time line of the trace.
   void showControlTrace(const std::shared_ptr<const trace::ControlTrace>& trace,
                         const std::vector<trace::Pause>& pauses);
-  /// Description of the samples if they are neither of the two (a recording opened from a file).
-  /// Empty: the page describes them itself.
-  void setSourceNote(const QString& note);
   /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
 
@@ -73,7 +70,6 @@ class TracePage final : public Page {
   void showLegend();
 
   Source m_source = Source::Nothing;
-  QString m_note;
   base::Duration m_cycle{};
   bool m_truncated = false;
   base::Duration m_pauseTotal{};

@@ -139,8 +139,6 @@ class TestTracePage : public QObject {
     const double first = base::toSeconds(pauses.front().start) - 1.0;
     QCOMPARE(table->model()->index(0, PauseModel::Start).data().toString(),
              QString::number(first, 'f', 3) + QChar(0x00A0) + "s");
-    page.setSourceNote("Recording of yesterday");
-    QVERIFY(test::visibleText(page).contains("Recording of yesterday"));
     page.clear();
     QCOMPARE(table->model()->rowCount(), 0);
     QVERIFY(test::visibleText(page).contains("No samples yet"));
