@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What access to the control is taken to cost: the one figure of [P1], or what was measured.
+/// The assumed cost of access to the control: the one figure of [P1], or a measurement.
 /// @threadsafety pure.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace rivulet::feasibility {
 struct AccessLine {
   base::Duration overhead{};  ///< a
   base::Duration perNode{};   ///< b, per cell; of an array that costs as much as one cell: zero
-  /// Never below a microsecond: a fitted line may go through zero where nothing was measured.
+  /// Never below a microsecond: a fitted line may pass through zero where nothing was measured.
   [[nodiscard]] base::Duration of(int nodes) const;
 };
 
@@ -29,7 +29,7 @@ struct MeasuredAccess {
 
 struct AccessModel {
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< [P1] Table I, per node
-  /// A calibration of the control; takes the place of `accessTime`.
+  /// A calibration of the control; replaces `accessTime`.
   std::optional<MeasuredAccess> measured = std::nullopt;
 
   /// t of the equations. Assumed: `accessTime`. Measured: what the requests of one turn of the

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the client asks of the control in one turn: the number of cells in each request. All that
-/// counts cells (the equations, measured access times, the probability) takes the numbers from
-/// here. @threadsafety pure.
+/// One turn of the client: the number of cells in each request. Everything that counts cells (the
+/// equations, measured access times, the probability) takes the numbers from here. @threadsafety
+/// pure.
 #pragma once
 
 #include "base/method_kind.h"
@@ -12,7 +12,7 @@
 
 namespace rivulet::feasibility {
 
-/// What decides how many cells a turn has.
+/// What determines the number of cells of a turn.
 struct TurnSize {
   base::MethodKind method = base::MethodKind::Window;
   int pointsPerLoop = 7;           ///< N; methods with windows: points per window

@@ -13,7 +13,7 @@ namespace rivulet::feasibility {
 
 namespace {
 
-/// Two sums of the same steps may differ by rounding; that is no difference between places.
+/// Two sums of the same steps may differ by rounding; this does not distinguish two places.
 constexpr double kSameLength = 1e-12;
 
 bool isShorter(double lengthMm, double thanMm) {
@@ -22,10 +22,10 @@ bool isShorter(double lengthMm, double thanMm) {
 
 /// First window of `width` consecutive steps whose sum is smallest.
 ///
-/// A running sum that adds the new step and subtracts the old one drifts: after a long way at
-/// 100 mm a step, sums of 0.001 mm steps have lost their digits. So nothing is subtracted. The
-/// steps are cut into blocks of `width`; any window is the end of one block and the beginning of
-/// the next, and both parts are partial sums of at most `width` positive numbers.
+/// A running sum that adds the new step and subtracts the old one drifts: after a long path at 100
+/// mm per step, sums of 0.001 mm steps have lost their digits. So nothing is subtracted. The steps
+/// are cut into blocks of `width`; any window is the end of one block and the beginning of the
+/// next, and both parts are partial sums of at most `width` positive numbers.
 std::size_t shortestWindow(std::span<const double> stepsMm, std::size_t width) {
   std::size_t best = 0;
   double bestMm = std::numeric_limits<double>::infinity();
@@ -59,7 +59,7 @@ ProgramDistances programDistances(const std::vector<gcode::StreamPoint>& points,
   std::vector<double> stepsMm;
   stepsMm.reserve(points.size() - 1);
   for (std::size_t i = 1; i < points.size(); ++i) {
-    // Where only rotary axes turn, the feed is along degrees: the time comes out as for as many mm.
+    // If only rotary axes turn, the feed is in degrees: the time is the same as for as many mm.
     stepsMm.push_back(
         base::wayAlongFeed(base::distance(points[i - 1].positionMm, points[i].positionMm),
                            base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg)));

@@ -12,7 +12,7 @@ namespace rivulet::feasibility {
 
 namespace {
 
-/// What all margins share. @param lengthMm right side, >= 0 @param time > 0
+/// Common to all margins. @param lengthMm  right side, >= 0 @param time > 0
 double marginOf(double lengthMm, double feedMmPerS, double timeS, double safetyFactor) {
   RIVULET_ASSERT(feedMmPerS > 0.0);
   RIVULET_ASSERT(timeS > 0.0);

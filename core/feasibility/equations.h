@@ -42,8 +42,8 @@ struct PollTime {
                                   double pointDistanceMmMin, double safetyFactor,
                                   int cellsPerPoint = kPaperAxes);
 
-/// As `windowMargin`, with the real path length d_min^N of the program in place of its lower
-/// bound ⌊N/2⌋·d_min, as [P1] VI.A proposes. The stand-still is not counted: conservative.
+/// Like `windowMargin`, with the real path length d_min^N of the program instead of its lower bound
+/// ⌊N/2⌋·d_min, as [P1] VI.A proposes. The standstill is not counted: conservative.
 /// @param windowLengthMmMin  smallest path length of ⌊N/2⌋ consecutive steps, mm
 /// @threadsafety pure.  @source [P1] VI.A
 [[nodiscard]] double realWindowMargin(double feedMmPerS, base::Duration accessTime,
@@ -52,8 +52,8 @@ struct PollTime {
 
 /// Method window: margin of F·t·(A·M+5) < length of a window of M points with A axes. Of these
 /// accesses A·M+3 carry the window with its count, feed and check number, one its number, and one
-/// reads whether the control has taken the one before. Below 1 the machine waits; it never repeats.
-/// The stand-still is not counted: conservative.
+/// reads whether the control has copied the previous one. Below 1 the machine waits; it never
+/// repeats. The standstill is not counted: conservative.
 /// @param pointsPerWindow  M >= 1 @param windowLengthMmMin  of M consecutive steps, mm
 /// @threadsafety pure.
 [[nodiscard]] double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,

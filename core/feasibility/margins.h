@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// One entry to all margins, for `verdict` and `sweep`: which equations belong to a method, and
-/// what each says about an operating point. @threadsafety pure.
+/// One entry point to all margins, for `verdict` and `sweep`: the equations of a method, and their
+/// margins at an operating point. @threadsafety pure.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace rivulet::feasibility {
 
-/// An equation, and whether it enters the verdict.
+/// An equation, and whether it counts for the verdict.
 struct MethodEquation {
   Equation equation;
   bool decides;
@@ -22,9 +22,9 @@ struct MethodEquation {
 [[nodiscard]] std::vector<MethodEquation> equationsOf(base::MethodKind method,
                                                       const ProgramDistances& distances);
 
-/// Smallest path length of `steps` steps that the distances vouch for. Exact for the number of
-/// steps they were made with; for others a lower bound from whole windows and single steps, so
-/// that a change of N never looks better than it is.
+/// Smallest path length of `steps` steps that the distances guarantee. Exact for the number of
+/// steps for which they were computed; for others a lower bound from whole windows and single
+/// steps, so that a change of N never looks better than it is.
 [[nodiscard]] double windowLengthMmBound(const ProgramDistances& distances, int steps);
 
 /// @param operatingPoint feed and, for (2), δ positive; N >= 2

@@ -39,7 +39,7 @@ DistanceHistogram histogramOf(const std::vector<double>& sortedMm) {
     histogram.bordersMm[i] =
         std::clamp(smallest * std::pow(largest / smallest, share), smallest, largest);
   }
-  // The distances are sorted: a class is the stretch between two borders.
+  // The distances are sorted: a class is the range between two borders.
   histogram.counts.resize(classes);
   auto from = sortedMm.begin();
   for (std::size_t i = 0; i < classes; ++i) {

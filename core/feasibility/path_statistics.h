@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the points of a program look like to a streaming method: how far apart, how sharp, how
-/// often the same. @threadsafety pure.
+/// The points of a program as a streaming method sees them: distances, corners, repetitions.
+/// @threadsafety pure.
 #pragma once
 
 #include <cstddef>

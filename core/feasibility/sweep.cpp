@@ -14,7 +14,7 @@ namespace rivulet::feasibility {
 
 namespace {
 
-/// Where the borders are computed: evenly spaced, both ends included; whole numbers from 2 over N.
+/// Where the limits are computed: evenly spaced, both ends included; whole numbers from 2 over N.
 std::vector<double> abscissas(SweepAxis axis, const SweepRange& range) {
   RIVULET_ASSERT(range.steps >= 2);
   RIVULET_ASSERT(range.max > range.min);
@@ -50,7 +50,7 @@ std::vector<Border> sweepBorders(const OperatingPoint& operatingPoint,
       for (const double value : values) {
         OperatingPoint at = operatingPoint;
         ProgramDistances with = distances;
-        // At 1 mm/s the margin, which is the factor left for the feed, is the border in mm/s.
+        // At 1 mm/s the margin, which is the factor left for the feed, is the limit in mm/s.
         at.feedMmPerS = 1.0;
         switch (axis) {
           case SweepAxis::PointDistance:

@@ -14,10 +14,10 @@ namespace rivulet::feasibility {
 
 struct BorderPoint {
   double abscissa = 0.0;    ///< d_min in mm, N, or δ in mm
-  double feedMmPerS = 0.0;  ///< the border: feasible below
+  double feedMmPerS = 0.0;  ///< the limit: feasible below
 };
 
-/// One border of the region.
+/// One limit curve of the region.
 struct Border {
   Equation equation = Equation::PointDistance;
   bool withSafety = true;  ///< false: the inequality as published (and the shorter poll time)
@@ -32,8 +32,8 @@ struct SweepRange {
   int steps = 64;  ///< >= 2; over N the steps are whole numbers
 };
 
-/// Borders of the conditions that belong to the method of `operatingPoint`, with and without
-/// safety factor. The quantities not swept are those of `operatingPoint` and `distances`.
+/// Limit curves of the conditions of the method of `operatingPoint`, with and without safety
+/// factor. The quantities not swept are those of `operatingPoint` and `distances`.
 [[nodiscard]] std::vector<Border> sweepBorders(const OperatingPoint& operatingPoint,
                                                const ProgramDistances& distances, SweepAxis axis,
                                                const SweepRange& range,

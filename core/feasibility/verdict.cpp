@@ -17,8 +17,8 @@ namespace rivulet::feasibility {
 
 namespace {
 
-/// The inequalities are strict. Exactly on the border, rounding may put the margin a hair above
-/// 1: that is still the border.
+/// The inequalities are strict. Exactly at the limit, rounding may put the margin slightly above 1:
+/// that is still the limit.
 constexpr double kRounding = 1e-12;
 
 bool holds(double margin) {
@@ -156,7 +156,7 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
   // Every left side is proportional to the feed, so the margin is the factor left for it.
   verdict.feedMmPerSMax = operatingPoint.feedMmPerS * verdict.limiting.margin;
   if (position) {
-    // The margin of (2) is proportional to δ: the border lies where it is 1.
+    // The margin of (2) is proportional to δ: the limit is where it is 1.
     verdict.deltaMmMin = operatingPoint.deltaMm /
                          marginOf(Equation::Delta, operatingPoint, distances, poll, access, safety);
   }

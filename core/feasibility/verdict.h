@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Will this program stream without wrong motion, and with method window: without waiting? Names
-/// the limiting equation, the place in the program and the change that would help. @threadsafety
-/// pure.
+/// Will this program stream without wrong motion, and with method window without waiting? Names the
+/// limiting equation, its place in the program and the change that would help.
+/// @threadsafety pure.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ enum class FeasibilityError {
   FeedNotPositive = 1,
   DeltaNotPositive,
   TooFewPointsPerLoop,  ///< N < 2
-  NothingKnown,         ///< method file: what a transfer costs is known of no control
+  NothingKnown,         ///< method file: the cost of a transfer is not known for any control
 };
 
 [[nodiscard]] std::error_code make_error_code(FeasibilityError code);
@@ -34,7 +34,7 @@ enum class Equation {
   Delta,          ///< (2) of [P1]
   Window,         ///< (3) of [P1], with ⌊N/2⌋·d_min
   RealWindow,     ///< (3) with the program's real d_min^N
-  Reach,          ///< method window: a window is brought in the time another is executed
+  Reach,          ///< method window: a window is delivered in the time of executing another
 };
 
 /// "(1)", "(2)", "(3)", "(3) with d_min^N", "reach".
@@ -57,7 +57,7 @@ struct SafetyFactors {
   double window = 1.0;
 };
 
-/// A place in the CAM program, from the block that ends at the first point to the last one's.
+/// A place in the CAM program, from the block that ends at the first point to that of the last.
 struct Place {
   base::PointIndex point;  ///< index of the first of the points, into the streamed points
   base::LineNumber firstLine;
@@ -81,26 +81,26 @@ struct ProgramDistances {
 struct Condition {
   Equation equation = Equation::PointDistance;
   double margin = 0.0;  ///< > 1: holds; see equations.h
-  bool decides = true;  ///< false: shown for information, does not enter the verdict
+  bool decides = true;  ///< false: shown for information, does not count for the verdict
   std::optional<Place> place;
 };
 
 struct Verdict {
   bool feasible = false;  ///< no wrong motion; method window: always
-  /// Method window: the client is slower than the machine, which will wait for it now and then.
+  /// Method window: the client is slower than the machine, which will sometimes wait for it.
   bool waits = false;
   Condition limiting;  ///< the deciding condition with the smallest margin
   std::vector<Condition> conditions;
   /// Largest feed at which all deciding conditions hold; method window: without waiting.
   double feedMmPerSMax = 0.0;
   double deltaMmMin = 0.0;      ///< smallest δ at this feed (method position; else 0)
-  base::Duration accessTime{};  ///< t as it went into the equations: see `AccessModel`
+  base::Duration accessTime{};  ///< t as used in the equations: see `AccessModel`
   bool accessMeasured = false;  ///< from a calibration, else assumed
 };
 
-/// Position is decided by (1) and (2) with the longer poll time; signal by (3). If the
-/// program is known, (3) with its real d_min^N decides for signal and (3) as published is shown.
-/// Method window is always feasible: there the question is how fast, and the reach says so.
+/// Position is decided by (1) and (2) with the longer poll time; signal by (3). If the program is
+/// known, (3) with its real d_min^N decides for signal and (3) as published is shown. Method window
+/// is always feasible: the question is how fast it can be, and the reach answers it.
 /// @param distances of the loaded program, or d_min alone in `pointDistanceMmMin` with
 ///        windowSteps = 0 for a program that is not loaded
 /// @return FeedNotPositive, DeltaNotPositive, TooFewPointsPerLoop
