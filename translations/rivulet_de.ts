@@ -263,7 +263,7 @@
     </message>
     <message>
         <source>N points do not fit the R-parameters of the control. Choose a smaller N, the contiguous layout, or enlarge MD28050.</source>
-        <translation>N Punkte passen nicht in die R-Parameter der Steuerung. Ein kleineres N oder das dichte Layout wählen oder MD28050 vergrößern.</translation>
+        <translation>N Punkte passen nicht in die R-Parameter der Steuerung. Ein kleineres N oder das lückenlose Layout wählen oder MD28050 vergrößern.</translation>
     </message>
     <message>
         <source>No axis is chosen. Choose at least one axis.</source>
@@ -555,11 +555,11 @@
     </message>
     <message>
         <source>Aborted</source>
-        <translation>Abbruch</translation>
+        <translation>Abgebrochen</translation>
     </message>
     <message>
         <source>Holding</source>
-        <translation>Halten</translation>
+        <translation>Angehalten</translation>
     </message>
 </context>
 <context>
@@ -1262,7 +1262,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::DiagnosticModel</name>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Schweregrad</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1534,7 +1534,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Schweregrad</translation>
     </message>
     <message>
         <source>Message</source>
@@ -1691,7 +1691,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Contiguous (R10 …)</source>
-        <translation>Dicht (R10 …)</translation>
+        <translation>Lückenlos (R10 …)</translation>
     </message>
     <message>
         <source>Window</source>
@@ -1715,7 +1715,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Safe, with waiting</source>
-        <translation>Sicher, mit Warten</translation>
+        <translation>Sicher, mit Wartezeiten</translation>
     </message>
     <message>
         <source>The machine will wait for points: %1</source>
@@ -1723,7 +1723,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>%1 × (waits below 1)</source>
-        <translation>%1 × (wartet unter 1)</translation>
+        <translation>%1 × (unter 1: Maschine wartet)</translation>
     </message>
     <message>
         <source>Credit (experimental)</source>
@@ -1783,7 +1783,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Automatic: lists, as this method was published. Arrays need the contiguous layout.</source>
-        <translation>Automatisch: Listen, wie dieses Verfahren veröffentlicht wurde. Felder brauchen dichte Zellen.</translation>
+        <translation>Automatisch: Listen, wie dieses Verfahren veröffentlicht wurde. Felder brauchen das lückenlose Layout.</translation>
     </message>
     <message>
         <source>%1, of them %2 in the cut</source>
