@@ -445,7 +445,7 @@ class TestCli : public QObject {
     QCOMPARE(run(QStringList(point) << QStringLiteral("--calibration") << kScorpion).exit, 2);
   }
 
-  /// A live source is read while the run lasts; what it holds at the start counts at once.
+  /// A live source is read during the run; what it holds at the start counts at once.
   void correctsFromALiveSource() {
     const json made = run(words("template --correction-limit 0.05 --json")).parsed();
     QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_7X2K50.MPF"));

@@ -86,7 +86,7 @@ class TestResume : public QObject {
   void cleanupTestCase() { m_machine.reset(); }
 
   void everyPointOnceOverThreeRuns() {
-    // Once at a time ordered beforehand, once by a signal to the program in the middle.
+    // Once at a time set beforehand, once by a signal to the program in the middle.
     QProcess first;
     first.start(QStringLiteral(RIVULET_CLI),
                 streamed(QStringLiteral("1.rivulet")) + words("--stop-after 4"));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// The methods beside each other, with few seeds: the order of the figures, which no seed changes.
+/// The methods compared, with few seeds: the order of the figures, which no seed changes.
 
 #include <QtTest>
 #include <algorithm>
@@ -106,12 +106,12 @@ void TestMethodComparison::figuresFitEachOther() {
     QVERIFY(isFile || std::stod(cells[7]) >= 3.0);
     QVERIFY(isFile || std::stod(cells[8]) <= std::stod(cells[7]));
   }
-  // 20 loops of 7 points: one stand-still each, with method signal two; behind the last none.
+  // 20 loops of 7 points: one standstill each, with method signal two; after the last none.
   QCOMPARE(std::stod(row("position", "300")[3]), 19.0);
   QCOMPARE(std::stod(row("signal", "300")[3]), 39.0);
   QVERIFY(std::stod(row("window", "300")[3]) >= 19.0);
   QVERIFY(std::stod(row("window", "300")[6]) > std::stod(row("signal", "300")[6]));
-  // A file of 70 points: two of them, with one stand-still between.
+  // A file of 70 points: two of them, with one standstill between.
   QCOMPARE(std::stod(row("file, N 70", "300")[3]), 1.0);
   // Asking where the axes are costs more than being told.
   QVERIFY(std::stod(row("position", "300")[7]) > std::stod(row("window", "300")[7]));

@@ -85,7 +85,7 @@ class TestDistances : public QObject {
     QCOMPARE(distances.windowLengthMmMin, 2.0);
   }
 
-  /// A sum that is carried along loses the small steps behind the large ones.
+  /// A sum that is carried along loses the small steps after the large ones.
   void smallStepsBehindLargeOnesKeepTheirDigits() {
     std::vector<double> pairs(20000, 1.0e6);
     pairs.insert(pairs.end(), 100, 1.0e-6);

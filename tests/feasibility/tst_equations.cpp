@@ -72,7 +72,7 @@ class TestEquations : public QObject {
     QVERIFY(isClose(windowMargin(feedMmPerS, kAccessTime, 2, 0.172, 1.0), 1.0));
   }
 
-  /// The paper's own run had d_min^N = 0.1 mm. It worked thanks to the stand-still of 40 ms, which
+  /// The paper's own run had d_min^N = 0.1 mm. It worked thanks to the standstill of 40 ms, which
   /// the inequality does not count: it says no, on the safe side.
   void P1_eq_3_isConservativeForTheRealWindow() {
     const double feedMmPerS = mmPerSFromMmPerMin(600.0);

@@ -168,7 +168,7 @@ class TestPrediction : public QObject {
     QCOMPARE(flat.nodeDeviation, base::Duration{0});
   }
 
-  /// [P1] VI.A: (3) leaves out the stand-still and so is too strict on average. It also leaves out
+  /// [P1] VI.A: (3) leaves out the standstill and so is too strict on average. It also leaves out
   /// the scatter: with that of dmu75 one run of a thousand fails a little below its limit.
   void windowConditionAgainstTheModel() {
     const auto points = line(200, 0.2);

@@ -133,7 +133,7 @@ class TestVerdict : public QObject {
     QVERIFY(!judge(at(MethodKind::Signal, 600), only(0.14))->feasible);
   }
 
-  /// The case of [P1] VI.A, which ran thanks to the stand-still: the verdict is on the safe side.
+  /// The case of [P1] VI.A, which ran thanks to the standstill: the verdict is on the safe side.
   void casesOfThePaperAreJudgedConservatively() {
     const auto verdict = judge(at(MethodKind::Signal, 600), loaded(0.001, 3, 0.1));
     QVERIFY(!verdict->feasible);

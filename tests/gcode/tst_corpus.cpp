@@ -53,7 +53,7 @@ const QMap<QString, Row>& corpusIndex() {
 /// Facts are rounded to three decimals in the unit of the file; 1e-3 is what they may differ by.
 constexpr double kTolerance = 1e-3 + 5e-4;
 
-/// Where the index and we differ, and who is right. Each was looked at by hand.
+/// Where the index and we differ, and who is right. Each was checked by hand.
 struct Difference {
   const char* path;
   const char* fact;

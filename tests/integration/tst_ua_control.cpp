@@ -204,7 +204,7 @@ class TestUaControl : public QObject {
     awaitChannel(*link, machine::ChannelStatus::Reset);
   }
 
-  /// Reset must work while a stream's requests are under way, and must not lose their answers.
+  /// Reset must work while a stream's requests are in progress, and must not lose their answers.
   void aCommandKeepsTheEventsOfTheStream() {
     const LoopbackMachine cell({"dmu75"});
     const auto link = cell.connect();

@@ -242,7 +242,7 @@ class TestUaLink : public QObject {
     QCOMPARE(cell.server().requestsServed(), 22U);
   }
 
-  /// Several requests under way at once are answered in the order they were made, and each is a
+  /// Several requests in progress at once are answered in the order they were made, and each is a
   /// request of its own to the control, also when they reach it together.
   void requestsAreServedInOrder() {
     LoopbackMachine cell;

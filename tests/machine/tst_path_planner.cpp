@@ -258,7 +258,7 @@ class TestPathPlanner : public QObject {
     QVERIFY2(std::abs(tookS - expectedS) < 1e-6, qPrintable(QString::number(tookS)));
   }
 
-  /// A corner is passed as near as was asked for, without a stand, either way of asking.
+  /// A corner is passed as near as requested, without a stop, in both forms of the request.
   void roundsCornersWithinTolerance() {
     const machine::MachineConfig machine = config();
     const double pi = std::acos(-1.0);

@@ -35,7 +35,7 @@ PathTime timeOf(const gcode::Trajectory& trajectory, const PathTimeOptions& opti
   return pathTime(trajectory, {0, 0, 0}, config(), options).value();
 }
 
-/// A pause behind each so many points, behind the last one too.
+/// A pause after each so many points, after the last one too.
 std::vector<std::uint32_t> every(std::uint32_t points, std::uint32_t count) {
   std::vector<std::uint32_t> behind;
   for (std::uint32_t end = points; end <= count; end += points) {
@@ -95,14 +95,14 @@ class TestPathTime : public QObject {
     options.pauseS = 0.5;
     const PathTime with = timeOf(path, options);
     const PathTime without = timeOf(path);
-    QCOMPARE(with.pauses, std::size_t{14});  // behind points 7, 14 … 98
+    QCOMPARE(with.pauses, std::size_t{14});  // after points 7, 14 … 98
     QCOMPARE(with.standingS, 7.0);
     // Besides standing it has to brake and to accelerate.
     QVERIFY(with.totalS > without.totalS + with.standingS);
-    // The point behind the pause comes later by the pause at least, the one before does not.
+    // The point after the pause comes later by the pause at least, the one before does not.
     QVERIFY(with.atS[7] - with.atS[6] > 0.5);
     QVERIFY(with.atS[6] - with.atS[5] < 0.5);
-    // None behind the last point: the program ends there.
+    // None after the last point: the program ends there.
     options.pausesBehind = every(10, 100);
     QCOMPARE(timeOf(path, options).pauses, std::size_t{9});
   }
@@ -125,7 +125,7 @@ class TestPathTime : public QObject {
   }
 
   /// At a sharp corner the path has braked anyway, and creeps round it: there a pause costs less
-  /// than its stand-still; in the middle of a straight way braking and accelerating come on top.
+  /// than its standstill; in the middle of a straight move, braking and accelerating are added.
   void aPauseAtACornerCostsLess() {
     gcode::Trajectory path = line(20, 5.0, 10.0);
     for (std::uint32_t i = 0; i < 20; ++i) {

@@ -221,7 +221,7 @@ class TestProbability : public QObject {
           feasibility::feedMmPerSAt(0.5, points, operatingPoint(one, 1.0), model, 1.0, 200.0);
       const double feed = base::mmPerMinFromMmPerS(feedMmPerS);
       if (feedMmPerS >= 200.0) {
-        // Windows of one and two points: the stand-still alone is nearly always long enough.
+        // Windows of one and two points: the standstill alone is nearly always long enough.
         const auto fastest = experiments::simulateRegion(request(one, {12000.0}), executor);
         QVERIFY2(frequency(fastest.points[0]) < 0.6, one.name);
         continue;

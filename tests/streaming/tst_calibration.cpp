@@ -157,7 +157,7 @@ class TestCalibration : public QObject {
     QVERIFY2(std::abs(expected / exact - 1.0) < 0.05, std::to_string(expected / exact).c_str());
   }
 
-  /// A budget that is too short for anything still gets a look at each kind.
+  /// A budget that is too short for anything still gives the first shots of each kind.
   void looksAtEachKindInAnyCase() {
     CalibrationPlan plan = planOf(0, 9, 500);
     plan.budget = std::chrono::milliseconds{1};
@@ -322,7 +322,7 @@ class TestCalibration : public QObject {
     QVERIFY(!result);
     QVERIFY(result.error().code == CalibrationError::ChannelBusy);
     QVERIFY(started);
-    // The turn that was under way: each kind once, 1 to 10 cells of four forms.
+    // The turn that was in progress: each kind once, 1 to 10 cells of four forms.
     QVERIFY2(after <= 4 * (1 + 2 + 5 + 10), std::to_string(after).c_str());
     requireFilled(machine);
   }

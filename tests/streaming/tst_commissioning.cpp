@@ -125,7 +125,7 @@ class TestCommissioning : public QObject {
     const auto result = streaming::commission(
         world.link, world.link, {}, [&](streaming::CommissioningStep) { return ++told < 5; });
     QVERIFY(!result && result.error().code == StreamError::Cancelled);
-    // Left alone, the program comes to its end.
+    // Left alone, the program ends.
     world.machine.advance(world.machine.now() + 2min);
     QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
   }

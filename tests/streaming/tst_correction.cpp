@@ -454,7 +454,7 @@ class TestCorrection : public QObject {
       QVERIFY(changes.size() > 5);
       for (std::size_t i = 1; i + 1 < changes.size(); ++i) {
         QVERIFY2(changes[i].confirmedAt, std::to_string(i).c_str());
-        // Half a second, the access under way and its own.
+        // Half a second, the access in progress and its own.
         const double age = base::toSeconds(*changes[i].confirmedAt - changes[i].askedAt);
         QVERIFY2(age < 0.5 + 0.3, std::to_string(age).c_str());
       }

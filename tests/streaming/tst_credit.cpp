@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Method credit beside method window: whole runs in virtual time, and the cells while they last.
-/// What a run may do at worst is in tst_window_faults.
+/// Method credit compared with method window: whole runs in virtual time, and the cells during the
+/// run. What a run may do at worst is in tst_window_faults.
 
 #include <QtTest>
 #include <algorithm>
@@ -45,7 +45,7 @@ RunSettings settings(MethodKind method, double feedMmPerMin) {
   return settings;
 }
 
-/// The machine of [P1] without what keeps it slow on short blocks: it comes to the feed.
+/// The machine of [P1] without what keeps it slow on short blocks: it reaches the feed.
 machine::MachineConfig quickMachine() {
   machine::MachineConfig config = *machine::loadPreset("dmu75");
   config.blocksPerCycleMax = 0.0;
@@ -81,7 +81,7 @@ Sum runAll(const machine::MachineConfig& machine, const RunSettings& settings,
   return sum;
 }
 
-/// A run that can be looked at and interfered with while it lasts.
+/// A run that can be looked at and interfered with while it is in progress.
 class World final : public streaming::RunSink, public streaming::RunOrders {
  public:
   explicit World(machine::MachineConfig config = *machine::loadPreset("dmu75"))
@@ -187,7 +187,7 @@ class TestCredit : public QObject {
     }
   }
 
-  /// A control that shows new values only behind a STOPRE, or whose jumps stop: never started
+  /// A control that shows new values only after a STOPRE, or whose jumps stop: never started
   /// there, but if it were, the axes would wait, and go nowhere they should not.
   void whereTheControlDoesNotFitTheAxesWait() {
     for (const bool jumps : {false, true}) {

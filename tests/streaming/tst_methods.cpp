@@ -29,7 +29,7 @@ class TestMethods : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  /// What is due has no slack: a read for the display in front of a refill makes it late.
+  /// What is due has no slack: a read for the display before a refill makes it late.
   void refillIsNeededAtOnce() {
     for (const MethodKind kind : base::kPaperMethods) {
       const auto method = streaming::makeMethod(setup(kind));

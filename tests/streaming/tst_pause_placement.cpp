@@ -100,8 +100,8 @@ class TestPausePlacement : public QObject {
         {{2.3, 3.5, 0}, {9}, MoveKind::Feed}, {{2.3, 3.5, 1}, {10}, MoveKind::Feed},
         {{2.3, 3.5, 5}, {11}, MoveKind::Feed}};
     // Behind both rapids though the second goes straight on into the plunge, at the plunge's end,
-    // at the corner, not where a rapid goes straight on from the cut, behind that rapid, in front
-    // of the retract, behind it though it goes on, at the end.
+    // at the corner, not where a rapid goes straight on from the cut, after that rapid, before
+    // the retract, after it although it goes on, at the end.
     QCOMPARE(
         streaming::harmlessPauses(points),
         (std::vector<bool>{true, true, true, false, true, false, false, true, true, true, true}));

@@ -89,7 +89,7 @@ double segmentDistance(Vec3 point, Vec3 from, Vec3 to) {
 }
 
 /// Follows the set point along the programmed polyline, never back: each sample must lie on the
-/// piece it was on, or on one behind it.
+/// piece it was on, or on one after it.
 /// @return the first distance beyond the tolerance, or 0
 double deviationFromProgram(const std::vector<trace::ControlSample>& samples, Vec3 startMm,
                             const std::vector<gcode::StreamPoint>& points, std::size_t executed,

@@ -328,7 +328,7 @@ class TestRotaryStream : public QObject {
             gcode::streamPoints(program.trajectory, world.machine.config().start().mm).points;
         const base::RotarySet axes = world.settings.parameters.rotaryAxes;
         if (!resume && (isReset || examine(world.machine.trace(), points, axes).isEmpty())) {
-          continue;  // the path passes there twice, or the stop came behind the last point
+          continue;  // the path passes there twice, or the stop came after the last point
         }
         ++resumed;
         QVERIFY2(
@@ -345,7 +345,7 @@ class TestRotaryStream : public QObject {
         }
         const trace::Integrity whole =
             trace::judgeIntegrity(points, blocks, 1e-6, world.settings.parameters.rotaryAxes);
-        // Where a reset leaves the axes a thousandth in front of a point, it counts as reached.
+        // Where a reset leaves the axes a thousandth before a point, it counts as reached.
         const gcode::StreamPoint& before = points[std::max<std::size_t>(resume->point, 1) - 1];
         const bool isNearlyThere =
             isReset && base::distance(before.positionMm, stood.commandMm) <= 1e-3 &&

@@ -209,7 +209,7 @@ class TestWindow : public QObject {
   }
 
   /// The cells belong to the client again as soon as `latched` says so: what it writes then does
-  /// not reach the window under way.
+  /// not reach the window in progress.
   void latchedWindowMayBeOverwritten() {
     Bench bench(3);
     bench.claim();

@@ -100,7 +100,7 @@ class TestWindowReach : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  /// The feed the machine is ordered is also the one it comes to: the client is what is measured.
+  /// The machine reaches the programmed feed: the client is what is measured.
   void theMachineReachesTheFeed() {
     const RunReport report =
         run(fastMachine(ArrayCharge::Node), 10.0 * kPaperFeedMmPerMin, Grouping::ArrayCount, 1);

@@ -163,7 +163,7 @@ class TestGenerator : public QObject {
         const qsizetype next = blocks.indexOf(QStringLiteral("RIV_NEXT:"));
         QCOMPARE(blocks[next + 1], QStringLiteral("STOPRE"));
         QCOMPARE(blocks[next + 3], QStringLiteral("IF R%1>1 GOTOF RIV_STOPPED").arg(cells->run));
-        // Every label jumped to exists once, behind a GOTOF and in front of a GOTOB.
+        // Every label jumped to exists once, after a GOTOF and before a GOTOB.
         const QRegularExpression jump(QStringLiteral("GOTO([FB]) (RIV_[A-Z]+)$"));
         for (qsizetype i = 0; i < blocks.size(); ++i) {
           const auto match = jump.match(blocks[i]);

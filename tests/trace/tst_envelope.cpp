@@ -40,7 +40,7 @@ std::vector<SeriesPoint> visibleByHand(const std::vector<SeriesPoint>& all, Inst
     } else if (point.at > to) {
       behind = behind == nullptr ? &point : behind;
     } else {
-      // The last column whose left border, rounded down to the nanosecond, is not behind it.
+      // The last column whose left border, rounded down to the nanosecond, is not after it.
       std::int64_t column = n - 1;
       while (column > 0 && from + (to - from) * column / n > point.at) {
         --column;

@@ -169,7 +169,7 @@ class TestPathView : public QObject {
     QVERIFY(!view.canvas()->pauseNear(place));
   }
 
-  /// A million pauses: what is looked at and drawn is bounded, and close up each is there.
+  /// A million pauses: what is examined and drawn is bounded, and close up each is there.
   void manyPausesAreThinnedToTheScreen() {
     PathCanvas canvas;
     const auto view = test::viewOf(test::programOf(test::manyPoints(1'000'000)));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // One picture of every page, in both themes and both languages, in the folder `pictures` of the
-// build: to be looked at, and checked here for what a program can check.
+// build: for inspection, and checked here for what a program can check.
 
 #include <QComboBox>
 #include <QSlider>
