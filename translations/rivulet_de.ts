@@ -45,6 +45,73 @@
     </message>
 </context>
 <context>
+    <name>BlockedTexts</name>
+    <message>
+        <source>A run is in progress.</source>
+        <translation>Ein Lauf ist aktiv.</translation>
+    </message>
+    <message>
+        <source>Asking the control where the run was left.</source>
+        <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde.</translation>
+    </message>
+    <message>
+        <source>A calibration is in progress.</source>
+        <translation>Eine Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>Connect to a control first.</source>
+        <translation>Zuerst mit einer Steuerung verbinden.</translation>
+    </message>
+    <message>
+        <source>Open a program first.</source>
+        <translation>Zuerst ein Programm öffnen.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis.</source>
+        <translation>Das Programm bewegt keine Achse.</translation>
+    </message>
+    <message>
+        <source>The program needs a transformation of the control. No method can stream it.</source>
+        <translation>Das Programm braucht eine Transformation der Steuerung. Kein Verfahren kann es streamen.</translation>
+    </message>
+    <message>
+        <source>Parts of the program&apos;s path are not known: see the findings.</source>
+        <translation>Die Bahn des Programms ist nicht vollständig bekannt: siehe Befunde.</translation>
+    </message>
+    <message>
+        <source>The program moves rotary axes: choose method window.</source>
+        <translation>Das Programm bewegt Rundachsen: Verfahren Fenster wählen.</translation>
+    </message>
+    <message>
+        <source>The program moves %1, but the control does not have all of these axes.</source>
+        <translation>Das Programm bewegt %1, aber die Steuerung hat nicht alle diese Achsen.</translation>
+    </message>
+    <message>
+        <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
+        <translation>Nicht machbar: Die Steuerung würde Punkte wiederholen. F, N oder δ ändern.</translation>
+    </message>
+    <message>
+        <source>Method credit starts only on a control that has passed its test: choose method window.</source>
+        <translation>Das Verfahren Kredit startet nur an einer Steuerung, die den Test bestanden hat: Verfahren Fenster wählen.</translation>
+    </message>
+    <message>
+        <source>The control reports an alarm.</source>
+        <translation>Die Steuerung meldet einen Alarm.</translation>
+    </message>
+    <message>
+        <source>A program is running on the control.</source>
+        <translation>Auf der Steuerung läuft ein Programm.</translation>
+    </message>
+    <message>
+        <source>There is no interrupted run of method window.</source>
+        <translation>Es gibt keinen unterbrochenen Lauf des Verfahrens Fenster.</translation>
+    </message>
+    <message>
+        <source>Only method window can resume an interrupted run.</source>
+        <translation>Nur das Verfahren Fenster kann einen unterbrochenen Lauf fortsetzen.</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -502,6 +569,41 @@
     </message>
 </context>
 <context>
+    <name>Pages</name>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Feasibility</source>
+        <translation>Machbarkeit</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+</context>
+<context>
     <name>PauseTexts</name>
     <message>
         <source>M</source>
@@ -529,6 +631,41 @@
     <message>
         <source>predicted</source>
         <translation>vorhergesagt</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramTexts</name>
+    <message>
+        <source>Parts of the path of %1 are not known: see the findings. The program cannot be streamed.</source>
+        <translation>Die Bahn von %1 ist nicht vollständig bekannt: siehe Befunde. Das Programm ist nicht streambar.</translation>
+    </message>
+    <message>
+        <source>%1 needs a transformation of the control. No method can stream it.</source>
+        <translation>%1 braucht eine Transformation der Steuerung. Kein Verfahren kann das Programm streamen.</translation>
+    </message>
+    <message>
+        <source>%1 moves no axis: there is nothing to stream.</source>
+        <translation>%1 bewegt keine Achse: Es gibt nichts zu streamen.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Ein Lauf ist aktiv. Ein anderes Programm erst nach dem Ende des Laufs öffnen.</translation>
+    </message>
+    <message>
+        <source>Opened %1 (%2), %3 points.</source>
+        <translation>%1 geöffnet (%2), %3 Punkte.</translation>
+    </message>
+    <message>
+        <source>Reading %1 was cancelled.</source>
+        <translation>Das Lesen von %1 wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>Die Datei %1 hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>Die Datei %1 ist nicht mehr da.</translation>
     </message>
 </context>
 <context>
@@ -563,10 +700,48 @@
     </message>
 </context>
 <context>
+    <name>RunTexts</name>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>Kein Programm geladen.</translation>
+    </message>
+    <message>
+        <source>The program has fewer than two points.</source>
+        <translation>Das Programm hat weniger als zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>Running: %1, version %2</source>
+        <translation>Läuft: %1, Fassung %2</translation>
+    </message>
+    <message>
+        <source>Program: %1, version %2</source>
+        <translation>Programm: %1, Fassung %2</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::Demo</name>
     <message>
         <source>The picture or the report cannot be written to %1.</source>
         <translation>Bild oder Bericht können nicht nach %1 geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineModel</name>
+    <message>
+        <source>Connected to the virtual machine at %1.</source>
+        <translation>Verbunden mit der virtuellen Maschine an %1.</translation>
+    </message>
+    <message>
+        <source>Connected to the control at %1.</source>
+        <translation>Verbunden mit der Steuerung an %1.</translation>
+    </message>
+    <message>
+        <source>Calibrated. Saved %1.</source>
+        <translation>Kalibriert. %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The calibration belongs to another version of the server and is not used.</source>
+        <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
     </message>
 </context>
 <context>
@@ -596,30 +771,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Rivulet</source>
         <translation>Rivulet</translation>
-    </message>
-    <message>
-        <source>Program</source>
-        <translation>Programm</translation>
-    </message>
-    <message>
-        <source>Feasibility</source>
-        <translation>Machbarkeit</translation>
-    </message>
-    <message>
-        <source>Traces</source>
-        <translation>Verläufe</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Vorlage</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -666,168 +817,15 @@ GPL-3.0-or-later</translation>
         <translation>&amp;Über Rivulet</translation>
     </message>
     <message>
-        <source>A run is in progress. Open another program after it has ended.</source>
-        <translation>Ein Lauf ist aktiv. Ein anderes Programm erst nach dem Ende des Laufs öffnen.</translation>
-    </message>
-    <message>
-        <source>Opened %1 (%2), %3 points.</source>
-        <translation>%1 geöffnet (%2), %3 Punkte.</translation>
-    </message>
-    <message>
-        <source>Parts of the path of %1 are not known: see the findings. The program cannot be streamed.</source>
-        <translation>Die Bahn von %1 ist nicht vollständig bekannt: siehe Befunde. Das Programm ist nicht streambar.</translation>
-    </message>
-    <message>
-        <source>Connected to the virtual machine at %1.</source>
-        <translation>Verbunden mit der virtuellen Maschine an %1.</translation>
-    </message>
-    <message>
-        <source>Connected to the control at %1.</source>
-        <translation>Verbunden mit der Steuerung an %1.</translation>
-    </message>
-    <message>
-        <source>No program is loaded.</source>
-        <translation>Kein Programm geladen.</translation>
-    </message>
-    <message>
-        <source>The program has fewer than two points.</source>
-        <translation>Das Programm hat weniger als zwei Punkte.</translation>
-    </message>
-    <message>
-        <source>A run is in progress.</source>
-        <translation>Ein Lauf ist aktiv.</translation>
-    </message>
-    <message>
-        <source>Connect to a control first.</source>
-        <translation>Zuerst mit einer Steuerung verbinden.</translation>
-    </message>
-    <message>
-        <source>Open a program first.</source>
-        <translation>Zuerst ein Programm öffnen.</translation>
-    </message>
-    <message>
-        <source>Parts of the program&apos;s path are not known: see the findings.</source>
-        <translation>Die Bahn des Programms ist nicht vollständig bekannt: siehe Befunde.</translation>
-    </message>
-    <message>
-        <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
-        <translation>Nicht machbar: Die Steuerung würde Punkte wiederholen. F, N oder δ ändern.</translation>
-    </message>
-    <message>
-        <source>A program is running on the control.</source>
-        <translation>Auf der Steuerung läuft ein Programm.</translation>
-    </message>
-    <message>
-        <source>The control reports an alarm.</source>
-        <translation>Die Steuerung meldet einen Alarm.</translation>
-    </message>
-    <message>
-        <source>Start. The tool first moves %1 in a straight line to the first point.</source>
-        <translation>Start. Das Werkzeug fährt zuerst %1 geradlinig zum ersten Punkt.</translation>
-    </message>
-    <message>
-        <source>Stop requested.</source>
-        <translation>Stopp angefordert.</translation>
-    </message>
-    <message>
-        <source>Wrong motion: the control&apos;s trace shows repeated or skipped points. See the report.</source>
-        <translation>Falsche Bewegung: Die Aufzeichnung der Steuerung zeigt wiederholte oder ausgelassene Punkte. Siehe den Bericht.</translation>
-    </message>
-    <message>
-        <source>Run ended: %1 of %2 points executed.</source>
-        <translation>Lauf beendet: %1 von %2 Punkten ausgeführt.</translation>
-    </message>
-    <message>
-        <source>Recording: %1</source>
-        <translation>Aufzeichnung: %1</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>The run is not recorded: the folder %1 cannot be created.</source>
-        <translation>Der Lauf wird nicht aufgezeichnet: Der Ordner %1 kann nicht angelegt werden.</translation>
-    </message>
-    <message>
         <source>A run is in progress. Press Stop, wait until the run has ended, then close.</source>
         <translation>Ein Lauf ist aktiv. Stopp drücken, das Ende des Laufs abwarten, dann schließen.</translation>
     </message>
+</context>
+<context>
+    <name>rivulet::hmi::RunController</name>
     <message>
-        <source>Reading %1 was cancelled.</source>
-        <translation>Das Lesen von %1 wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The file %1 has changed.</source>
-        <translation>Die Datei %1 hat sich geändert.</translation>
-    </message>
-    <message>
-        <source>The file %1 is no longer there.</source>
-        <translation>Die Datei %1 ist nicht mehr da.</translation>
-    </message>
-    <message>
-        <source>Running: %1, version %2</source>
-        <translation>Läuft: %1, Fassung %2</translation>
-    </message>
-    <message>
-        <source>Program: %1, version %2</source>
-        <translation>Programm: %1, Fassung %2</translation>
-    </message>
-    <message>
-        <source>%1 moves no axis: there is nothing to stream.</source>
-        <translation>%1 bewegt keine Achse: Es gibt nichts zu streamen.</translation>
-    </message>
-    <message>
-        <source>The program moves no axis.</source>
-        <translation>Das Programm bewegt keine Achse.</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>A calibration is in progress.</source>
-        <translation>Eine Kalibrierung läuft.</translation>
-    </message>
-    <message>
-        <source>Calibration on R%1 to R%2 started.</source>
-        <translation>Kalibrierung auf R%1 bis R%2 gestartet.</translation>
-    </message>
-    <message>
-        <source>Calibrated. Saved %1.</source>
-        <translation>Kalibriert. %1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>The calibration belongs to another version of the server and is not used.</source>
-        <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>%1 needs a transformation of the control. No method can stream it.</source>
-        <translation>%1 braucht eine Transformation der Steuerung. Kein Verfahren kann das Programm streamen.</translation>
-    </message>
-    <message>
-        <source>The program needs a transformation of the control. No method can stream it.</source>
-        <translation>Das Programm braucht eine Transformation der Steuerung. Kein Verfahren kann es streamen.</translation>
-    </message>
-    <message>
-        <source>The program moves rotary axes: choose method window.</source>
-        <translation>Das Programm bewegt Rundachsen: Verfahren Fenster wählen.</translation>
-    </message>
-    <message>
-        <source>The program moves %1, but the control does not have all of these axes.</source>
-        <translation>Das Programm bewegt %1, aber die Steuerung hat nicht alle diese Achsen.</translation>
-    </message>
-    <message>
-        <source>There is no interrupted run of method window.</source>
-        <translation>Es gibt keinen unterbrochenen Lauf des Verfahrens Fenster.</translation>
-    </message>
-    <message>
-        <source>Only method window can resume an interrupted run.</source>
-        <translation>Nur das Verfahren Fenster kann einen unterbrochenen Lauf fortsetzen.</translation>
-    </message>
-    <message>
-        <source>Asking the control where the run was left.</source>
-        <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde.</translation>
+        <source>Stop requested.</source>
+        <translation>Stopp angefordert.</translation>
     </message>
     <message>
         <source>Hold requested.</source>
@@ -836,6 +834,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Continue requested.</source>
         <translation>Weiter angefordert.</translation>
+    </message>
+    <message>
+        <source>Calibration on R%1 to R%2 started.</source>
+        <translation>Kalibrierung auf R%1 bis R%2 gestartet.</translation>
     </message>
     <message>
         <source>The run was left before point %1 of %2.</source>
@@ -850,12 +852,32 @@ GPL-3.0-or-later</translation>
         <translation>Der Lauf wird bei Punkt %1 fortgesetzt.</translation>
     </message>
     <message>
-        <source>Access: %1.</source>
-        <translation>Zugriff: %1.</translation>
+        <source>Start. The tool first moves %1 in a straight line to the first point.</source>
+        <translation>Start. Das Werkzeug fährt zuerst %1 geradlinig zum ersten Punkt.</translation>
     </message>
     <message>
         <source>Save the template on its page as %1, copy it to the part programs of the control, select it in channel 1 and press cycle start. The axes move only after the template has shown its layout number %2.</source>
         <translation>Die Vorlage auf ihrer Seite als %1 speichern, zu den Teileprogrammen der Steuerung kopieren, im Kanal 1 anwählen und NC-Start drücken. Die Achsen fahren erst, wenn die Vorlage ihre Layoutnummer %2 gezeigt hat.</translation>
+    </message>
+    <message>
+        <source>Access: %1.</source>
+        <translation>Zugriff: %1.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: the control&apos;s trace shows repeated or skipped points. See the report.</source>
+        <translation>Falsche Bewegung: Die Aufzeichnung der Steuerung zeigt wiederholte oder ausgelassene Punkte. Siehe den Bericht.</translation>
+    </message>
+    <message>
+        <source>Run ended: %1 of %2 points executed.</source>
+        <translation>Lauf beendet: %1 von %2 Punkten ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Aufzeichnung: %1</translation>
+    </message>
+    <message>
+        <source>The run is not recorded: the folder %1 cannot be created.</source>
+        <translation>Der Lauf wird nicht aufgezeichnet: Der Ordner %1 kann nicht angelegt werden.</translation>
     </message>
 </context>
 <context>

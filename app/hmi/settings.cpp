@@ -36,11 +36,11 @@ QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
 
-constexpr std::array<std::pair<widgets::AccessOrder, const char*>, 4> kAccessNames{{
-    {widgets::AccessOrder::Automatic, "automatic"},
-    {widgets::AccessOrder::Array, "array"},
-    {widgets::AccessOrder::List, "list"},
-    {widgets::AccessOrder::Single, "single"},
+constexpr std::array<std::pair<streaming::AccessPreference, const char*>, 4> kAccessNames{{
+    {streaming::AccessPreference::Automatic, "automatic"},
+    {streaming::AccessPreference::Array, "array"},
+    {streaming::AccessPreference::List, "list"},
+    {streaming::AccessPreference::Single, "single"},
 }};
 
 /// A positive number, or what was there before: a damaged file must not become an order.

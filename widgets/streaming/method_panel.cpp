@@ -22,6 +22,8 @@
 
 namespace rivulet::widgets {
 
+using streaming::AccessPreference;
+
 namespace {
 
 constexpr int kFieldHeightPx = 36;
@@ -91,8 +93,8 @@ MethodPanel::MethodPanel(QWidget* parent)
   for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
     m_layout->addItem(QString(), static_cast<int>(layout));
   }
-  for (const AccessOrder access :
-       {AccessOrder::Automatic, AccessOrder::Array, AccessOrder::List, AccessOrder::Single}) {
+  for (const AccessPreference access : {AccessPreference::Automatic, AccessPreference::Array,
+                                        AccessPreference::List, AccessPreference::Single}) {
     m_access->addItem(QString(), static_cast<int>(access));
   }
   m_points->setRange(1, 9999);
@@ -318,7 +320,7 @@ void MethodPanel::takeSettings() {
   }
   m_settings.parameters.method = static_cast<base::MethodKind>(m_method->currentData().toInt());
   m_settings.parameters.layout = static_cast<templates::Layout>(m_layout->currentData().toInt());
-  m_settings.access = static_cast<AccessOrder>(m_access->currentData().toInt());
+  m_settings.access = static_cast<AccessPreference>(m_access->currentData().toInt());
   m_settings.transferByHand = m_byHand->isChecked();
   m_settings.parameters.pointsPerLoop = m_points->value();
   m_settings.parameters.correctionLimitMm = isWindow() ? m_correction->value() : 0.0;

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/document.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "feasibility/client_turn.h"
+#include "report/calibration_json.h"
+#include "report/operating_point.h"
+#include "streaming/access_policy.h"
+#include "templates/generator.h"
+
+namespace rivulet::hmi {
+
+namespace {
+
+/// The times of a run are estimated again this long after the last change of a setting.
+constexpr int kEstimateMs = 400;
+/// Axes at rest tremble; less than this is no other position.
+constexpr double kToolMovedMm = 0.01;
+constexpr std::size_t kPointsMin = 2;
+
+}  // namespace
+
+Document::Document(const widgets::StreamSettings& settings) : m_settings(settings) {
+  connect(&m_loader, &session::ProgramLoader::progressed, this,
+          [this](double share) { Q_EMIT readingProgressed(share); });
+  connect(&m_loader, &session::ProgramLoader::loaded, this, &Document::take);
+  connect(&m_loader, &session::ProgramLoader::placed, this, &Document::takePlaced);
+  connect(&m_loader, &session::ProgramLoader::failed, this,
+          [this](const base::Error& error, const QString& path) {
+            Q_EMIT readingProgressed(std::nullopt);
+            Q_EMIT readingFailed(error, path);
+          });
+  connect(&m_loader, &session::ProgramLoader::cancelled, this, [this] {
+    Q_EMIT readingProgressed(std::nullopt);
+    Q_EMIT readingCancelled();
+  });
+  connect(&m_watch, &session::FileWatch::stateChanged, this, &Document::fileStateChanged);
+  connect(&m_timer, &session::ProgramTimer::reckoned, this,
+          [this](const std::shared_ptr<const widgets::ProgramTimes>& times,
+                 const std::shared_ptr<const widgets::ProgramView>& view) {
+            if (m_view && view->program == program() && times->atS.size() == points().size()) {
+              m_hasTimes = true;
+              m_runTime = times->run;
+              Q_EMIT timesEstimated(times);
+              Q_EMIT pausesChanged();
+            }
+          });
+  connect(&m_timer, &session::ProgramTimer::planned, this,
+          [this](const std::shared_ptr<const widgets::PauseMap>& pauses,
+                 const std::shared_ptr<const widgets::ProgramView>& view) {
+            if (m_view == view) {
+              m_pauses = pauses;
+              m_pausesFor = m_estimatedFor;
+              Q_EMIT pausesChanged();
+            }
+          });
+  m_estimateTimer.setSingleShot(true);
+  m_estimateTimer.setInterval(kEstimateMs);
+  connect(&m_estimateTimer, &QTimer::timeout, this, &Document::estimateTimes);
+  judge();
+}
+
+void Document::open(const QString& path) {
+  read(path, {});
+}
+
+void Document::readAgain(const session::Reading& reading) {
+  if (m_view && !m_isRunning) {
+    read(m_path, reading);
+  }
+}
+
+void Document::read(const QString& path, const session::Reading& reading) {
+  m_requestedPath = path;
+  Q_EMIT readingProgressed(0.0);
+  m_loader.load({path, reading, m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop)});
+}
+
+void Document::take(const session::LoadedProgram& loaded) {
+  Q_EMIT readingProgressed(std::nullopt);
+  if (m_isRunning) {
+    return;  // a run was started meanwhile: what is running stays what is shown
+  }
+  m_view = loaded.view;
+  m_path = QFileInfo(loaded.request.path).absoluteFilePath();
+  m_reading = loaded.request.reading;
+  m_watch.watch(m_path, loaded.stamp);
+  forgetTimes();
+  m_hasTimes = false;
+  Q_EMIT programLoaded();
+  judge();
+}
+
+void Document::takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
+                          const std::shared_ptr<const widgets::ProgramView>& of) {
+  if (of != m_view) {
+    return;
+  }
+  m_view = view;
+  m_pauses.reset();
+  m_estimatedFor.reset();
+  Q_EMIT programPlaced();
+  if (!m_isRunning) {
+    judge();
+  }
+}
+
+void Document::forgetTimes() {
+  m_timer.cancel();
+  m_estimatedFor.reset();
+  m_pauses.reset();
+  m_runTime.reset();
+}
+
+std::shared_ptr<const gcode::Program> Document::program() const {
+  return m_view ? m_view->program : nullptr;
+}
+
+const std::vector<gcode::StreamPoint>& Document::points() const {
+  static const std::vector<gcode::StreamPoint> none;
+  return m_view ? m_view->points.points : none;
+}
+
+void Document::setSettings(const widgets::StreamSettings& settings) {
+  m_settings = settings;
+  Q_EMIT settingsChanged();
+  judge();
+}
+
+void Document::editSettings(const widgets::StreamSettings& settings) {
+  m_settings = settings;
+  judge();
+}
+
+templates::TemplateParameters Document::parameters() const {
+  templates::TemplateParameters parameters = m_settings.parameters;
+  if (m_view && base::streamsRotary(parameters.method)) {
+    parameters.rotaryAxes = m_view->turnedAxes;
+  }
+  return parameters;
+}
+
+streaming::RunSettings Document::runSettings() const {
+  const streaming::AccessPlan plan =
+      streaming::accessPlan(m_settings.access, m_settings.parameters.method);
+  streaming::RunSettings settings;
+  settings.parameters = parameters();
+  settings.deltaMm = m_settings.deltaMm;
+  settings.feedMmPerS = m_settings.feedMmPerS;
+  settings.transfer =
+      m_settings.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
+  settings.access = plan.choice;
+  settings.grouping = plan.grouping;
+  if (m_source.isUsed()) {
+    settings.calibration = std::shared_ptr<const streaming::Calibration>(
+        m_source.record, &m_source.record->calibration);
+  }
+  return settings;
+}
+
+void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record,
+                              bool isOutdated) {
+  m_source.record = std::move(record);
+  m_source.isOutdated = isOutdated;
+  judge();
+}
+
+void Document::setToolPosition(const base::Vec3& positionMm) {
+  m_toolMm = positionMm;
+  if (!m_isRunning && !m_isHeld) {
+    followTool();
+  }
+}
+
+void Document::followTool() {
+  if (m_view && m_view->dependsOnStart && base::isFinite(m_toolMm) &&
+      base::distance(m_view->startMm, m_toolMm) > kToolMovedMm) {
+    m_loader.place(m_view, m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop));
+  }
+}
+
+void Document::setRunning(bool isRunning) {
+  m_isRunning = isRunning;
+  if (isRunning) {
+    m_timer.cancel();
+  } else if (!m_hasTimes || !m_estimatedFor) {
+    m_estimatedFor.reset();  // the run has interrupted it
+    m_estimateTimer.start();
+  }
+}
+
+void Document::judge() {
+  const streaming::RunSettings settings = runSettings();
+  Findings found;
+  found.operatingPoint = report::operatingPointOf(settings);
+  found.source = m_source;
+  found.source.form = opcua::Grouping::List;
+  found.source.cellsMax = feasibility::turnOf(found.operatingPoint.turn()).content;
+  if (settings.calibration) {
+    found.source.form = streaming::accessPlan(m_settings.access, settings.parameters.method)
+                            .expected(settings.calibration.get());
+    found.access = report::accessModel(*settings.calibration, found.source.form);
+  }
+  const auto cells = templates::planCells(settings.parameters);
+  const auto text = templates::generateTemplate(settings.parameters);
+  if (cells && text) {
+    found.cells = *cells;
+    found.templateText = *text;
+  } else {
+    found.settingsError = cells ? text.error() : cells.error();
+  }
+  const int perLoop = found.operatingPoint.pointsPerLoop;
+  if (points().size() >= kPointsMin) {
+    if (m_view->distancesFor == perLoop) {
+      found.distances = m_view->distances;
+    } else if (perLoop >= 2) {
+      found.distances = feasibility::programDistances(points(), perLoop);
+    }
+  }
+  if (!found.settingsError && found.distances) {
+    auto verdict = feasibility::judge(found.operatingPoint, *found.distances, found.access);
+    if (verdict) {
+      found.verdict = *verdict;
+    } else {
+      found.settingsError = verdict.error();
+    }
+  }
+  m_findings = std::move(found);
+  m_estimateTimer.start();
+  Q_EMIT judged();
+  Q_EMIT pausesChanged();
+}
+
+session::TimeSettings Document::timeSettings() const {
+  return {m_settings.parameters.method, m_settings.parameters.pointsPerLoop, m_settings.feedMmPerS};
+}
+
+void Document::estimateTimes() {
+  const session::TimeSettings settings = timeSettings();
+  if (points().size() < kPointsMin || m_isRunning || m_estimatedFor == settings ||
+      !(settings.feedMmPerS > 0.0)) {
+    return;
+  }
+  m_estimatedFor = settings;
+  m_timer.start(m_view, settings);
+}
+
+std::shared_ptr<const widgets::PauseMap> Document::pauses() const {
+  // Pauses of other settings would mislead.
+  const session::TimeSettings settings = timeSettings();
+  return m_pausesFor && m_pausesFor->method == settings.method &&
+                 m_pausesFor->pointsPerLoop == settings.pointsPerLoop
+             ? m_pauses
+             : nullptr;
+}
+
+std::optional<widgets::PauseSummary> Document::pauseSummary() const {
+  const auto map = pauses();
+  if (!map) {
+    return std::nullopt;
+  }
+  widgets::PauseSummary summary;
+  summary.count = map->count();
+  summary.inCut = map->inCut.size();
+  if (m_runTime && m_pausesFor == timeSettings() && m_runTime->pauses == summary.count) {
+    summary.costS = m_runTime->pausesCostS();
+    summary.totalS = m_runTime->totalS;
+  }
+  return summary;
+}
+
+}  // namespace rivulet::hmi

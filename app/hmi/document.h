@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What is open: a program, the settings it is to be streamed with, and what follows from both
+/// (flexible program, distances, verdict, times, pauses). Knows no page and no connection; who has
+/// one tells it where the tool stands and what access costs. @threadsafety GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "feasibility/verdict.h"
+#include "session/file_watch.h"
+#include "session/program_loader.h"
+#include "session/program_timer.h"
+#include "streaming/run.h"
+#include "widgets/calibration/access_source.h"
+#include "widgets/streaming/method_panel.h"
+#include "widgets/streaming/stream_settings.h"
+
+namespace rivulet::hmi {
+
+/// What follows from program and settings.
+struct Findings {
+  feasibility::OperatingPoint operatingPoint;
+  feasibility::AccessModel access;
+  widgets::AccessSource source;  ///< of `access`
+  std::optional<templates::CellMap> cells;
+  std::string templateText;                  ///< empty: see `settingsError`
+  std::optional<base::Error> settingsError;  ///< why no flexible program or verdict can be had
+  std::optional<feasibility::ProgramDistances> distances;
+  std::optional<feasibility::Verdict> verdict;
+};
+
+class Document final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(const widgets::StreamSettings& settings);
+
+  /// Reads a program in the background; the present one stays until the new one is there.
+  void open(const QString& path);
+  /// Reads the file of the present program again. Nothing without a program.
+  void readAgain(const session::Reading& reading);
+  void cancelReading() { m_loader.cancel(); }
+
+  /// Null: no program is loaded.
+  [[nodiscard]] const std::shared_ptr<const widgets::ProgramView>& view() const { return m_view; }
+  [[nodiscard]] std::shared_ptr<const gcode::Program> program() const;
+  [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const;
+  [[nodiscard]] const QString& path() const { return m_path; }
+  /// The file that was asked for last.
+  [[nodiscard]] const QString& requestedPath() const { return m_requestedPath; }
+  [[nodiscard]] const session::Reading& reading() const { return m_reading; }
+
+  [[nodiscard]] const widgets::StreamSettings& settings() const { return m_settings; }
+  void setSettings(const widgets::StreamSettings& settings);
+  /// As `setSettings`, without `settingsChanged`: for the page on which they were changed.
+  void editSettings(const widgets::StreamSettings& settings);
+  /// The settings with the rotary axes the program turns.
+  [[nodiscard]] templates::TemplateParameters parameters() const;
+  [[nodiscard]] streaming::RunSettings runSettings() const;
+  [[nodiscard]] const Findings& findings() const { return m_findings; }
+
+  /// Null: not known for the present settings (yet).
+  [[nodiscard]] std::shared_ptr<const widgets::PauseMap> pauses() const;
+  [[nodiscard]] std::optional<widgets::PauseSummary> pauseSummary() const;
+
+  /// What access costs on the connected machine. @param record  null: not measured
+  void setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record, bool isOutdated);
+  /// Where a run would begin. Points that depend on it are made again, but not while `isFrozen`.
+  void setToolPosition(const base::Vec3& positionMm);
+  /// Makes points that depend on the tool's position again, if it has moved.
+  void followTool();
+  /// A run is in progress: program and points stay as they are, and the processors are its own.
+  void setRunning(bool isRunning);
+  /// A run was left that can be resumed: its points must stay as they are.
+  void setHeld(bool isHeld) { m_isHeld = isHeld; }
+  /// Judges and announces again: texts of the findings depend on the language.
+  void judge();
+
+ Q_SIGNALS:
+  /// @param share  0 to 1; nothing: no program is being read
+  void readingProgressed(const std::optional<double>& share);
+  void readingCancelled();
+  void readingFailed(const rivulet::base::Error& error, const QString& path);
+  /// Another program, or the same file read again.
+  void programLoaded();
+  /// The same program with points for another position of the tool.
+  void programPlaced();
+  void fileStateChanged(rivulet::session::FileWatch::State state);
+  void settingsChanged();
+  /// `findings` are new.
+  void judged();
+  void timesEstimated(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times);
+  /// `pauses` or `pauseSummary` is new.
+  void pausesChanged();
+
+ private:
+  void read(const QString& path, const session::Reading& reading);
+  void take(const session::LoadedProgram& loaded);
+  void takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
+                  const std::shared_ptr<const widgets::ProgramView>& of);
+  void estimateTimes();
+  void forgetTimes();
+  [[nodiscard]] session::TimeSettings timeSettings() const;
+
+  session::ProgramLoader m_loader;
+  session::ProgramTimer m_timer;
+  session::FileWatch m_watch;
+  QTimer m_estimateTimer;  ///< settings change while an operator turns them: wait for a rest
+
+  widgets::StreamSettings m_settings;
+  std::shared_ptr<const widgets::ProgramView> m_view;
+  QString m_path;
+  QString m_requestedPath;
+  session::Reading m_reading;
+  Findings m_findings;
+  widgets::AccessSource m_source;
+  base::Vec3 m_toolMm;  ///< the origin while no machine has been seen
+  bool m_isRunning = false;
+  bool m_isHeld = false;
+
+  std::optional<session::TimeSettings> m_estimatedFor;
+  bool m_hasTimes = false;
+  std::shared_ptr<const widgets::PauseMap> m_pauses;  ///< null: not known
+  std::optional<session::TimeSettings> m_pausesFor;
+  std::optional<widgets::RunTime> m_runTime;
+};
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The control at the other end: connection, what it was seen to do last, and what its accesses
+/// cost. @threadsafety GUI thread.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "hmi/messages.h"
+#include "report/machine_store.h"
+#include "session/stream_session.h"
+#include "widgets/connection/machine_view.h"
+
+namespace rivulet::hmi {
+
+class MachineModel final : public QObject {
+  Q_OBJECT
+
+ public:
+  MachineModel(session::StreamSession& session, report::MachineStore store, Messages& messages);
+
+  void setEndpoint(const QString& endpoint);
+  [[nodiscard]] const QString& endpoint() const { return m_endpoint; }
+  void connectTo(const QString& endpoint);
+  void disconnectFrom() { m_session.disconnectFrom(); }
+
+  [[nodiscard]] const session::LinkChanged& link() const { return m_link; }
+  [[nodiscard]] bool isConnected() const { return m_link.state == session::LinkState::Connected; }
+  [[nodiscard]] const widgets::MachineView& view() const { return m_view; }
+  /// The position, if it is fresh.
+  [[nodiscard]] std::optional<base::Vec3> positionNowMm() const;
+
+  /// During a run the stream leaves no time to look at the control; these are what it knows.
+  void showRunning(const QString& programName);
+  void showSample(const trace::LiveSample& sample);
+
+  /// Null: this machine was never calibrated.
+  [[nodiscard]] const std::shared_ptr<const streaming::CalibrationRecord>& calibration() const {
+    return m_calibration;
+  }
+  /// The calibration was made with another version of the server.
+  [[nodiscard]] bool isCalibrationOutdated() const { return m_isOutdated; }
+
+ Q_SIGNALS:
+  void endpointChanged();
+  void linkChanged();
+  void viewChanged();
+  /// The control was looked at between runs.
+  void seen();
+  void calibrationChanged();
+  /// A calibration has ended, with a new record or without.
+  void calibrationEnded();
+
+ private:
+  void takeLink(const session::LinkChanged& change);
+  void takeSeen(const session::MachineSeen& seen);
+  void takeCalibration(const session::CalibrationFinished& finished);
+  void loadCalibration();
+
+  session::StreamSession& m_session;
+  report::MachineStore m_store;
+  Messages& m_messages;
+  QString m_endpoint;
+  session::LinkChanged m_link;
+  widgets::MachineView m_view;
+  std::shared_ptr<const streaming::CalibrationRecord> m_calibration;
+  bool m_isOutdated = false;
+};
+
+}  // namespace rivulet::hmi

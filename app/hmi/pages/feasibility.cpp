@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/pages/pages.h"
+#include "report/operating_point.h"
+#include "session/region_worker.h"
+#include "widgets/common/error_text.h"
+#include "widgets/feasibility/feasibility_page.h"
+
+namespace rivulet::hmi {
+
+using session::RegionWorker;
+using widgets::FeasibilityPage;
+
+namespace {
+
+/// Points a simulation of the region is made with.
+constexpr std::size_t kSimulatedPoints = 200;
+
+/// The stretch of the program with the tightest distances, at the points of the grid.
+session::RegionJob jobOf(const Document& document, const widgets::SimulationWanted& wanted) {
+  const feasibility::ProgramDistances& distances = *document.findings().distances;
+  session::RegionJob job;
+  job.settings.parameters = document.parameters();
+  job.settings.deltaMm = document.settings().deltaMm;
+  job.settings.feedMmPerS = document.settings().feedMmPerS;
+  const feasibility::Place& tightest = job.settings.parameters.method == base::MethodKind::Position
+                                           ? distances.pointDistancePlace
+                                           : distances.windowPlace;
+  job.points = experiments::stretchOf(document.points(), tightest.point.value, kSimulatedPoints);
+  job.axis = wanted.axis;
+  job.feedsMmPerS = wanted.feedsMmPerS;
+  const int fits = templates::pointsPerLoopMax(job.settings.parameters);
+  for (const double abscissa : wanted.abscissas) {
+    if (wanted.axis != feasibility::SweepAxis::PointsPerLoop || abscissa <= fits) {
+      job.abscissas.push_back(abscissa);
+    }
+  }
+  return job;
+}
+
+widgets::SimulatedRegion regionOf(const session::RegionOutcome& outcome) {
+  widgets::SimulatedRegion region;
+  region.axis = outcome.job.axis;
+  region.operatingPoint = report::operatingPointOf(outcome.job.settings);
+  region.programPoints = outcome.job.points.size();
+  for (const experiments::RegionPoint& point : outcome.points) {
+    region.points.push_back({point.abscissa, point.feedMmPerS, point.runs, point.failures()});
+  }
+  for (const session::RegionBandPoint& point : outcome.band) {
+    region.band.push_back({point.abscissa, point.rareMmPerS, point.halfMmPerS});
+  }
+  return region;
+}
+
+void showFindings(FeasibilityPage* page, const Document& document) {
+  const Findings& findings = document.findings();
+  widgets::FeasibilityModel model;
+  model.operatingPoint = findings.operatingPoint;
+  model.access = findings.access;
+  model.source = findings.source;
+  if (findings.distances) {
+    model.distances = *findings.distances;
+  }
+  if (document.view()) {
+    model.smallestDistancesMm = document.view()->smallestDistancesMm;
+  }
+  page->setModel(model);
+}
+
+void connectSimulation(FeasibilityPage* page, const Models& models) {
+  auto* worker = new RegionWorker(page);
+  QObject::connect(page, &FeasibilityPage::simulationRequested, worker,
+                   [page, worker, models](const widgets::SimulationWanted& wanted) {
+                     if (models.document.findings().distances && !models.runs.isRunning()) {
+                       worker->start(jobOf(models.document, wanted));
+                       page->setSimulationProgress(0);
+                     }
+                   });
+  QObject::connect(page, &FeasibilityPage::simulationCancelRequested, worker,
+                   &RegionWorker::cancel);
+  QObject::connect(worker, &RegionWorker::progressed, page,
+                   &FeasibilityPage::setSimulationProgress);
+  QObject::connect(worker, &RegionWorker::cancelled, page,
+                   [page] { page->setSimulationProgress(std::nullopt); });
+  QObject::connect(worker, &RegionWorker::finished, page,
+                   [page, models](const std::shared_ptr<const session::RegionOutcome>& outcome) {
+                     page->setSimulationProgress(std::nullopt);
+                     if (outcome->error.code) {
+                       models.messages.show(gcode::Severity::Warning,
+                                            widgets::errorText(outcome->error));
+                     }
+                     page->setRegion(regionOf(*outcome));
+                   });
+  // During a run the processors belong to the stream.
+  QObject::connect(&models.runs, &RunController::started, worker, &RegionWorker::cancel);
+  QObject::connect(&models.document, &Document::programLoaded, worker, [page, worker] {
+    worker->cancel();
+    page->clearRegions();
+  });
+}
+
+}  // namespace
+
+QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
+  auto* page = new FeasibilityPage(parent);
+  connectSimulation(page, models);
+  const Document* document = &models.document;
+  QObject::connect(document, &Document::judged, page,
+                   [page, document] { showFindings(page, *document); });
+  QObject::connect(page, &FeasibilityPage::operatingPointRequested, &models.document,
+                   [models](const feasibility::OperatingPoint& point) {
+                     widgets::StreamSettings settings = models.document.settings();
+                     settings.parameters.pointsPerLoop = point.pointsPerLoop;
+                     settings.deltaMm = point.deltaMm;
+                     settings.feedMmPerS = point.feedMmPerS;
+                     models.document.setSettings(settings);
+                   });
+  const RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::permissionsChanged, page,
+                   [page, runs] { page->setEditable(!runs->isRunning()); });
+  return page;
+}
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Pages about the machine: connection, calibration, and the program it is to be given.
+
+#include "hmi/pages/pages.h"
+#include "templates/generator.h"
+#include "widgets/calibration/calibration_page.h"
+#include "widgets/common/blocked_text.h"
+#include "widgets/common/error_text.h"
+#include "widgets/connection/connection_panel.h"
+#include "widgets/templates/template_page.h"
+
+namespace rivulet::hmi {
+
+using widgets::CalibrationPage;
+using widgets::ConnectionPanel;
+
+namespace {
+
+widgets::ConnectionState connectionState(session::LinkState state) {
+  switch (state) {
+    case session::LinkState::Disconnected:
+      return widgets::ConnectionState::Disconnected;
+    case session::LinkState::Connecting:
+      return widgets::ConnectionState::Connecting;
+    case session::LinkState::Connected:
+      return widgets::ConnectionState::Connected;
+    case session::LinkState::Lost:
+      return widgets::ConnectionState::Lost;
+  }
+  return widgets::ConnectionState::Disconnected;
+}
+
+}  // namespace
+
+QWidget* makeConnectionPanel(const Models& models) {
+  auto* panel = new ConnectionPanel;
+  MachineModel* machine = &models.machine;
+  panel->setEndpoint(machine->endpoint());
+  QObject::connect(panel, &ConnectionPanel::connectRequested, machine, &MachineModel::connectTo);
+  QObject::connect(panel, &ConnectionPanel::disconnectRequested, machine,
+                   &MachineModel::disconnectFrom);
+  QObject::connect(machine, &MachineModel::endpointChanged, panel,
+                   [panel, machine] { panel->setEndpoint(machine->endpoint()); });
+  QObject::connect(machine, &MachineModel::linkChanged, panel, [panel, machine] {
+    const base::Error& error = machine->link().error;
+    panel->setConnectionState(connectionState(machine->link().state),
+                              error.code ? widgets::errorText(error) : QString());
+  });
+  QObject::connect(machine, &MachineModel::viewChanged, panel,
+                   [panel, machine] { panel->setMachineState(machine->view()); });
+  const RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, runs] {
+    panel->setDisconnectEnabled(!runs->isRunning() && !runs->isCalibrating());
+  });
+  return panel;
+}
+
+QWidget* makeCalibrationPage(const Models& models, QWidget* parent) {
+  auto* page = new CalibrationPage(parent);
+  RunController* runs = &models.runs;
+  QObject::connect(page, &CalibrationPage::calibrationRequested, runs, &RunController::calibrate);
+  QObject::connect(page, &CalibrationPage::cancelRequested, runs,
+                   &RunController::cancelCalibration);
+  QObject::connect(
+      runs, &RunController::calibrationProgressed, page,
+      [page](const streaming::CalibrationProgress& progress) { page->setProgress(progress); });
+  QObject::connect(runs, &RunController::permissionsChanged, page, [page, runs] {
+    page->setBlocked(widgets::blockedText(runs->calibrationBlocked()));
+  });
+  const MachineModel* machine = &models.machine;
+  QObject::connect(machine, &MachineModel::calibrationEnded, page,
+                   [page] { page->setProgress(std::nullopt); });
+  QObject::connect(machine, &MachineModel::calibrationChanged, page, [page, machine] {
+    page->setRecord(machine->calibration(), machine->isCalibrationOutdated());
+  });
+  return page;
+}
+
+QWidget* makeTemplatePage(const Models& models, QWidget* parent) {
+  auto* page = new widgets::TemplatePage(parent);
+  const Document* document = &models.document;
+  QObject::connect(document, &Document::judged, page, [page, document] {
+    const Findings& findings = document->findings();
+    if (!findings.cells) {
+      page->setProblem(widgets::errorText(*findings.settingsError));
+      return;
+    }
+    const templates::TemplateParameters parameters = document->parameters();
+    page->setTemplate(QString::fromStdString(findings.templateText),
+                      QString::fromStdString(templates::templateFileName(parameters)),
+                      *findings.cells, templates::layoutNumber(parameters));
+  });
+  QObject::connect(page, &widgets::TemplatePage::saveRequested, page,
+                   [page, models](const QString& path) { saveText(models, path, page->text()); });
+  return page;
+}
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/pages/pages.h"
+
+#include <QCoreApplication>
+#include <array>
+
+#include "trace/file.h"
+#include "widgets/common/error_text.h"
+
+namespace rivulet::hmi {
+
+namespace {
+
+struct Pages {
+  Q_DECLARE_TR_FUNCTIONS(Pages)
+};
+
+constexpr std::array<PageEntry, 7> kEntries{{
+    {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage},
+    {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage},
+    {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage},
+    {QT_TRANSLATE_NOOP("Pages", "Template"), makeTemplatePage},
+    {QT_TRANSLATE_NOOP("Pages", "Calibration"), makeCalibrationPage},
+    {QT_TRANSLATE_NOOP("Pages", "Report"), makeReportPage},
+    {QT_TRANSLATE_NOOP("Pages", "Log"), makeLogPage},
+}};
+
+}  // namespace
+
+std::span<const PageEntry> pageEntries() {
+  return kEntries;
+}
+
+QString pageTitle(const PageEntry& entry) {
+  return Pages::tr(entry.title);
+}
+
+void saveText(const Models& models, const QString& path, const QString& text) {
+  const auto written = trace::writeFile(path.toStdString(), text.toStdString());
+  if (!written) {
+    models.messages.show(gcode::Severity::Error, widgets::errorText(written.error()));
+    return;
+  }
+  models.messages.log(gcode::Severity::Note, Pages::tr("Saved %1.").arg(path));
+}
+
+}  // namespace rivulet::hmi

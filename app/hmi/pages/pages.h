@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The parts of the window. Each function makes one part from `widgets` and connects it with the
+/// models itself; the window only says where it stands. @threadsafety GUI thread.
+#pragma once
+
+#include <span>
+
+#include "hmi/document.h"
+#include "hmi/machine_model.h"
+#include "hmi/messages.h"
+#include "hmi/run_controller.h"
+#include "hmi/settings.h"
+
+class QWidget;
+
+namespace rivulet::widgets {
+class ProgramPage;
+}
+
+namespace rivulet::hmi {
+
+/// What pages connect themselves with. All of it outlives the pages.
+struct Models {
+  Settings& settings;
+  Messages& messages;
+  MachineModel& machine;
+  Document& document;
+  RunController& runs;
+};
+
+/// A page of the tab widget.
+struct PageEntry {
+  const char* title;  ///< to be translated in the context `Pages`
+  QWidget* (*make)(const Models& models, QWidget* parent);
+};
+/// In the order of the tabs.
+[[nodiscard]] std::span<const PageEntry> pageEntries();
+[[nodiscard]] QString pageTitle(const PageEntry& entry);
+
+[[nodiscard]] QWidget* makeProgramPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeFeasibilityPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeTracePage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeTemplatePage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeCalibrationPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeReportPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeLogPage(const Models& models, QWidget* parent);
+
+/// Beside, above and below the tabs.
+[[nodiscard]] QWidget* makeMessageArea(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeLoadBar(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeFileBanner(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeConnectionPanel(const Models& models);
+[[nodiscard]] QWidget* makeCorrectionPanel(const Models& models);
+[[nodiscard]] QWidget* makeMethodPanel(const Models& models);
+[[nodiscard]] QWidget* makeResumeBar(const Models& models, QWidget* parent);
+/// Which version of which program a start runs.
+[[nodiscard]] QWidget* makeRunTitle(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeRunPanel(const Models& models, QWidget* parent);
+
+/// Saves a text to a file and says so.
+void saveText(const Models& models, const QString& path, const QString& text);
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "hmi/pages/pages.h"
+#include "widgets/common/error_text.h"
+#include "widgets/common/number_format.h"
+#include "widgets/program/file_bars.h"
+#include "widgets/program/path_view.h"
+#include "widgets/program/program_page.h"
+#include "widgets/program/program_panel.h"
+
+namespace rivulet::hmi {
+
+using gcode::Severity;
+using widgets::FileBanner;
+using widgets::LoadBar;
+using widgets::PathView;
+using widgets::ProgramPage;
+using widgets::ProgramPanel;
+
+namespace {
+
+struct ProgramTexts {
+  Q_DECLARE_TR_FUNCTIONS(ProgramTexts)
+
+ public:
+  /// Why the program that has just been loaded cannot be streamed; empty: it can.
+  static QString refusal(const gcode::Program& program, bool hasPoints) {
+    const QString name = QString::fromStdString(program.name);
+    if (program.isStreamable()) {
+      return {};
+    }
+    if (!program.isUnderstood()) {
+      return tr("Parts of the path of %1 are not known: see the findings. The program cannot be "
+                "streamed.")
+          .arg(name);
+    }
+    return hasPoints
+               ? tr("%1 needs a transformation of the control. No method can stream it.").arg(name)
+               : tr("%1 moves no axis: there is nothing to stream.").arg(name);
+  }
+};
+
+void showReading(ProgramPanel* panel, const session::Reading& reading) {
+  panel->setReading(reading.dialect, reading.accepted, reading.centres);
+}
+
+void open(const Models& models, const QString& path) {
+  if (models.runs.isRunning()) {
+    models.messages.show(
+        Severity::Warning,
+        ProgramTexts::tr("A run is in progress. Open another program after it has ended."));
+    return;
+  }
+  models.document.open(path);
+}
+
+/// The program is read again in the way `change` makes of the present one.
+template <class Change>
+void readAgain(const Models& models, Change change) {
+  session::Reading reading = models.document.reading();
+  change(reading);
+  models.document.readAgain(reading);
+}
+
+void connectReading(ProgramPanel* panel, const Models& models) {
+  QObject::connect(panel, &ProgramPanel::openRequested, panel,
+                   [models](const QString& path) { open(models, path); });
+  QObject::connect(panel, &ProgramPanel::fileDropped, panel,
+                   [models](const QString& path) { open(models, path); });
+  QObject::connect(panel, &ProgramPanel::dialectRequested, panel,
+                   [models](const std::optional<gcode::Dialect>& dialect) {
+                     readAgain(models,
+                               [&](session::Reading& reading) { reading.dialect = dialect; });
+                   });
+  QObject::connect(panel, &ProgramPanel::acceptRequested, panel, [models](const QString& name) {
+    readAgain(models,
+              [&](session::Reading& reading) { reading.accepted.push_back(name.toStdString()); });
+  });
+  QObject::connect(panel, &ProgramPanel::takeBackRequested, panel, [models](const QString& name) {
+    readAgain(models,
+              [&](session::Reading& reading) { std::erase(reading.accepted, name.toStdString()); });
+  });
+  QObject::connect(
+      panel, &ProgramPanel::centresRequested, panel, [models](gcode::CentreReading centres) {
+        readAgain(models, [&](session::Reading& reading) { reading.centres = centres; });
+      });
+}
+
+void connectLoading(ProgramPage* page, const Models& models) {
+  Document* document = &models.document;
+  ProgramPanel* panel = page->panel();
+  QObject::connect(document, &Document::programLoaded, page, [page, panel, models] {
+    const gcode::Program& program = *models.document.program();
+    models.settings.addRecentFile(models.document.path());
+    panel->setRecentFiles(models.settings.recentFiles);
+    page->setProgram(models.document.view());
+    showReading(panel, models.document.reading());
+    models.messages.clear();
+    const std::size_t points = models.document.points().size();
+    models.messages.log(Severity::Note,
+                        ProgramTexts::tr("Opened %1 (%2), %3 points.")
+                            .arg(QString::fromStdString(program.name),
+                                 QString::fromStdString(program.hash), widgets::countText(points)));
+    if (const QString why = ProgramTexts::refusal(program, points > 0); !why.isEmpty()) {
+      models.messages.show(Severity::Error, why);
+    }
+  });
+  QObject::connect(document, &Document::programPlaced, page,
+                   [page, document] { page->replaceProgram(document->view()); });
+  QObject::connect(document, &Document::readingFailed, page,
+                   [panel, models](const base::Error& error, const QString& path) {
+                     showReading(panel, models.document.reading());
+                     const QString text = widgets::errorText(error);
+                     models.messages.show(Severity::Error, text);
+                     models.messages.log(Severity::Error, QStringLiteral("%1: %2").arg(path, text));
+                   });
+  QObject::connect(document, &Document::readingCancelled, page, [panel, models] {
+    showReading(panel, models.document.reading());
+    models.messages.log(
+        Severity::Note,
+        ProgramTexts::tr("Reading %1 was cancelled.").arg(models.document.requestedPath()));
+  });
+}
+
+void connectPath(PathView* path, const Models& models) {
+  const Document* document = &models.document;
+  QObject::connect(document, &Document::judged, path, [path, document] {
+    path->setOperatingPoint(document->findings().operatingPoint, document->findings().access);
+  });
+  QObject::connect(document, &Document::pausesChanged, path, [path, document] {
+    if (path->pauses() != document->pauses()) {
+      path->setPauses(document->pauses());
+    }
+  });
+  const MachineModel* machine = &models.machine;
+  QObject::connect(machine, &MachineModel::viewChanged, path,
+                   [path, machine] { path->setToolPosition(machine->view().positionMm); });
+  QObject::connect(&models.runs, &RunController::started, path,
+                   [path](std::size_t firstPoint) { path->setExecuted(firstPoint); });
+  QObject::connect(
+      &models.runs, &RunController::updated, path,
+      [path](const streaming::LiveUpdate& update) { path->setExecuted(update.counters.executed); });
+  QObject::connect(&models.runs, &RunController::placeFound, path,
+                   [path](const widgets::ResumePlace& place) { path->markPoint(place.point); });
+}
+
+}  // namespace
+
+QWidget* makeProgramPage(const Models& models, QWidget* parent) {
+  auto* page = new ProgramPage(parent);
+  ProgramPanel* panel = page->panel();
+  panel->setRecentFiles(models.settings.recentFiles);
+  connectReading(panel, models);
+  connectLoading(page, models);
+  connectPath(page->path(), models);
+  const Document* document = &models.document;
+  QObject::connect(document, &Document::judged, panel,
+                   [panel, document] { panel->setDistances(document->findings().distances); });
+  QObject::connect(document, &Document::timesEstimated, page, &ProgramPage::setTimes);
+  const RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::permissionsChanged, panel,
+                   [panel, runs] { panel->setOpenEnabled(!runs->isRunning()); });
+  return page;
+}
+
+QWidget* makeLoadBar(const Models& models, QWidget* parent) {
+  auto* bar = new LoadBar(parent);
+  Document* document = &models.document;
+  QObject::connect(document, &Document::readingProgressed, bar,
+                   [bar, document](const std::optional<double>& share) {
+                     bar->setProgress(share, QFileInfo(document->requestedPath()).fileName());
+                   });
+  QObject::connect(bar, &LoadBar::cancelRequested, document, &Document::cancelReading);
+  return bar;
+}
+
+QWidget* makeFileBanner(const Models& models, QWidget* parent) {
+  auto* banner = new FileBanner(parent);
+  QObject::connect(&models.document, &Document::programLoaded, banner, [banner, models] {
+    const gcode::Program& program = *models.document.program();
+    banner->setProgram(QString::fromStdString(program.name), QString::fromStdString(program.hash));
+    banner->setState(FileBanner::State::Same);
+  });
+  QObject::connect(
+      &models.document, &Document::fileStateChanged, banner,
+      [banner, models](session::FileWatch::State state) {
+        const QString path = models.document.path();
+        switch (state) {
+          case session::FileWatch::State::Same:
+            banner->setState(FileBanner::State::Same);
+            return;
+          case session::FileWatch::State::Changed:
+            banner->setState(FileBanner::State::Changed);
+            models.messages.log(Severity::Warning,
+                                ProgramTexts::tr("The file %1 has changed.").arg(path));
+            return;
+          case session::FileWatch::State::Gone:
+            banner->setState(FileBanner::State::Gone);
+            models.messages.log(Severity::Warning,
+                                ProgramTexts::tr("The file %1 is no longer there.").arg(path));
+            return;
+        }
+      });
+  QObject::connect(banner, &FileBanner::reloadRequested, &models.document,
+                   [models] { models.document.readAgain(models.document.reading()); });
+  const RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::permissionsChanged, banner,
+                   [banner, runs] { banner->setRunning(runs->isRunning()); });
+  return banner;
+}
+
+}  // namespace rivulet::hmi

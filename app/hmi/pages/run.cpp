@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Parts that set a run up and drive it: method, online correction, resuming, start and stop.
+
+#include <QCoreApplication>
+#include <QLabel>
+
+#include "hmi/pages/pages.h"
+#include "session/correction_feed.h"
+#include "widgets/common/blocked_text.h"
+#include "widgets/common/error_text.h"
+#include "widgets/streaming/correction_panel.h"
+#include "widgets/streaming/method_panel.h"
+#include "widgets/streaming/run_panel.h"
+
+namespace rivulet::hmi {
+
+using session::CorrectionFeed;
+using widgets::CorrectionPanel;
+using widgets::MethodPanel;
+using widgets::ResumeBar;
+using widgets::RunPanel;
+
+namespace {
+
+struct RunTexts {
+  Q_DECLARE_TR_FUNCTIONS(RunTexts)
+
+ public:
+  /// Why there is no verdict; nothing: there is one.
+  static std::optional<QString> problem(const Document& document) {
+    const Findings& findings = document.findings();
+    if (findings.settingsError) {
+      return widgets::errorText(*findings.settingsError);
+    }
+    if (!document.view()) {
+      return tr("No program is loaded.");
+    }
+    return findings.verdict ? std::nullopt
+                            : std::optional(tr("The program has fewer than two points."));
+  }
+  static QString title(const gcode::Program& program, bool isRunning) {
+    return (isRunning ? tr("Running: %1, version %2") : tr("Program: %1, version %2"))
+        .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash));
+  }
+};
+
+void connectFeed(CorrectionPanel* panel, const Models& models) {
+  auto* feed = new CorrectionFeed(panel);
+  RunController* runs = &models.runs;
+  QObject::connect(
+      panel, &CorrectionPanel::inputChanged, feed, [feed](const widgets::CorrectionInput& input) {
+        constexpr double kMsPerS = 1000.0;
+        if (input.isLive) {
+          feed->open(static_cast<quint16>(input.port), static_cast<int>(input.silenceS * kMsPerS));
+        } else {
+          feed->close();
+        }
+      });
+  QObject::connect(feed, &CorrectionFeed::valueArrived, runs, &RunController::correct);
+  QObject::connect(
+      feed, &CorrectionFeed::stateChanged, panel, [panel](const session::FeedState& state) {
+        panel->setLiveSource({state.isOpen, state.hasValue, state.isSilent, state.unknown});
+      });
+  QObject::connect(runs, &RunController::started, feed, &CorrectionFeed::forget);
+}
+
+}  // namespace
+
+QWidget* makeMethodPanel(const Models& models) {
+  auto* panel = new MethodPanel;
+  Document* document = &models.document;
+  panel->setSettings(document->settings());
+  QObject::connect(panel, &MethodPanel::settingsChanged, document, &Document::editSettings);
+  QObject::connect(document, &Document::settingsChanged, panel,
+                   [panel, document] { panel->setSettings(document->settings()); });
+  QObject::connect(document, &Document::judged, panel, [panel, document] {
+    panel->setVerdict(document->findings().verdict, RunTexts::problem(*document));
+  });
+  QObject::connect(document, &Document::pausesChanged, panel,
+                   [panel, document] { panel->setPauses(document->pauseSummary()); });
+  const RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::permissionsChanged, panel,
+                   [panel, runs] { panel->setEditable(!runs->isRunning()); });
+  return panel;
+}
+
+QWidget* makeCorrectionPanel(const Models& models) {
+  auto* panel = new CorrectionPanel;
+  connectFeed(panel, models);
+  const Document* document = &models.document;
+  QObject::connect(document, &Document::judged, panel, [panel, document] {
+    const auto& cells = document->findings().cells;
+    const templates::TemplateParameters& parameters = document->settings().parameters;
+    panel->setLimit(cells && cells->corrects() ? parameters.correctionLimitMm : 0.0,
+                    parameters.axes);
+  });
+  RunController* runs = &models.runs;
+  QObject::connect(panel, &CorrectionPanel::correctionRequested, runs, &RunController::correct);
+  QObject::connect(runs, &RunController::started, panel, [panel] { panel->setRunning(true); });
+  QObject::connect(runs, &RunController::finished, panel, [panel] { panel->setRunning(false); });
+  QObject::connect(
+      runs, &RunController::updated, panel,
+      [panel](const streaming::LiveUpdate& update) { panel->setCorrection(update.correction); });
+  return panel;
+}
+
+QWidget* makeResumeBar(const Models& models, QWidget* parent) {
+  auto* bar = new ResumeBar(parent);
+  RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::resumeAsked, bar, &ResumeBar::showAsking);
+  QObject::connect(runs, &RunController::placeFound, bar, &ResumeBar::showPlace);
+  QObject::connect(runs, &RunController::resumeRefused, bar, &ResumeBar::showRefusal);
+  QObject::connect(runs, &RunController::resumeForgotten, bar, &ResumeBar::showNothing);
+  QObject::connect(bar, &ResumeBar::goOnRequested, runs, &RunController::resume);
+  QObject::connect(bar, &ResumeBar::dismissed, runs, &RunController::forgetResume);
+  return bar;
+}
+
+QWidget* makeRunTitle(const Models& models, QWidget* parent) {
+  QLabel* label = widgets::makeValueLabel(parent);
+  label->setContentsMargins(12, 0, 12, 0);
+  label->hide();
+  QObject::connect(&models.runs, &RunController::permissionsChanged, label, [label, models] {
+    const auto program = models.document.program();
+    label->setVisible(program != nullptr);
+    if (program) {
+      label->setText(RunTexts::title(*program, models.runs.isRunning()));
+    }
+  });
+  return label;
+}
+
+QWidget* makeRunPanel(const Models& models, QWidget* parent) {
+  auto* panel = new RunPanel(parent);
+  RunController* runs = &models.runs;
+  QObject::connect(panel, &RunPanel::startRequested, runs, &RunController::start);
+  QObject::connect(panel, &RunPanel::stopRequested, runs, &RunController::stop);
+  QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
+  QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
+  QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
+  QObject::connect(runs, &RunController::finished, panel,
+                   [panel](const std::shared_ptr<const streaming::RunReport>& report) {
+                     if (report->error.code == streaming::StreamError::StopNotConfirmed) {
+                       panel->setStopUnconfirmed();
+                     }
+                   });
+  QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, runs] {
+    panel->setStartBlocked(widgets::blockedText(runs->startBlocked()));
+    panel->setResumeBlocked(widgets::blockedText(runs->resumeBlocked()));
+    panel->setCanHold(runs->canHold());
+  });
+  const Document* document = &models.document;
+  QObject::connect(document, &Document::programLoaded, panel,
+                   [panel, document] { panel->setTotal(document->points().size()); });
+  QObject::connect(document, &Document::programPlaced, panel, [panel, document, runs] {
+    // The counters of a run stay shown; the tool is elsewhere after it.
+    if (!runs->isRunning() && !runs->report()) {
+      panel->setTotal(document->points().size());
+    }
+  });
+  return panel;
+}
+
+}  // namespace rivulet::hmi

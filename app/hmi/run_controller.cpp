@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/run_controller.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QStandardPaths>
+
+#include "templates/generator.h"
+#include "widgets/common/blocked_text.h"
+#include "widgets/common/error_text.h"
+#include "widgets/common/number_format.h"
+#include "widgets/streaming/report_panel.h"
+
+namespace rivulet::hmi {
+
+using gcode::Severity;
+using session::StreamSession;
+
+namespace {
+
+streaming::Counters inProgram(streaming::Counters counters, std::size_t firstPoint) {
+  if (counters.total > 0) {
+    counters.sent += firstPoint;
+    counters.accepted += firstPoint;
+    counters.executed += firstPoint;
+    counters.total += firstPoint;
+  }
+  return counters;
+}
+
+}  // namespace
+
+RunController::RunController(StreamSession& session, Document& document, MachineModel& machine,
+                             Messages& messages)
+    : m_session(session), m_document(document), m_machine(machine), m_messages(messages) {
+  connect(&m_session, &StreamSession::updateArrived, this, &RunController::takeUpdate);
+  connect(&m_session, &StreamSession::runFinished, this, &RunController::takeFinished);
+  connect(&m_session, &StreamSession::resumeFound, this, &RunController::takeResume);
+  connect(&m_session, &StreamSession::calibrationProgressed, this,
+          [this](const streaming::CalibrationProgress& progress) {
+            if (isCalibrating()) {
+              Q_EMIT calibrationProgressed(progress);
+            }
+          });
+  connect(&m_session, &StreamSession::noteArrived, this, [this](const trace::Note& note) {
+    m_messages.log(Severity::Note, QString::fromStdString(note.text));
+  });
+  connect(&m_machine, &MachineModel::linkChanged, this, &RunController::permissionsChanged);
+  connect(&m_machine, &MachineModel::calibrationEnded, this, &RunController::permissionsChanged);
+  connect(&m_machine, &MachineModel::calibrationChanged, this, [this] {
+    m_document.setCalibration(m_machine.calibration(), m_machine.isCalibrationOutdated());
+  });
+  connect(&m_machine, &MachineModel::seen, this, [this] {
+    m_document.setToolPosition(*m_machine.view().positionMm);
+    Q_EMIT permissionsChanged();
+  });
+  connect(&m_document, &Document::judged, this, &RunController::permissionsChanged);
+  connect(&m_document, &Document::programLoaded, this, [this] {
+    // The points of another program are not those of the run that was left.
+    m_left.reset();
+    m_document.setHeld(false);
+    forgetResume();
+  });
+}
+
+streaming::StartFacts RunController::facts() const {
+  const Findings& findings = m_document.findings();
+  const widgets::MachineView& machine = m_machine.view();
+  streaming::StartFacts facts;
+  facts.activity = m_session.isRunning()       ? streaming::Activity::Streaming
+                   : m_session.isAsking()      ? streaming::Activity::CheckingResume
+                   : m_session.isCalibrating() ? streaming::Activity::Calibrating
+                                               : streaming::Activity::Idle;
+  facts.isConnected = m_machine.isConnected();
+  facts.program = m_document.program().get();
+  if (m_document.view()) {
+    facts.turnedAxes = m_document.view()->turnedAxes;
+  }
+  facts.method = m_document.settings().parameters.method;
+  facts.settingsError = findings.settingsError;
+  facts.verdict = findings.verdict;
+  facts.channelStatus = machine.channelStatus;
+  facts.alarm = machine.alarmNumber;
+  facts.controlAxes = machine.rotaryAxes;
+  facts.hasRunToResume = m_left.has_value();
+  return facts;
+}
+
+std::optional<streaming::Blocked> RunController::startBlocked() const {
+  return streaming::startBlocked(facts());
+}
+
+std::optional<streaming::Blocked> RunController::resumeBlocked() const {
+  return streaming::resumeBlocked(facts());
+}
+
+std::optional<streaming::Blocked> RunController::calibrationBlocked() const {
+  return streaming::calibrationBlocked(facts());
+}
+
+bool RunController::canHold() const {
+  return base::hasWindows(m_document.settings().parameters.method);
+}
+
+bool RunController::refuses(const std::optional<streaming::Blocked>& blocked) {
+  if (blocked) {
+    m_messages.show(Severity::Warning, widgets::blockedText(blocked));
+  }
+  return blocked.has_value();
+}
+
+bool RunController::start() {
+  return !refuses(startBlocked()) && startRun(std::nullopt);
+}
+
+void RunController::stop() {
+  m_session.stop();
+  m_messages.log(Severity::Note, tr("Stop requested."));
+}
+
+void RunController::hold(bool hold) {
+  m_session.hold(hold);
+  m_messages.log(Severity::Note, hold ? tr("Hold requested.") : tr("Continue requested."));
+}
+
+void RunController::calibrate(const streaming::CalibrationPlan& plan) {
+  if (refuses(calibrationBlocked())) {
+    return;
+  }
+  m_messages.clear();
+  m_session.calibrate(plan);
+  Q_EMIT calibrationProgressed({});
+  m_messages.log(Severity::Note,
+                 tr("Calibration on R%1 to R%2 started.")
+                     .arg(QString::number(plan.firstCell), QString::number(plan.lastCell)));
+  Q_EMIT permissionsChanged();
+}
+
+void RunController::askResume() {
+  if (refuses(resumeBlocked())) {
+    return;
+  }
+  m_resume.reset();
+  Q_EMIT resumeAsked();
+  m_session.askResume(*m_left);
+  Q_EMIT permissionsChanged();
+}
+
+void RunController::takeResume(const session::ResumeFound& found) {
+  if (!m_left) {
+    forgetResume();
+    return;
+  }
+  if (!found.resume) {
+    const QString why = widgets::errorText(found.error);
+    m_messages.log(Severity::Warning, why);
+    Q_EMIT resumeRefused(why);
+    Q_EMIT permissionsChanged();
+    return;
+  }
+  // The list of the run that was left: open coordinates as they were then.
+  const auto list = gcode::streamPoints(m_left->program->trajectory, found.resume->startMm).points;
+  m_resume = found.resume;
+  widgets::ResumePlace place;
+  place.point = m_resume->point;
+  place.points = list.size();
+  place.line = list.at(m_resume->point).line;
+  place.positionMm = list[m_resume->point].positionMm;
+  if (const auto toolMm = m_machine.positionNowMm()) {
+    place.approachMm = base::distance(*toolMm, place.positionMm);
+  }
+  Q_EMIT placeFound(place);
+  m_messages.log(Severity::Note,
+                 tr("The run was left before point %1 of %2.")
+                     .arg(widgets::countText(place.point + 1), widgets::countText(place.points)));
+  Q_EMIT permissionsChanged();
+}
+
+void RunController::forgetResume() {
+  m_resume.reset();
+  Q_EMIT resumeForgotten();
+  Q_EMIT permissionsChanged();
+}
+
+bool RunController::resume() {
+  if (!m_resume) {
+    m_messages.show(Severity::Warning,
+                    tr("Press Resume first: it asks the control where the run was left."));
+    return false;
+  }
+  return !refuses(resumeBlocked()) && startRun(m_resume);
+}
+
+bool RunController::startRun(const std::optional<streaming::Resume>& resume) {
+  streaming::RunSettings settings = m_document.runSettings();
+  settings.resume = resume;
+  m_firstPoint = resume ? resume->point : 0;
+  forgetResume();
+  if (!resume) {
+    m_document.followTool();
+  }
+  m_report.reset();
+  m_firstMotion.reset();
+  m_messages.clear();
+  announceStart(settings);
+  m_session.start(m_document.program(), settings, newRecordingPath(),
+                  resume ? m_left : std::optional<session::ResumeQuestion>{});
+  m_document.setRunning(m_session.isRunning());
+  Q_EMIT started(m_firstPoint);
+  Q_EMIT permissionsChanged();
+  return true;
+}
+
+void RunController::announceStart(const streaming::RunSettings& settings) {
+  const std::optional<base::Vec3>& toolMm = m_machine.view().positionMm;
+  if (settings.resume) {
+    m_messages.log(Severity::Note,
+                   tr("The run resumes at point %1.").arg(widgets::countText(m_firstPoint + 1)));
+  } else if (toolMm && !m_document.points().empty()) {
+    m_messages.log(Severity::Note,
+                   tr("Start. The tool first moves %1 in a straight line to the first point.")
+                       .arg(widgets::lengthText(
+                           base::distance(*toolMm, m_document.points().front().positionMm))));
+  }
+  if (settings.transfer == streaming::TransferWay::ByHand) {
+    m_messages.show(
+        Severity::Note,
+        tr("Save the template on its page as %1, copy it to the part programs of the control, "
+           "select it in channel 1 and press cycle start. The axes move only after the template "
+           "has shown its layout number %2.")
+            .arg(QString::fromStdString(templates::templateFileName(settings.parameters)))
+            .arg(templates::layoutNumber(settings.parameters)));
+  }
+}
+
+void RunController::takeUpdate(const streaming::LiveUpdate& update) {
+  const bool isNewState = update.state != m_update.state;
+  const bool isMoving = update.state == streaming::RunState::Running;
+  m_update = update;
+  m_update.counters = inProgram(update.counters, m_firstPoint);
+  if (isMoving && !m_firstMotion) {
+    m_firstMotion = update.at;
+  }
+  const base::Instant origin = m_firstMotion.value_or(update.at);
+  Q_EMIT updated(m_update);
+  if (isNewState && isMoving) {
+    m_machine.showRunning(
+        QString::fromStdString(templates::templateFileName(m_document.parameters())));
+  }
+  if (update.sample) {
+    takeSample(*update.sample, origin);
+  }
+  if (update.pause) {
+    trace::Pause pause = *update.pause;
+    pause.start = base::Instant{pause.start - origin};
+    Q_EMIT paused(pause);
+  }
+  if (isNewState) {
+    Q_EMIT permissionsChanged();
+  }
+}
+
+void RunController::takeSample(const trace::LiveSample& sample, base::Instant origin) {
+  const widgets::TraceSample shown{base::toSeconds(sample.at - origin), sample.positionMm,
+                                   sample.feedMmPerS};
+  if (m_firstMotion && shown.atS >= 0.0) {
+    Q_EMIT sampled(shown);
+  }
+  m_machine.showSample(sample);
+}
+
+void RunController::takeFinished(const session::RunFinished& finished) {
+  m_report = finished.report;
+  if (m_report->outcome == streaming::Outcome::Completed) {
+    m_left.reset();
+  } else if (m_report->checkpoint) {
+    m_left =
+        session::ResumeQuestion{m_document.program(), m_report->settings, *m_report->checkpoint};
+  }
+  m_document.setHeld(m_left.has_value());
+  m_update.state = m_report->outcome == streaming::Outcome::Failed ? streaming::RunState::Aborted
+                                                                   : streaming::RunState::Done;
+  m_update.counters = inProgram(m_report->counters, m_firstPoint);
+  m_update.stopConfirmedAfter = m_report->stopConfirmedAfter;
+  m_update.waitingFor.clear();
+  Q_EMIT updated(m_update);
+  logOutcome(finished);
+  m_document.setRunning(false);
+  Q_EMIT permissionsChanged();
+  Q_EMIT this->finished(m_report);
+}
+
+void RunController::logOutcome(const session::RunFinished& finished) {
+  if (m_report->access.requests > 0) {
+    m_messages.log(Severity::Note,
+                   tr("Access: %1.").arg(widgets::groupingText(m_report->settings.grouping)));
+  }
+  if (m_report->error.code) {
+    m_messages.report(Severity::Error, widgets::errorText(m_report->error));
+  } else if (m_report->finding() == streaming::RunFinding::Faulty) {
+    m_messages.report(
+        Severity::Error,
+        tr("Wrong motion: the control's trace shows repeated or skipped points. See the report."));
+  } else {
+    m_messages.log(Severity::Note, tr("Run ended: %1 of %2 points executed.")
+                                       .arg(widgets::countText(m_update.counters.executed),
+                                            widgets::countText(m_update.counters.total)));
+  }
+  if (!finished.recordingPath.empty()) {
+    m_messages.log(Severity::Note,
+                   tr("Recording: %1").arg(QString::fromStdString(finished.recordingPath)));
+  }
+}
+
+QString RunController::newRecordingPath() {
+  const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                    QStringLiteral("/runs"));
+  if (!folder.mkpath(QStringLiteral("."))) {
+    m_messages.log(
+        Severity::Warning,
+        tr("The run is not recorded: the folder %1 cannot be created.").arg(folder.path()));
+    return {};
+  }
+  return folder.filePath(
+      QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz")) +
+      QStringLiteral(".rivulet"));
+}
+
+}  // namespace rivulet::hmi

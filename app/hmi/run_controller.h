@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What may be done with the control now and why not, and the run that is in progress or was the
+/// last. The rules are those of `streaming/start_policy`, as on the command line.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "hmi/document.h"
+#include "hmi/machine_model.h"
+#include "hmi/messages.h"
+#include "session/stream_session.h"
+#include "streaming/start_policy.h"
+#include "widgets/streaming/resume_bar.h"
+#include "widgets/trace/trace_page.h"
+
+namespace rivulet::hmi {
+
+class RunController final : public QObject {
+  Q_OBJECT
+
+ public:
+  RunController(session::StreamSession& session, Document& document, MachineModel& machine,
+                Messages& messages);
+
+  [[nodiscard]] std::optional<streaming::Blocked> startBlocked() const;
+  [[nodiscard]] std::optional<streaming::Blocked> resumeBlocked() const;
+  [[nodiscard]] std::optional<streaming::Blocked> calibrationBlocked() const;
+  /// The method of the settings can be held before a window.
+  [[nodiscard]] bool canHold() const;
+
+  /// Starts if nothing stands in the way. @return false and says why otherwise
+  bool start();
+  void stop();
+  /// The machine waits before the next window, or goes on.
+  void hold(bool hold);
+  /// Asks the control where the run was left. Nothing moves. `placeFound` answers.
+  void askResume();
+  /// Resumes at the place found. @return false and says why if something stands in the way
+  bool resume();
+  /// The place found is no longer offered.
+  void forgetResume();
+  /// Begins on cells the operator has confirmed, if nothing stands in the way.
+  void calibrate(const streaming::CalibrationPlan& plan);
+  void cancelCalibration() { m_session.stop(); }
+  void correct(const base::Vec3& valueMm) { m_session.correct(valueMm); }
+
+  [[nodiscard]] bool isRunning() const { return m_session.isRunning(); }
+  [[nodiscard]] bool isCalibrating() const { return m_session.isCalibrating(); }
+  /// Counted in the whole program, also for a run that was resumed.
+  [[nodiscard]] const streaming::LiveUpdate& update() const { return m_update; }
+  /// Null: no run has ended since the last start.
+  [[nodiscard]] const std::shared_ptr<const streaming::RunReport>& report() const {
+    return m_report;
+  }
+
+ Q_SIGNALS:
+  /// What may be done, or why not, has changed.
+  void permissionsChanged();
+  /// @param firstPoint  index of the first point that is streamed
+  void started(std::size_t firstPoint);
+  void updated(const rivulet::streaming::LiveUpdate& update);
+  /// Times count from the first motion of the run.
+  void sampled(const rivulet::widgets::TraceSample& sample);
+  void paused(const rivulet::trace::Pause& pause);
+  void finished(const std::shared_ptr<const rivulet::streaming::RunReport>& report);
+
+  void resumeAsked();
+  void placeFound(const rivulet::widgets::ResumePlace& place);
+  void resumeRefused(const QString& reason);
+  void resumeForgotten();
+  void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
+
+ private:
+  [[nodiscard]] streaming::StartFacts facts() const;
+  /// @return true if something stands in the way; it has been said
+  bool refuses(const std::optional<streaming::Blocked>& blocked);
+  bool startRun(const std::optional<streaming::Resume>& resume);
+  void announceStart(const streaming::RunSettings& settings);
+  void takeUpdate(const streaming::LiveUpdate& update);
+  void takeSample(const trace::LiveSample& sample, base::Instant origin);
+  void takeResume(const session::ResumeFound& found);
+  void takeFinished(const session::RunFinished& finished);
+  void logOutcome(const session::RunFinished& finished);
+  [[nodiscard]] QString newRecordingPath();
+
+  session::StreamSession& m_session;
+  Document& m_document;
+  MachineModel& m_machine;
+  Messages& m_messages;
+  streaming::LiveUpdate m_update;
+  std::optional<base::Instant> m_firstMotion;
+  std::size_t m_firstPoint = 0;
+  std::shared_ptr<const streaming::RunReport> m_report;
+  std::optional<session::ResumeQuestion> m_left;  ///< the run that could be resumed
+  std::optional<streaming::Resume> m_resume;      ///< the place found
+};
+
+}  // namespace rivulet::hmi
