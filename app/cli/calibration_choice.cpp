@@ -38,11 +38,6 @@ base::Result<CalibrationChoice> calibrationOf(const Connection& connection) {
   return choice;
 }
 
-opcua::Grouping formOf(base::MethodKind method, const streaming::Calibration& calibration) {
-  // The methods of [P1] are kept as they were published.
-  return base::hasWindows(method) ? calibration.best() : opcua::Grouping::List;
-}
-
 std::string accessSourceText(const CalibrationChoice& choice, opcua::Grouping form,
                              const feasibility::Verdict& verdict) {
   const double t = base::toMilliseconds(verdict.accessTime);

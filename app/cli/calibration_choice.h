@@ -31,10 +31,6 @@ struct CalibrationChoice {
 /// The file of the machine, as `calibrate` has left it. @return what the server's answer says
 [[nodiscard]] base::Result<CalibrationChoice> calibrationOf(const Connection& connection);
 
-/// The form that a run of this method uses if it may choose.
-[[nodiscard]] opcua::Grouping formOf(base::MethodKind method,
-                                     const streaming::Calibration& calibration);
-
 /// "calibrated on 2026-05-04T09:30:00Z …", "assumed [P1]: 4.3 ms per cell".
 [[nodiscard]] std::string accessSourceText(const CalibrationChoice& choice, opcua::Grouping form,
                                            const feasibility::Verdict& verdict);

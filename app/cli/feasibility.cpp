@@ -16,6 +16,7 @@
 #include "report/calibration_json.h"
 #include "report/operating_point.h"
 #include "report/report_json.h"
+#include "streaming/access_policy.h"
 #include "streaming/control_axes.h"
 #include "streaming/pause_placement.h"
 
@@ -147,7 +148,8 @@ Exit feasibility(const FeasibilityOptions& options) {
   }
   opcua::Grouping form = opcua::Grouping::List;
   if (const streaming::CalibrationRecord* record = calibrated.usable()) {
-    form = formOf(point.method, record->calibration);
+    form = streaming::accessPlan(streaming::AccessPreference::Automatic, point.method)
+               .expected(&record->calibration);
     access = report::accessModel(record->calibration, form);
   }
   feasibility::SafetyFactors safety;

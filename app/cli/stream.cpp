@@ -20,11 +20,13 @@
 #include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/report_json.h"
+#include "streaming/access_policy.h"
 #include "streaming/commissioning.h"
 #include "streaming/control_axes.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
+#include "streaming/start_policy.h"
 #include "templates/generator.h"
 #include "trace/file.h"
 #include "trace/recording.h"
@@ -102,39 +104,32 @@ struct Judgement {
   std::optional<feasibility::Verdict> verdict;   ///< nothing for a single point
 };
 
-/// Judged before anything moves. @return why the run must not start; nothing if it may
-std::optional<base::Error> objection(const StreamOptions& options, const Connection& connection,
-                                     const gcode::Program& program,
-                                     const streaming::RunSettings& settings,
-                                     const CalibrationChoice& calibrated, Judgement& judged) {
-  const feasibility::OperatingPoint point = report::operatingPointOf(settings);
-  const gcode::PointList list = gcode::streamPoints(program.trajectory, {});
-  if (list.points.size() < 2 || point.method == base::MethodKind::File) {
-    judged.feasible = true;  // a single point needs no refill; method file waits
-    return std::nullopt;
+streaming::AccessPreference preferenceOf(const std::string& name) {
+  using streaming::AccessPreference;
+  return name == "single"  ? AccessPreference::Single
+         : name == "array" ? AccessPreference::Array
+         : name == "list"  ? AccessPreference::List
+                           : AccessPreference::Automatic;
+}
+
+streaming::RunSettings settingsOf(const StreamOptions& options,
+                                  const gcode::Trajectory& trajectory) {
+  streaming::RunSettings settings;
+  settings.parameters = options.point.parameters();
+  if (options.point.axes.empty()) {
+    settings.parameters = streaming::withTurnedAxes(settings.parameters, trajectory);
   }
-  feasibility::AccessModel access;
-  if (const streaming::CalibrationRecord* record = calibrated.usable()) {
-    judged.form = settings.access == streaming::AccessChoice::Fixed ? settings.grouping
-                                                                    : record->calibration.best();
-    access = report::accessModel(record->calibration, judged.form);
-  }
-  const auto verdict = feasibility::judge(
-      point, feasibility::programDistances(list.points, point.pointsPerLoop), access);
-  if (!verdict) {
-    return verdict.error();
-  }
-  judged.feasible = verdict->feasible;
-  judged.verdict = *verdict;
-  if (judged.feasible || options.acceptInfeasible || connection.control->isVirtualMachine()) {
-    return std::nullopt;
-  }
-  return base::makeError(
-      streaming::StreamError::ProgramNotStreamable,
-      fmt::format("Not feasible: equation {} does not hold, the control would repeat points. "
-                  "Reduce the feed to {:.0f} mm/min, or give --accept-infeasible.",
-                  feasibility::equationLabel(verdict->limiting.equation),
-                  base::mmPerMinFromMmPerS(verdict->feedMmPerSMax)));
+  settings.deltaMm = options.point.deltaMm;
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  const streaming::AccessPlan plan =
+      streaming::accessPlan(preferenceOf(options.access), settings.parameters.method);
+  settings.access = plan.choice;
+  settings.grouping = plan.grouping;
+  settings.monitor = !options.noMonitor;
+  settings.transfer =
+      options.transfer == "by-hand" ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
+  settings.placePauses = !options.evenPauses;
+  return settings;
 }
 
 /// Asks the control where the run of a `stream --json` report resumes.
@@ -288,153 +283,221 @@ base::Result<void> requireTest(const StreamOptions& options, const Connection& c
   return {};
 }
 
-}  // namespace
+/// A run of `stream`: `prepare` looks for what stands in its way, `run` makes it.
+class StreamCommand {
+ public:
+  explicit StreamCommand(const StreamOptions& options) : m_options(options) {}
+  base::Result<void> prepare();
+  [[nodiscard]] Exit run();
 
-Exit stream(const StreamOptions& options) {
-  auto program = gcode::loadProgram(options.file, options.loading.loadOptions());
+ private:
+  base::Result<void> load();
+  base::Result<void> openSource();
+  base::Result<void> connect();
+  base::Result<void> judge();
+  base::Result<void> findResume();
+  base::Result<void> openRecording();
+  [[nodiscard]] Exit show(const streaming::RunReport& done) const;
+
+  const StreamOptions& m_options;
+  gcode::Program m_program;
+  streaming::RunSettings m_settings;
+  std::optional<CorrectionSource> m_source;
+  Connection m_connection;
+  CalibrationChoice m_calibrated;
+  Judgement m_judged;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> m_file{nullptr, std::fclose};
+  std::unique_ptr<trace::RecordingWriter> m_writer;
+};
+
+base::Result<void> StreamCommand::prepare() {
+  for (const auto step :
+       {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
+        &StreamCommand::judge, &StreamCommand::findResume, &StreamCommand::openRecording}) {
+    if (base::Result<void> done = (this->*step)(); !done) {
+      return done;
+    }
+  }
+  return m_settings.transfer == streaming::TransferWay::ByHand
+             ? printSteps(m_options, m_settings.parameters)
+             : base::Result<void>();
+}
+
+base::Result<void> StreamCommand::load() {
+  auto program = gcode::loadProgram(m_options.file, m_options.loading.loadOptions());
   if (!program) {
-    return reportError(program.error(), options.json);
+    return base::fail(program.error());
   }
-  if (program->trajectory.points.empty()) {
-    return reportError(
-        base::makeError(
-            gcode::GcodeError::NoMotion,
-            "The program moves no axis: choose one with G0, G1, G2 or G3 and X, Y or Z.",
-            program->name),
-        options.json);
+  m_program = std::move(*program);
+  if (const auto blocked = streaming::programBlocked(m_program)) {
+    base::Error error = streaming::blockedError(*blocked);
+    error.context = m_program.name;
+    return base::fail(error);
   }
-  program->trajectory = options.resampling.resampled(std::move(program->trajectory));
-  streaming::RunSettings settings;
-  settings.parameters = options.point.parameters();
-  if (options.point.axes.empty()) {
-    settings.parameters = streaming::withTurnedAxes(settings.parameters, program->trajectory);
+  m_program.trajectory = m_options.resampling.resampled(std::move(m_program.trajectory));
+  m_settings = settingsOf(m_options, m_program.trajectory);
+  if (const auto cells = templates::planCells(m_settings.parameters); !cells) {
+    return base::fail(cells.error());
   }
-  settings.deltaMm = options.point.deltaMm;
-  settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
-  settings.grouping = options.access == "single" ? opcua::Grouping::Single : opcua::Grouping::List;
-  if (options.access == "array") {
-    settings.access = streaming::AccessChoice::Array;
-  } else if (options.access == "auto" && base::hasWindows(settings.parameters.method)) {
-    // The other two are kept as they were published.
-    settings.access = streaming::AccessChoice::Best;
-  }
-  settings.monitor = !options.noMonitor;
-  if (options.transfer == "by-hand") {
-    settings.transfer = streaming::TransferWay::ByHand;
-  }
-  settings.placePauses = !options.evenPauses;
+  return m_options.simulate ? base::Result<void>()
+                            : streaming::requireProven(m_settings.parameters);
+}
 
-  if (const auto cells = templates::planCells(settings.parameters); !cells) {
-    return reportError(cells.error(), options.json);
-  }
-  if (!options.simulate) {
-    if (const auto proven = streaming::requireProven(settings.parameters); !proven) {
-      return reportError(proven.error(), options.json);
-    }
-  }
-  std::optional<CorrectionSource> source;
-  if (!options.correct.empty()) {
-    base::Result<CorrectionSource> opened = CorrectionSource::open(options.correct);
+base::Result<void> StreamCommand::openSource() {
+  if (!m_options.correct.empty()) {
+    base::Result<CorrectionSource> opened = CorrectionSource::open(m_options.correct);
     if (!opened) {
-      return reportError(opened.error(), options.json);
+      return base::fail(opened.error());
     }
-    source.emplace(std::move(*opened));
+    m_source.emplace(std::move(*opened));
   }
-  auto connection =
-      options.simulate ? simulate(options.preset, options.seed) : connectTo(options.endpoint);
+  return {};
+}
+
+base::Result<void> StreamCommand::connect() {
+  auto connection = m_options.simulate ? simulate(m_options.preset, m_options.seed)
+                                       : connectTo(m_options.endpoint);
   if (!connection) {
-    return reportError(connection.error(), options.json);
+    return base::fail(connection.error());
   }
-  if (settings.parameters.method == base::MethodKind::Credit) {
-    if (const auto tested = requireTest(options, *connection); !tested) {
-      return reportError(tested.error(), options.json);
+  m_connection = std::move(*connection);
+  if (base::needsCommissioning(m_settings.parameters.method)) {
+    if (base::Result<void> tested = requireTest(m_options, m_connection); !tested) {
+      return tested;
     }
-    settings.isCommissioned = true;
+    m_settings.isCommissioned = true;
   }
-  CalibrationChoice calibrated;
-  if (!options.simulate) {
-    auto choice = calibrationOf(*connection);
+  if (!m_options.simulate) {
+    auto choice = calibrationOf(m_connection);
     if (!choice) {
-      return reportError(choice.error(), options.json);
+      return base::fail(choice.error());
     }
-    calibrated = std::move(*choice);
-    if (const streaming::CalibrationRecord* record = calibrated.usable()) {
-      settings.calibration = std::make_shared<const streaming::Calibration>(record->calibration);
+    m_calibrated = std::move(*choice);
+    if (const streaming::CalibrationRecord* record = m_calibrated.usable()) {
+      m_settings.calibration = std::make_shared<const streaming::Calibration>(record->calibration);
     }
   }
-  Judgement judged;
-  if (const auto error = objection(options, *connection, *program, settings, calibrated, judged)) {
-    return reportError(*error, options.json);
-  }
+  return {};
+}
 
-  if (!options.resume.empty()) {
-    const auto resume = resumeOf(options.resume, *connection, *program, settings);
+base::Result<void> StreamCommand::judge() {
+  streaming::StartFacts facts;
+  facts.isConnected = true;
+  facts.program = &m_program;
+  facts.turnedAxes = gcode::turnedAxes(m_program.trajectory);
+  facts.method = m_settings.parameters.method;
+  // Wrong motion of a virtual machine does no harm.
+  facts.acceptsInfeasible = m_options.acceptInfeasible || m_connection.control->isVirtualMachine();
+  const feasibility::OperatingPoint point = report::operatingPointOf(m_settings);
+  const gcode::PointList list = gcode::streamPoints(m_program.trajectory, {});
+  m_judged.feasible = true;  // a single point needs no refill; method file waits
+  if (list.points.size() >= 2 && point.method != base::MethodKind::File) {
+    feasibility::AccessModel access;
+    if (m_settings.calibration) {
+      m_judged.form = streaming::AccessPlan{m_settings.access, m_settings.grouping}.expected(
+          m_settings.calibration.get());
+      access = report::accessModel(*m_settings.calibration, m_judged.form);
+    }
+    const auto verdict = feasibility::judge(
+        point, feasibility::programDistances(list.points, point.pointsPerLoop), access);
+    if (!verdict) {
+      return base::fail(verdict.error());
+    }
+    m_judged.feasible = verdict->feasible;
+    m_judged.verdict = *verdict;
+    facts.verdict = *verdict;
+  }
+  const auto blocked = streaming::startBlocked(facts);
+  if (!blocked) {
+    return {};
+  }
+  base::Error error = streaming::blockedError(*blocked);
+  if (blocked->reason == streaming::BlockReason::Infeasible) {
+    error.message += " Or give --accept-infeasible.";
+  }
+  return base::fail(error);
+}
+
+base::Result<void> StreamCommand::findResume() {
+  if (!m_options.resume.empty()) {
+    const auto resume = resumeOf(m_options.resume, m_connection, m_program, m_settings);
     if (!resume) {
-      return reportError(resume.error(), options.json);
+      return base::fail(resume.error());
     }
-    settings.resume = *resume;
+    m_settings.resume = *resume;
   }
+  return {};
+}
 
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(nullptr, std::fclose);
-  std::unique_ptr<trace::RecordingWriter> writer;
-  if (!options.record.empty()) {
-    file.reset(std::fopen(options.record.c_str(), "wb"));
-    if (!file) {
-      return reportError(
-          base::makeError(trace::TraceError::FileNotWritable,
-                          "The recording cannot be written. Check the folder and the permissions.",
-                          options.record),
-          options.json);
-    }
-    writer = std::make_unique<trace::RecordingWriter>([&file](std::string_view text) {
-      return std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() &&
-             std::fflush(file.get()) == 0;
-    });
+base::Result<void> StreamCommand::openRecording() {
+  if (m_options.record.empty()) {
+    return {};
   }
+  m_file.reset(std::fopen(m_options.record.c_str(), "wb"));
+  if (!m_file) {
+    return base::fail(trace::TraceError::FileNotWritable,
+                      "The recording cannot be written. Check the folder and the permissions.",
+                      m_options.record);
+  }
+  m_writer = std::make_unique<trace::RecordingWriter>([file = m_file.get()](std::string_view text) {
+    return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
+  });
+  return {};
+}
+
+Exit StreamCommand::run() {
   streaming::JobRecorder recorder;
-  recorder.writer = writer.get();
+  recorder.writer = m_writer.get();
   recorder.start.toolVersion = RIVULET_VERSION;
-  recorder.start.endpoint = connection->name;
+  recorder.start.endpoint = m_connection.name;
   recorder.start.startedAtUtc = utcNow();
-
-  if (settings.transfer == streaming::TransferWay::ByHand) {
-    if (const auto printed = printSteps(options, settings.parameters); !printed) {
-      return reportError(printed.error(), options.json);
-    }
-  }
   watchForInterrupt();
-  ConsoleOrders orders(options.stopAfterS, source ? &*source : nullptr);
-  streaming::RunReport report;
+  ConsoleOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr);
+  streaming::RunReport done;
   {
-    ConsoleSink sink;
-    report = streaming::runJob(*connection->link, *connection->control, *program, settings, orders,
-                               sink, recorder);
+    ConsoleSink sink;  // takes its line away at the end
+    done = streaming::runJob(*m_connection.link, *m_connection.control, m_program, m_settings,
+                             orders, sink, recorder);
   }
-  const bool recorded = !writer || writer->ok();
-  if (options.json) {
-    nlohmann::ordered_json json = report::runJson(report);
-    json["feasible"] = judged.feasible;
-    if (judged.verdict) {
-      json["access_time"] = accessSourceJson(calibrated, judged.form, *judged.verdict);
+  return show(done);
+}
+
+Exit StreamCommand::show(const streaming::RunReport& done) const {
+  const bool isRecorded = !m_writer || m_writer->ok();
+  if (m_options.json) {
+    nlohmann::ordered_json json = report::runJson(done);
+    json["feasible"] = m_judged.feasible;
+    if (m_judged.verdict) {
+      json["access_time"] = accessSourceJson(m_calibrated, m_judged.form, *m_judged.verdict);
     }
-    json["endpoint"] = connection->name;
-    if (!options.record.empty()) {
-      json["recording"] = options.record;
+    json["endpoint"] = m_connection.name;
+    if (!m_options.record.empty()) {
+      json["recording"] = m_options.record;
     }
     printJson(json);
   } else {
-    print(report, calibrated, judged);
+    print(done, m_calibrated, m_judged);
   }
-  if (!recorded) {
+  if (!isRecorded) {
     fmt::print(
         stderr,
         "rivulet-cli: {}: The recording is incomplete: the disk is full or cannot be written.\n",
-        options.record);
+        m_options.record);
   }
-  if (report.error.code && exitFor(report.error) == Exit::Connection) {
+  if (done.error.code && exitFor(done.error) == Exit::Connection) {
     return Exit::Connection;
   }
-  return report.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
+  return done.finding() != streaming::RunFinding::Faulty && isRecorded ? Exit::Done : Exit::Wrong;
+}
+
+}  // namespace
+
+Exit stream(const StreamOptions& options) {
+  StreamCommand command(options);
+  if (const base::Result<void> prepared = command.prepare(); !prepared) {
+    return reportError(prepared.error(), options.json);
+  }
+  return command.run();
 }
 
 }  // namespace rivulet::cli
