@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <memory>
 
 #include "cli/commands.h"
 #include "experiments/catalogue.h"
@@ -123,6 +124,252 @@ void addJson(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "Print the result as JSON");
 }
 
+void addCheckCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::CheckOptions>();
+  CLI::App* command =
+      app.add_subcommand("check", "Read NC programs and print their facts and findings");
+  command->add_option("FILE", options->files, "NC programs, or folders of NC programs")->required();
+  addLoading(command, options->loading);
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::check(*options); });
+}
+
+void addPointsCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::PointsOptions>();
+  CLI::App* command = app.add_subcommand("points", "Write the points of an NC program as a table");
+  command->add_option("FILE", options->file, "NC program")->required();
+  addLoading(command, options->loading);
+  command->add_option("-o,--output", options->output, "File to write");
+  command->add_flag("--keep-arcs", options->keepArcs, "One point per arc instead of chords");
+  addResampling(command, options->resampling);
+  command->callback([options, &exit] { exit = rivulet::cli::points(*options); });
+}
+
+void addFeasibilityCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::FeasibilityOptions>();
+  CLI::App* command =
+      app.add_subcommand("feasibility", "Judge an operating point before anything moves");
+  addPoint(command, options->point);
+  addDelta(command, options->point);
+  addAxes(command, options->point);
+  addFeed(command, options->point)->required();
+  addLoading(command, options->loading);
+  addResampling(command, options->resampling);
+  auto* program = command->add_option("--program", options->program, "NC program");
+  auto* distance = command
+                       ->add_option("--d-min", options->pointDistanceMm,
+                                    "Smallest distance of neighbouring points, mm")
+                       ->check(kPositive);
+  program->excludes(distance);
+  command->add_option("--access-time", options->accessTimeMs, "OPC UA access time per node, ms")
+      ->check(kPositive)
+      ->capture_default_str();
+  auto* calibrationFile = command->add_option("--calibration", options->calibration,
+                                              "Measured access time: file of calibrate --output");
+  command
+      ->add_option("--endpoint", options->endpoint,
+                   "Measured access time: stored by calibrate for this OPC UA server")
+      ->excludes(calibrationFile);
+  command->add_option("--delta-safety", options->deltaSafety, "Safety factor on (2)")
+      ->check(kPositive)
+      ->capture_default_str();
+  command
+      ->add_option("--preset", options->preset,
+                   "Machine whose axes determine the cost of pauses: preset or TOML file")
+      ->capture_default_str();
+  addJson(command, options->json);
+  command->callback([options, &exit] {
+    if (options->program.empty() && !options->pointDistanceMm) {
+      throw CLI::RequiredError("--program or --d-min");
+    }
+    exit = rivulet::cli::feasibility(*options);
+  });
+}
+
+void addTemplateCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::TemplateOptions>();
+  CLI::App* command = app.add_subcommand("template", "Write the flexible program for the control");
+  addPoint(command, options->point);
+  addLayout(command, options->point);
+  command
+      ->add_option("--r-parameters", options->rParameterCount,
+                   "R-parameters of the control (MD28050)")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "File to write");
+  auto* lintOption = command->add_option(
+      "--lint", options->lint,
+      "Look for faults in this flexible program, which was made for the same settings");
+  auto* outputOption = command->get_option("--output");
+  lintOption->excludes(outputOption);
+  command->add_flag("--verify", options->verify,
+                    "Look for faults and run the program on the virtual machine");
+  command->add_option("--preset", options->preset, "Machine of --verify: a name or a file")
+      ->capture_default_str();
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::makeTemplate(*options); });
+}
+
+void addStreamCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::StreamOptions>();
+  CLI::App* command = app.add_subcommand("stream", "Stream an NC program to a control");
+  command->add_option("FILE", options->file, "NC program")->required();
+  addLoading(command, options->loading);
+  addResampling(command, options->resampling);
+  addPoint(command, options->point);
+  addDelta(command, options->point);
+  addFeed(command, options->point)->required();
+  addLayout(command, options->point);
+  auto* endpoint = command->add_option("--endpoint", options->endpoint, "OPC UA server");
+  auto* simulate =
+      command->add_flag("--simulate", options->simulate, "Virtual machine in virtual time");
+  endpoint->excludes(simulate);
+  command->add_option("--preset", options->preset, "Machine of --simulate: a name or a file")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
+  command->add_option("--record", options->record, "File for the recording of the run");
+  command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
+      ->check(kPositive);
+  command->add_option("--resume", options->resume,
+                      "Resume the run of this JSON report (methods window and credit)");
+  command
+      ->add_option("--access", options->access,
+                   "How several R-parameters travel; auto: the best form the control understands")
+      ->check(CLI::IsMember({"auto", "single", "list", "array"}))
+      ->capture_default_str();
+  auto* byHand =
+      command
+          ->add_option("--transfer", options->transfer,
+                       "Who transfers the flexible program to the control; auto: Rivulet, through "
+                       "the server's file methods; by-hand: you, the steps are printed")
+          ->check(CLI::IsMember({"auto", "by-hand"}))
+          ->capture_default_str();
+  command
+      ->add_option("--program-file", options->programFile,
+                   "by-hand: file for the flexible program (default: its name, in this folder)")
+      ->needs(byHand);
+  command
+      ->add_option(
+          "--correct", options->correct,
+          "Live source of corrections, with lines like X 0.01 Y -0.02; - is standard input")
+      ->needs(command->get_option("--correction-limit"));
+  command->add_flag("--no-monitor", options->noMonitor, "No reads for the display");
+  command->add_flag("--even-pauses", options->evenPauses,
+                    "Method window: windows of M points each, wherever they end");
+  command->add_flag("--accept-infeasible", options->acceptInfeasible,
+                    "Start on a real control although the verdict is not feasible");
+  addJson(command, options->json);
+  command->callback([options, &exit] {
+    if (!options->simulate && options->endpoint.empty()) {
+      throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    exit = rivulet::cli::stream(*options);
+  });
+}
+
+void addAnalyseCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::AnalyseOptions>();
+  CLI::App* command = app.add_subcommand("analyse", "Analyse a recording");
+  command->add_option("RECORDING", options->file, "File of stream --record")->required();
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::analyse(*options); });
+}
+
+void addCalibrateCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::CalibrateOptions>();
+  CLI::App* command =
+      app.add_subcommand("calibrate", "Measure how long it takes to read and write R-parameters");
+  auto* measured = command->add_option("--endpoint", options->endpoint, "OPC UA server");
+  auto* virtually = command->add_flag("--simulate", options->simulate, "Virtual machine");
+  measured->excludes(virtually);
+  command->add_flag("--no-arrays", options->noArrays,
+                    "Do not try arrays: only the present values are written");
+  command->add_option("--preset", options->preset, "Machine of --simulate")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
+  command->add_option("--first-cell", options->firstCell, "First R-parameter that nobody uses")
+      ->required();
+  command->add_option("--last-cell", options->lastCell, "Last R-parameter that nobody uses")
+      ->required();
+  command->add_option("--shots", options->shots, "Requests of each kind")
+      ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  command
+      ->add_option("--budget", options->budgetS,
+                   "Time limit, s; to keep it, the longest kinds get fewer shots; 0: no limit")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_flag("--yes", options->confirmed,
+                    "Confirm that the cells of the real control may be written");
+  command->add_option("-o,--output", options->output, "File for feasibility --calibration");
+  addJson(command, options->json);
+  command->callback([options, &exit] {
+    if (!options->simulate && options->endpoint.empty()) {
+      throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    exit = rivulet::cli::calibrate(*options);
+  });
+}
+
+void addCommissionCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::CommissionOptions>();
+  CLI::App* command = app.add_subcommand(
+      "commission", "Test whether method credit may run on a control; moves no axis");
+  auto* tested = command->add_option("--endpoint", options->endpoint, "OPC UA server");
+  auto* pretended = command->add_flag("--simulate", options->simulate, "Virtual machine");
+  tested->excludes(pretended);
+  command->add_option("--preset", options->preset, "Machine of --simulate")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
+  command
+      ->add_option("--base-cell", options->baseCell, "First of ten R-parameters that nobody uses")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--transfer", options->transfer,
+          "Who transfers the program of the test to the control; by-hand: you, with --print")
+      ->check(CLI::IsMember({"auto", "by-hand"}))
+      ->capture_default_str();
+  command->add_flag("--print", options->printProgram,
+                    "Print the program of the test and do nothing else");
+  addJson(command, options->json);
+  command->callback([options, &exit] {
+    if (!options->simulate && options->endpoint.empty() && !options->printProgram) {
+      throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    exit = rivulet::cli::commission(*options);
+  });
+}
+
+void addExperimentCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::ExperimentCommandOptions>();
+  CLI::App* command = app.add_subcommand(
+      "experiment", "Repeat the experiments of the paper and compare the figures");
+  std::vector<std::string> experiments = rivulet::experiments::experimentNames();
+  experiments.insert(experiments.end(), {"lookahead", "all"});
+  command->add_option("NAME", options->names, "Experiments, or all")
+      ->required()
+      ->check(CLI::IsMember(experiments));
+  command->add_option("--seeds", options->seeds, "Runs per point (shots, contours)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--preset", options->preset, "Virtual machine: a name or a file")
+      ->capture_default_str();
+  command->add_option("--endpoint", options->endpoint,
+                      "OPC UA server instead of virtual time (table1, figure2)");
+  command->add_option("--recordings", options->recordings,
+                      "Recordings of another motion planner, for lookahead");
+  command->add_option("--threads", options->threads, "0: one per core")->check(CLI::Range(0, 1024));
+  command->add_option("--json", options->json, "File for all figures");
+  command->add_option("--csv", options->csv, "File for all figures");
+  command->add_option("--plot", options->plot, "File for the plot, .svg");
+  command->add_option("--report", options->report, "Folder for fidelity.md and its pictures");
+  command->callback([options, &exit] {
+    if (options->recordings.empty() &&
+        std::count(options->names.begin(), options->names.end(), "lookahead") > 0) {
+      throw CLI::RequiredError("--recordings");
+    }
+    exit = rivulet::cli::experiment(*options);
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -131,250 +378,15 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", RIVULET_VERSION);
   app.require_subcommand(1);
   Exit exit = Exit::Done;
-
-  rivulet::cli::CheckOptions check;
-  CLI::App* checkCommand =
-      app.add_subcommand("check", "Read NC programs and print their facts and findings");
-  checkCommand->add_option("FILE", check.files, "NC programs, or folders of NC programs")
-      ->required();
-  addLoading(checkCommand, check.loading);
-  addJson(checkCommand, check.json);
-  checkCommand->callback([&] { exit = rivulet::cli::check(check); });
-
-  rivulet::cli::PointsOptions points;
-  CLI::App* pointsCommand =
-      app.add_subcommand("points", "Write the points of an NC program as a table");
-  pointsCommand->add_option("FILE", points.file, "NC program")->required();
-  addLoading(pointsCommand, points.loading);
-  pointsCommand->add_option("-o,--output", points.output, "File to write");
-  pointsCommand->add_flag("--keep-arcs", points.keepArcs, "One point per arc instead of chords");
-  addResampling(pointsCommand, points.resampling);
-  pointsCommand->callback([&] { exit = rivulet::cli::points(points); });
-
-  rivulet::cli::FeasibilityOptions feasibility;
-  CLI::App* feasibilityCommand =
-      app.add_subcommand("feasibility", "Judge an operating point before anything moves");
-  addPoint(feasibilityCommand, feasibility.point);
-  addDelta(feasibilityCommand, feasibility.point);
-  addAxes(feasibilityCommand, feasibility.point);
-  addFeed(feasibilityCommand, feasibility.point)->required();
-  addLoading(feasibilityCommand, feasibility.loading);
-  addResampling(feasibilityCommand, feasibility.resampling);
-  auto* program = feasibilityCommand->add_option("--program", feasibility.program, "NC program");
-  auto* distance = feasibilityCommand
-                       ->add_option("--d-min", feasibility.pointDistanceMm,
-                                    "Smallest distance of neighbouring points, mm")
-                       ->check(kPositive);
-  program->excludes(distance);
-  feasibilityCommand
-      ->add_option("--access-time", feasibility.accessTimeMs, "OPC UA access time per node, ms")
-      ->check(kPositive)
-      ->capture_default_str();
-  auto* calibrationFile = feasibilityCommand->add_option(
-      "--calibration", feasibility.calibration, "Measured access time: file of calibrate --output");
-  feasibilityCommand
-      ->add_option("--endpoint", feasibility.endpoint,
-                   "Measured access time: stored by calibrate for this OPC UA server")
-      ->excludes(calibrationFile);
-  feasibilityCommand->add_option("--delta-safety", feasibility.deltaSafety, "Safety factor on (2)")
-      ->check(kPositive)
-      ->capture_default_str();
-  feasibilityCommand
-      ->add_option("--preset", feasibility.preset,
-                   "Machine whose axes determine the cost of pauses: preset or TOML file")
-      ->capture_default_str();
-  addJson(feasibilityCommand, feasibility.json);
-  feasibilityCommand->callback([&] {
-    if (feasibility.program.empty() && !feasibility.pointDistanceMm) {
-      throw CLI::RequiredError("--program or --d-min");
-    }
-    exit = rivulet::cli::feasibility(feasibility);
-  });
-
-  rivulet::cli::TemplateOptions makeTemplate;
-  CLI::App* templateCommand =
-      app.add_subcommand("template", "Write the flexible program for the control");
-  addPoint(templateCommand, makeTemplate.point);
-  addLayout(templateCommand, makeTemplate.point);
-  templateCommand
-      ->add_option("--r-parameters", makeTemplate.rParameterCount,
-                   "R-parameters of the control (MD28050)")
-      ->capture_default_str();
-  templateCommand->add_option("-o,--output", makeTemplate.output, "File to write");
-  auto* lintOption = templateCommand->add_option(
-      "--lint", makeTemplate.lint,
-      "Look for faults in this flexible program, which was made for the same settings");
-  auto* outputOption = templateCommand->get_option("--output");
-  lintOption->excludes(outputOption);
-  templateCommand->add_flag("--verify", makeTemplate.verify,
-                            "Look for faults and run the program on the virtual machine");
-  templateCommand
-      ->add_option("--preset", makeTemplate.preset, "Machine of --verify: a name or a file")
-      ->capture_default_str();
-  addJson(templateCommand, makeTemplate.json);
-  templateCommand->callback([&] { exit = rivulet::cli::makeTemplate(makeTemplate); });
-
-  rivulet::cli::StreamOptions stream;
-  CLI::App* streamCommand = app.add_subcommand("stream", "Stream an NC program to a control");
-  streamCommand->add_option("FILE", stream.file, "NC program")->required();
-  addLoading(streamCommand, stream.loading);
-  addResampling(streamCommand, stream.resampling);
-  addPoint(streamCommand, stream.point);
-  addDelta(streamCommand, stream.point);
-  addFeed(streamCommand, stream.point)->required();
-  addLayout(streamCommand, stream.point);
-  auto* endpoint = streamCommand->add_option("--endpoint", stream.endpoint, "OPC UA server");
-  auto* simulate =
-      streamCommand->add_flag("--simulate", stream.simulate, "Virtual machine in virtual time");
-  endpoint->excludes(simulate);
-  streamCommand->add_option("--preset", stream.preset, "Machine of --simulate: a name or a file")
-      ->capture_default_str();
-  streamCommand->add_option("--seed", stream.seed, "Seed of --simulate")->capture_default_str();
-  streamCommand->add_option("--record", stream.record, "File for the recording of the run");
-  streamCommand
-      ->add_option("--stop-after", stream.stopAfterS, "Request a stop after this many seconds")
-      ->check(kPositive);
-  streamCommand->add_option("--resume", stream.resume,
-                            "Resume the run of this JSON report (methods window and credit)");
-  streamCommand
-      ->add_option("--access", stream.access,
-                   "How several R-parameters travel; auto: the best form the control understands")
-      ->check(CLI::IsMember({"auto", "single", "list", "array"}))
-      ->capture_default_str();
-  auto* byHand =
-      streamCommand
-          ->add_option("--transfer", stream.transfer,
-                       "Who transfers the flexible program to the control; auto: Rivulet, through "
-                       "the server's file methods; by-hand: you, the steps are printed")
-          ->check(CLI::IsMember({"auto", "by-hand"}))
-          ->capture_default_str();
-  streamCommand
-      ->add_option("--program-file", stream.programFile,
-                   "by-hand: file for the flexible program (default: its name, in this folder)")
-      ->needs(byHand);
-  streamCommand
-      ->add_option(
-          "--correct", stream.correct,
-          "Live source of corrections, with lines like X 0.01 Y -0.02; - is standard input")
-      ->needs(streamCommand->get_option("--correction-limit"));
-  streamCommand->add_flag("--no-monitor", stream.noMonitor, "No reads for the display");
-  streamCommand->add_flag("--even-pauses", stream.evenPauses,
-                          "Method window: windows of M points each, wherever they end");
-  streamCommand->add_flag("--accept-infeasible", stream.acceptInfeasible,
-                          "Start on a real control although the verdict is not feasible");
-  addJson(streamCommand, stream.json);
-  streamCommand->callback([&] {
-    if (!stream.simulate && stream.endpoint.empty()) {
-      throw CLI::RequiredError("--endpoint or --simulate");
-    }
-    exit = rivulet::cli::stream(stream);
-  });
-
-  rivulet::cli::AnalyseOptions analyse;
-  CLI::App* analyseCommand = app.add_subcommand("analyse", "Analyse a recording");
-  analyseCommand->add_option("RECORDING", analyse.file, "File of stream --record")->required();
-  addJson(analyseCommand, analyse.json);
-  analyseCommand->callback([&] { exit = rivulet::cli::analyse(analyse); });
-
-  rivulet::cli::CalibrateOptions calibrate;
-  CLI::App* calibrateCommand =
-      app.add_subcommand("calibrate", "Measure how long it takes to read and write R-parameters");
-  auto* measured = calibrateCommand->add_option("--endpoint", calibrate.endpoint, "OPC UA server");
-  auto* virtually = calibrateCommand->add_flag("--simulate", calibrate.simulate, "Virtual machine");
-  measured->excludes(virtually);
-  calibrateCommand->add_flag("--no-arrays", calibrate.noArrays,
-                             "Do not try arrays: only the present values are written");
-  calibrateCommand->add_option("--preset", calibrate.preset, "Machine of --simulate")
-      ->capture_default_str();
-  calibrateCommand->add_option("--seed", calibrate.seed, "Seed of --simulate")
-      ->capture_default_str();
-  calibrateCommand
-      ->add_option("--first-cell", calibrate.firstCell, "First R-parameter that nobody uses")
-      ->required();
-  calibrateCommand
-      ->add_option("--last-cell", calibrate.lastCell, "Last R-parameter that nobody uses")
-      ->required();
-  calibrateCommand->add_option("--shots", calibrate.shots, "Requests of each kind")
-      ->check(CLI::Range(2, 100000))
-      ->capture_default_str();
-  calibrateCommand
-      ->add_option("--budget", calibrate.budgetS,
-                   "Time limit, s; to keep it, the longest kinds get fewer shots; 0: no limit")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  calibrateCommand->add_flag("--yes", calibrate.confirmed,
-                             "Confirm that the cells of the real control may be written");
-  calibrateCommand->add_option("-o,--output", calibrate.output,
-                               "File for feasibility --calibration");
-  addJson(calibrateCommand, calibrate.json);
-  calibrateCommand->callback([&] {
-    if (!calibrate.simulate && calibrate.endpoint.empty()) {
-      throw CLI::RequiredError("--endpoint or --simulate");
-    }
-    exit = rivulet::cli::calibrate(calibrate);
-  });
-
-  rivulet::cli::CommissionOptions commission;
-  CLI::App* commissionCommand = app.add_subcommand(
-      "commission", "Test whether method credit may run on a control; moves no axis");
-  auto* tested = commissionCommand->add_option("--endpoint", commission.endpoint, "OPC UA server");
-  auto* pretended =
-      commissionCommand->add_flag("--simulate", commission.simulate, "Virtual machine");
-  tested->excludes(pretended);
-  commissionCommand->add_option("--preset", commission.preset, "Machine of --simulate")
-      ->capture_default_str();
-  commissionCommand->add_option("--seed", commission.seed, "Seed of --simulate")
-      ->capture_default_str();
-  commissionCommand
-      ->add_option("--base-cell", commission.baseCell, "First of ten R-parameters that nobody uses")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
-  commissionCommand
-      ->add_option(
-          "--transfer", commission.transfer,
-          "Who transfers the program of the test to the control; by-hand: you, with --print")
-      ->check(CLI::IsMember({"auto", "by-hand"}))
-      ->capture_default_str();
-  commissionCommand->add_flag("--print", commission.printProgram,
-                              "Print the program of the test and do nothing else");
-  addJson(commissionCommand, commission.json);
-  commissionCommand->callback([&] {
-    if (!commission.simulate && commission.endpoint.empty() && !commission.printProgram) {
-      throw CLI::RequiredError("--endpoint or --simulate");
-    }
-    exit = rivulet::cli::commission(commission);
-  });
-
-  rivulet::cli::ExperimentCommandOptions experiment;
-  CLI::App* experimentCommand = app.add_subcommand(
-      "experiment", "Repeat the experiments of the paper and compare the figures");
-  std::vector<std::string> experiments = rivulet::experiments::experimentNames();
-  experiments.insert(experiments.end(), {"lookahead", "all"});
-  experimentCommand->add_option("NAME", experiment.names, "Experiments, or all")
-      ->required()
-      ->check(CLI::IsMember(experiments));
-  experimentCommand->add_option("--seeds", experiment.seeds, "Runs per point (shots, contours)")
-      ->check(CLI::Range(1, 1000000));
-  experimentCommand->add_option("--preset", experiment.preset, "Virtual machine: a name or a file")
-      ->capture_default_str();
-  experimentCommand->add_option("--endpoint", experiment.endpoint,
-                                "OPC UA server instead of virtual time (table1, figure2)");
-  experimentCommand->add_option("--recordings", experiment.recordings,
-                                "Recordings of another motion planner, for lookahead");
-  experimentCommand->add_option("--threads", experiment.threads, "0: one per core")
-      ->check(CLI::Range(0, 1024));
-  experimentCommand->add_option("--json", experiment.json, "File for all figures");
-  experimentCommand->add_option("--csv", experiment.csv, "File for all figures");
-  experimentCommand->add_option("--plot", experiment.plot, "File for the plot, .svg");
-  experimentCommand->add_option("--report", experiment.report,
-                                "Folder for fidelity.md and its pictures");
-  experimentCommand->callback([&] {
-    if (experiment.recordings.empty() &&
-        std::count(experiment.names.begin(), experiment.names.end(), "lookahead") > 0) {
-      throw CLI::RequiredError("--recordings");
-    }
-    exit = rivulet::cli::experiment(experiment);
-  });
+  addCheckCommand(app, exit);
+  addPointsCommand(app, exit);
+  addFeasibilityCommand(app, exit);
+  addTemplateCommand(app, exit);
+  addStreamCommand(app, exit);
+  addAnalyseCommand(app, exit);
+  addCalibrateCommand(app, exit);
+  addCommissionCommand(app, exit);
+  addExperimentCommand(app, exit);
 
   try {
     app.parse(argc, argv);
