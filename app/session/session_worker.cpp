@@ -305,11 +305,12 @@ void SessionWorker::start(const StartOrder& order) {
   const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;
-  tell(RunFinished{std::move(report), recorded ? order.recordingPath : std::string()});
   if (lost) {
-    m_connection = {};
+    // Told first: whoever hears of the end of the run knows that there is no connection.
     tell(LinkChanged{LinkState::Lost, error, false, {}});
+    m_connection = {};
   }
+  tell(RunFinished{std::move(report), recorded ? order.recordingPath : std::string()});
 }
 
 void SessionWorker::calibrate(const CalibrateOrder& order) {
@@ -348,12 +349,12 @@ void SessionWorker::calibrate(const CalibrateOrder& order) {
     return;
   }
   const base::Error error = calibration.error();
-  tell(CalibrationFinished{nullptr, error});
   if (error.code == opcua::LinkError::ConnectionLost) {
-    // The new connection was for the cells only: the operator decides whether to go on.
-    m_connection = {};
+    // The new connection was for the cells only: the operator decides whether to connect again.
     tell(LinkChanged{LinkState::Lost, error, false, {}});
+    m_connection = {};
   }
+  tell(CalibrationFinished{nullptr, error});
 }
 
 }  // namespace rivulet::session
