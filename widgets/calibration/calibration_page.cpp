@@ -106,6 +106,22 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   actions->addSpacing(8);
   actions->addWidget(m_hint, 2, Qt::AlignVCenter);
 
+  buildTabs();
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(choices);
+  layout->addWidget(m_arrays);
+  layout->addWidget(m_confirm);
+  layout->addLayout(actions);
+  layout->addWidget(m_state);
+  layout->addWidget(m_tabs, 1);
+  layout->addStretch();
+
+  connectFields();
+  retranslate();
+  restyle();
+}
+
+void CalibrationPage::buildTabs() {
   auto* linesPage = new QWidget(this);
   auto* lines = new QVBoxLayout(linesPage);
   lines->setContentsMargins(0, 6, 0, 0);
@@ -123,16 +139,9 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   m_tabs->addTab(linesPage, QString());
   m_tabs->addTab(spreadPage, QString());
   m_tabs->setDocumentMode(true);
+}
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(choices);
-  layout->addWidget(m_arrays);
-  layout->addWidget(m_confirm);
-  layout->addLayout(actions);
-  layout->addWidget(m_state);
-  layout->addWidget(m_tabs, 1);
-  layout->addStretch();
-
+void CalibrationPage::connectFields() {
   for (QSpinBox* cell : {m_firstCell, m_lastCell}) {
     connect(cell, &QSpinBox::valueChanged, this, &CalibrationPage::cellsChanged);
   }
@@ -149,8 +158,6 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   connect(m_cancel, &QPushButton::clicked, this, &CalibrationPage::cancelRequested);
   connect(m_seriesTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &CalibrationPage::showSelected);
-  retranslate();
-  restyle();
 }
 
 void CalibrationPage::setBlocked(const QString& reason) {

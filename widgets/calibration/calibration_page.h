@@ -58,6 +58,8 @@ class CalibrationPage final : public Page {
   void restyle() override;
 
  private:
+  void buildTabs();
+  void connectFields();
   void cellsChanged();
   void showSelected();
   void refresh();

@@ -56,6 +56,36 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
       m_alarm(new StatusLabel(this)),
       m_messageLabel(new QLabel(this)),
       m_message(makeValueLabel(this)) {
+  buildConnection();
+  buildReadouts();
+  buildMachine();
+
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(m_connectionGroup);
+  layout->addWidget(m_positionGroup);
+  layout->addWidget(m_machineGroup);
+  layout->addStretch();
+  setMinimumWidth(330);
+
+  const auto request = [this] {
+    if (m_state == ConnectionState::Connected || m_state == ConnectionState::Connecting) {
+      Q_EMIT disconnectRequested();
+    } else {
+      Q_EMIT connectRequested(endpoint());
+    }
+  };
+  connect(m_connect, &QPushButton::clicked, this, request);
+  connect(m_endpoint, &QLineEdit::returnPressed, this, [this] {
+    if (m_endpoint->isEnabled() && !endpoint().isEmpty()) {
+      Q_EMIT connectRequested(endpoint());
+    }
+  });
+  connect(m_endpoint, &QLineEdit::textChanged, this, [this] { showConnection(); });
+  retranslate();
+  restyle();
+}
+
+void ConnectionPanel::buildConnection() {
   m_endpoint->setMinimumHeight(36);
   m_endpoint->setText(QStringLiteral("opc.tcp://127.0.0.1:4840"));
   m_endpointLabel->setBuddy(m_endpoint);
@@ -69,7 +99,9 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
   connection->addWidget(m_connectionStatus, 2, 0, 1, 2);
   connection->addWidget(m_virtualBadge, 3, 0, 1, 2);
   connection->setColumnStretch(0, 1);
+}
 
+void ConnectionPanel::buildReadouts() {
   auto* position = new QGridLayout(m_positionGroup);
   position->setHorizontalSpacing(10);
   position->setVerticalSpacing(2);
@@ -97,7 +129,9 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
   position->addWidget(m_feedValue, row, 1);
   position->addWidget(m_feedUnit, row, 2);
   position->addWidget(m_freshness, row + 1, 0, 1, 3);
+}
 
+void ConnectionPanel::buildMachine() {
   m_programName->setWordWrap(true);
   m_message->setWordWrap(true);
   m_alarm->setWordWrap(true);
@@ -109,30 +143,6 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
   machine->addRow(m_programNameLabel, m_programName);
   machine->addRow(m_alarmLabel, m_alarm);
   machine->addRow(m_messageLabel, m_message);
-
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_connectionGroup);
-  layout->addWidget(m_positionGroup);
-  layout->addWidget(m_machineGroup);
-  layout->addStretch();
-  setMinimumWidth(330);
-
-  const auto request = [this] {
-    if (m_state == ConnectionState::Connected || m_state == ConnectionState::Connecting) {
-      Q_EMIT disconnectRequested();
-    } else {
-      Q_EMIT connectRequested(endpoint());
-    }
-  };
-  connect(m_connect, &QPushButton::clicked, this, request);
-  connect(m_endpoint, &QLineEdit::returnPressed, this, [this] {
-    if (m_endpoint->isEnabled() && !endpoint().isEmpty()) {
-      Q_EMIT connectRequested(endpoint());
-    }
-  });
-  connect(m_endpoint, &QLineEdit::textChanged, this, [this] { showConnection(); });
-  retranslate();
-  restyle();
 }
 
 void ConnectionPanel::setEndpoint(const QString& endpoint) {
@@ -246,6 +256,30 @@ void ConnectionPanel::showMachine() {
                            ? numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0)
                            : noValue());
 
+  showFreshness(connected);
+  showChannel();
+  showProgramStatus();
+
+  const auto text = [](const std::optional<QString>& value) {
+    return value && !value->isEmpty() ? *value : noValue();
+  };
+  m_programName->setText(text(m_machine.programName));
+  m_message->setText(text(m_machine.message));
+
+  if (!m_machine.alarmNumber) {
+    m_alarm->setStatus(Status::Unknown, noValue());
+  } else if (*m_machine.alarmNumber == 0) {
+    m_alarm->setStatus(Status::Good, tr("None"));
+  } else {
+    const QString number = QString::number(*m_machine.alarmNumber);
+    m_alarm->setStatus(Status::Fault,
+                       m_machine.alarmText.isEmpty()
+                           ? number
+                           : QStringLiteral("%1: %2").arg(number, m_machine.alarmText));
+  }
+}
+
+void ConnectionPanel::showFreshness(bool connected) {
   const bool hasValues = m_machine.positionMm || m_machine.feedMmPerS;
   if (!connected) {
     m_freshness->setStatus(hasValues ? Status::Attention : Status::Unknown,
@@ -258,7 +292,9 @@ void ConnectionPanel::showMachine() {
     m_freshness->setStatus(hasValues ? Status::Good : Status::Unknown,
                            hasValues ? tr("Live") : tr("No data"));
   }
+}
 
+void ConnectionPanel::showChannel() {
   Status channelStatus = Status::Unknown;
   QString channel = noValue();
   if (m_machine.channelStatus) {
@@ -280,7 +316,9 @@ void ConnectionPanel::showMachine() {
     }
   }
   m_channel->setStatus(channelStatus, channel);
+}
 
+void ConnectionPanel::showProgramStatus() {
   Status programStatus = Status::Unknown;
   QString program = noValue();
   if (m_machine.programStatus) {
@@ -310,24 +348,6 @@ void ConnectionPanel::showMachine() {
     }
   }
   m_programStatus->setStatus(programStatus, program);
-
-  const auto text = [](const std::optional<QString>& value) {
-    return value && !value->isEmpty() ? *value : noValue();
-  };
-  m_programName->setText(text(m_machine.programName));
-  m_message->setText(text(m_machine.message));
-
-  if (!m_machine.alarmNumber) {
-    m_alarm->setStatus(Status::Unknown, noValue());
-  } else if (*m_machine.alarmNumber == 0) {
-    m_alarm->setStatus(Status::Good, tr("None"));
-  } else {
-    const QString number = QString::number(*m_machine.alarmNumber);
-    m_alarm->setStatus(Status::Fault,
-                       m_machine.alarmText.isEmpty()
-                           ? number
-                           : QStringLiteral("%1: %2").arg(number, m_machine.alarmText));
-  }
 }
 
 }  // namespace rivulet::widgets

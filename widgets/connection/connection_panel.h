@@ -45,8 +45,14 @@ class ConnectionPanel final : public Page {
   void restyle() override;
 
  private:
+  void buildConnection();
+  void buildReadouts();
+  void buildMachine();
   void showConnection();
   void showMachine();
+  void showFreshness(bool connected);
+  void showChannel();
+  void showProgramStatus();
 
   ConnectionState m_state = ConnectionState::Disconnected;
   QString m_detail;

@@ -406,7 +406,6 @@ void RegionChart::resizeEvent(QResizeEvent* event) {
 }
 
 void RegionChart::rebuild() {
-  const ThemeColors& colors = themeColors(m_palette);
   if (!m_model) {
     divideAxes();
     return;
@@ -414,6 +413,16 @@ void RegionChart::rebuild() {
   if (!m_dragging) {
     chooseRanges();
   }
+  m_borders = feasibility::sweepBorders(m_model->operatingPoint, m_model->distances, m_axis,
+                                        sweepRange(), m_model->access, m_model->safety);
+  drawAreas();
+  drawBorders();
+  drawDistances();
+  divideAxes();
+  m_overlay->refresh();
+}
+
+feasibility::SweepRange RegionChart::sweepRange() const {
   feasibility::SweepRange range;
   if (m_axis == SweepAxis::PointsPerLoop) {
     range.min = 2.0;
@@ -424,9 +433,10 @@ void RegionChart::rebuild() {
     range.max = m_xMax;
     range.steps = kSteps;
   }
-  m_borders = feasibility::sweepBorders(m_model->operatingPoint, m_model->distances, m_axis, range,
-                                        m_model->access, m_model->safety);
+  return range;
+}
 
+void RegionChart::drawAreas() {
   // The area below all limits that decide, with safety factor and as published.
   QList<QPointF> safe;
   QList<QPointF> published;
@@ -464,7 +474,10 @@ void RegionChart::rebuild() {
   m_safeLower->replace(floor);
   m_bandUpper->replace(published);
   m_bandLower->replace(bandLower);
+}
 
+void RegionChart::drawBorders() {
+  const ThemeColors& colors = themeColors(m_palette);
   while (m_lines.size() < m_borders.size()) {
     auto* line = new QLineSeries(this);
     chart()->addSeries(line);
@@ -492,7 +505,9 @@ void RegionChart::rebuild() {
     }
     m_lines[index]->replace(points);
   }
+}
 
+void RegionChart::drawDistances() {
   QList<QPointF> marks;
   if (m_axis == SweepAxis::PointDistance) {
     const double feed = base::mmPerMinFromMmPerS(m_model->operatingPoint.feedMmPerS);
@@ -503,8 +518,6 @@ void RegionChart::rebuild() {
     }
   }
   m_points->replace(marks);
-  divideAxes();
-  m_overlay->refresh();
 }
 
 void RegionChart::divideAxes() {

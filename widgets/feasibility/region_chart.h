@@ -78,6 +78,12 @@ class RegionChart final : public QChartView {
   friend class RegionOverlay;
 
   void rebuild();
+  [[nodiscard]] feasibility::SweepRange sweepRange() const;
+  /// The areas below all limits that decide, with safety factor and as published.
+  void drawAreas();
+  void drawBorders();
+  /// The smallest distances of the program, as marks at the feed.
+  void drawDistances();
   void divideAxes();
   void showRegion();
   void chooseRanges();

@@ -318,12 +318,26 @@ void ProgramPanel::restyle() {
 }
 
 void ProgramPanel::showProgram() {
-  const bool loaded = m_program != nullptr;
-  m_name->setText(loaded ? QString::fromStdString(m_program->program->name) : tr("No program"));
-  m_hash->setVisible(loaded);
-  std::array<std::size_t, 3> found{};
+  m_name->setText(m_program ? QString::fromStdString(m_program->program->name) : tr("No program"));
+  m_hash->setVisible(m_program != nullptr);
+  showSummary();
   std::vector<QString> values(FigureCount, noValue());
-  if (!loaded) {
+  if (m_program) {
+    fillFigures(values);
+  }
+  for (const Figure figure : {Lines, Motions, Points, Units, BoundsX, BoundsY, BoundsZ, CutLength,
+                              RapidLength, Kinds, Feeds, Distances, Corners}) {
+    m_figureValues[figure]->setText(values[figure]);
+  }
+  showFinding();
+  showDistances();
+  showTimes();
+  showDialect();
+}
+
+void ProgramPanel::showSummary() {
+  std::array<std::size_t, 3> found{};
+  if (!m_program) {
     m_summary->setStatus(Status::Unknown, tr("Drop a file here or press Open…"));
   } else {
     const gcode::Program& program = *m_program->program;
@@ -345,80 +359,82 @@ void ProgramPanel::showProgram() {
     } else {
       m_summary->setStatus(found[1] > 0 ? Status::Attention : Status::Good, counts);
     }
-
-    const gcode::Statistics& statistics = program.statistics;
-    values[Lines] = countText(statistics.lines);
-    values[Motions] = QStringLiteral("G0 %1 · G1 %2 · G2 %3 · G3 %4")
-                          .arg(countText(statistics.motions[0]), countText(statistics.motions[1]),
-                               countText(statistics.motions[2]), countText(statistics.motions[3]));
-    const gcode::PointList& points = m_program->points;
-    values[Points] = points.merged == 0
-                         ? countText(points.points.size())
-                         : tr("%1 (%2 repeated ones left out)")
-                               .arg(countText(points.points.size()), countText(points.merged));
-    switch (program.facts.units) {
-      case gcode::FileUnits::Unspecified:
-        values[Units] = tr("not stated");
-        break;
-      case gcode::FileUnits::Millimetres:
-        values[Units] = QStringLiteral("mm");
-        break;
-      case gcode::FileUnits::Inches:
-        values[Units] = tr("inch");
-        break;
-      case gcode::FileUnits::Mixed:
-        values[Units] = tr("mm and inch");
-        break;
-    }
-    values[BoundsX] = boundsText(statistics.minMm.x, statistics.maxMm.x);
-    values[BoundsY] = boundsText(statistics.minMm.y, statistics.maxMm.y);
-    values[BoundsZ] = boundsText(statistics.minMm.z, statistics.maxMm.z);
-    values[CutLength] = lengthText(statistics.cutLengthMm, 1);
-    values[RapidLength] = lengthText(statistics.rapidLengthMm, 1);
-    QStringList kinds{tr("lines %1").arg(lengthText(m_program->lengths.lineMm, 1))};
-    if (m_program->lengths.arcMm > 0.0) {
-      kinds.append(tr("arcs %1").arg(lengthText(m_program->lengths.arcMm, 1)));
-    }
-    if (m_program->lengths.splineMm > 0.0) {
-      kinds.append(tr("splines %1").arg(lengthText(m_program->lengths.splineMm, 1)));
-    }
-    values[Kinds] = kinds.join(QStringLiteral(" · "));
-    if (!statistics.feedsMmPerMin.empty()) {
-      const double first = statistics.feedsMmPerMin.front();
-      const double last = statistics.feedsMmPerMin.back();
-      values[Feeds] = feedText(base::mmPerSFromMmPerMin(last));
-      if (statistics.feedsMmPerMin.size() > 1) {
-        values[Feeds] = tr("%1 … %2 (%3 values)")
-                            .arg(numberText(first, first >= 10.0 ? 0 : 2), values[Feeds],
-                                 countText(statistics.feedsMmPerMin.size()));
-      }
-    }
-    if (const auto& path = m_program->statistics) {
-      values[Distances] =
-          tr("median %1, largest %2")
-              .arg(lengthText(path->distanceMmMedian), lengthText(path->distanceMmMax));
-      const auto sharp = std::accumulate(path->angles.counts.begin() + kSharpClass,
-                                         path->angles.counts.end(), std::size_t{0});
-      values[Corners] =
-          path->angles.degreesMax > 0.0
-              ? tr("%1 of 45° and more; sharpest %2° (%3)")
-                    .arg(countText(sharp), numberText(path->angles.degreesMax, 0),
-                         linkTo(path->angles.line,
-                                tr("line %1").arg(countText(path->angles.line.value))))
-              : tr("none");
-    }
   }
   const std::size_t findings = found[0] + found[1] + found[2];
   m_tabs->setTabText(static_cast<int>(Tab::Findings),
                      findings == 0 ? tr("Findings") : tr("Findings (%1)").arg(countText(findings)));
-  for (const Figure figure : {Lines, Motions, Points, Units, BoundsX, BoundsY, BoundsZ, CutLength,
-                              RapidLength, Kinds, Feeds, Distances, Corners}) {
-    m_figureValues[figure]->setText(values[figure]);
+}
+
+QString ProgramPanel::unitsText(gcode::FileUnits units) {
+  switch (units) {
+    case gcode::FileUnits::Unspecified:
+      return tr("not stated");
+    case gcode::FileUnits::Millimetres:
+      return QStringLiteral("mm");
+    case gcode::FileUnits::Inches:
+      return tr("inch");
+    case gcode::FileUnits::Mixed:
+      return tr("mm and inch");
   }
-  showFinding();
-  showDistances();
-  showTimes();
-  showDialect();
+  return {};
+}
+
+QString ProgramPanel::kindsText() const {
+  QStringList kinds{tr("lines %1").arg(lengthText(m_program->lengths.lineMm, 1))};
+  if (m_program->lengths.arcMm > 0.0) {
+    kinds.append(tr("arcs %1").arg(lengthText(m_program->lengths.arcMm, 1)));
+  }
+  if (m_program->lengths.splineMm > 0.0) {
+    kinds.append(tr("splines %1").arg(lengthText(m_program->lengths.splineMm, 1)));
+  }
+  return kinds.join(QStringLiteral(" · "));
+}
+
+QString ProgramPanel::feedsText(const std::vector<double>& feedsMmPerMin) const {
+  if (feedsMmPerMin.empty()) {
+    return noValue();
+  }
+  const double first = feedsMmPerMin.front();
+  const QString last = feedText(base::mmPerSFromMmPerMin(feedsMmPerMin.back()));
+  return feedsMmPerMin.size() == 1 ? last
+                                   : tr("%1 … %2 (%3 values)")
+                                         .arg(numberText(first, first >= 10.0 ? 0 : 2), last,
+                                              countText(feedsMmPerMin.size()));
+}
+
+void ProgramPanel::fillFigures(std::vector<QString>& values) const {
+  const gcode::Program& program = *m_program->program;
+  const gcode::Statistics& statistics = program.statistics;
+  values[Lines] = countText(statistics.lines);
+  values[Motions] = QStringLiteral("G0 %1 · G1 %2 · G2 %3 · G3 %4")
+                        .arg(countText(statistics.motions[0]), countText(statistics.motions[1]),
+                             countText(statistics.motions[2]), countText(statistics.motions[3]));
+  const gcode::PointList& points = m_program->points;
+  values[Points] = points.merged == 0
+                       ? countText(points.points.size())
+                       : tr("%1 (%2 repeated ones left out)")
+                             .arg(countText(points.points.size()), countText(points.merged));
+  values[Units] = unitsText(program.facts.units);
+  values[BoundsX] = boundsText(statistics.minMm.x, statistics.maxMm.x);
+  values[BoundsY] = boundsText(statistics.minMm.y, statistics.maxMm.y);
+  values[BoundsZ] = boundsText(statistics.minMm.z, statistics.maxMm.z);
+  values[CutLength] = lengthText(statistics.cutLengthMm, 1);
+  values[RapidLength] = lengthText(statistics.rapidLengthMm, 1);
+  values[Kinds] = kindsText();
+  values[Feeds] = feedsText(statistics.feedsMmPerMin);
+  if (const auto& path = m_program->statistics) {
+    values[Distances] =
+        tr("median %1, largest %2")
+            .arg(lengthText(path->distanceMmMedian), lengthText(path->distanceMmMax));
+    const auto sharp = std::accumulate(path->angles.counts.begin() + kSharpClass,
+                                       path->angles.counts.end(), std::size_t{0});
+    values[Corners] = path->angles.degreesMax > 0.0
+                          ? tr("%1 of 45° and more; sharpest %2° (%3)")
+                                .arg(countText(sharp), numberText(path->angles.degreesMax, 0),
+                                     linkTo(path->angles.line,
+                                            tr("line %1").arg(countText(path->angles.line.value))))
+                          : tr("none");
+  }
 }
 
 void ProgramPanel::showDistances() {

@@ -107,6 +107,12 @@ class ProgramPanel final : public Page {
   QWidget* makeFigures();
   QWidget* makeFindings();
   void showProgram();
+  void showSummary();
+  /// @param values  one per `Figure`
+  void fillFigures(std::vector<QString>& values) const;
+  [[nodiscard]] static QString unitsText(gcode::FileUnits units);
+  [[nodiscard]] QString kindsText() const;
+  [[nodiscard]] QString feedsText(const std::vector<double>& feedsMmPerMin) const;
   void showDistances();
   void showTimes();
   void showDialect();

@@ -45,6 +45,27 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
       m_silence(new QDoubleSpinBox(this)),
       m_status(new StatusLabel(this)) {
   setMinimumWidth(330);
+  m_status->setWordWrap(true);
+
+  auto* rows = new QVBoxLayout(m_group);
+  rows->addLayout(makeAxes());
+  rows->addWidget(m_zero);
+  rows->addLayout(makeSource());
+  rows->addWidget(m_status);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(m_group);
+  layout->addStretch();
+
+  connect(m_zero, &QPushButton::clicked, this, &CorrectionPanel::setZero);
+  connect(m_source, &QComboBox::currentIndexChanged, this, &CorrectionPanel::takeInput);
+  connect(m_port, &QSpinBox::valueChanged, this, &CorrectionPanel::takeInput);
+  connect(m_silence, &QDoubleSpinBox::valueChanged, this, &CorrectionPanel::takeInput);
+  hide();
+  retranslate();
+  restyle();
+}
+
+QLayout* CorrectionPanel::makeAxes() {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(10);
   grid->addWidget(m_confirmedName, 0, 2, 1, 2, Qt::AlignRight);
@@ -57,7 +78,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     axis.field->setMinimumHeight(kFieldHeightPx);
     axis.field->setDecimals(3);
     axis.field->setSingleStep(0.001);
-    axis.field->setKeyboardTracking(false);  // half a number is no order
+    axis.field->setKeyboardTracking(false);  // half a number is not a value
     axis.field->setSuffix(QStringLiteral("\u00A0mm"));
     axis.name->setBuddy(axis.field);
     axis.confirmed->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -79,7 +100,10 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     }
   }
   grid->setColumnStretch(1, 1);
+  return grid;
+}
 
+QLayout* CorrectionPanel::makeSource() {
   m_source->addItem(QString());
   m_source->addItem(QString());
   m_port->setRange(1024, 65535);
@@ -102,24 +126,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
   addRow(m_sourceName, m_source);
   addRow(m_portName, m_port);
   addRow(m_silenceName, m_silence);
-  m_status->setWordWrap(true);
-
-  auto* rows = new QVBoxLayout(m_group);
-  rows->addLayout(grid);
-  rows->addWidget(m_zero);
-  rows->addLayout(form);
-  rows->addWidget(m_status);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_group);
-  layout->addStretch();
-
-  connect(m_zero, &QPushButton::clicked, this, &CorrectionPanel::setZero);
-  connect(m_source, &QComboBox::currentIndexChanged, this, &CorrectionPanel::takeInput);
-  connect(m_port, &QSpinBox::valueChanged, this, &CorrectionPanel::takeInput);
-  connect(m_silence, &QDoubleSpinBox::valueChanged, this, &CorrectionPanel::takeInput);
-  hide();
-  retranslate();
-  restyle();
+  return form;
 }
 
 void CorrectionPanel::setLimit(double limitMm, const std::array<bool, base::kAxisCount>& axes) {

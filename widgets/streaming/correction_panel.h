@@ -19,6 +19,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QGroupBox;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QSlider;
 class QSpinBox;
@@ -78,6 +79,8 @@ class CorrectionPanel final : public Page {
     QLabel* confirmed;
   };
 
+  [[nodiscard]] QLayout* makeAxes();
+  [[nodiscard]] QLayout* makeSource();
   void takeValue(std::size_t axis, double valueMm);
   void takeInput();
   void setZero();

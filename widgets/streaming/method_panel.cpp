@@ -85,6 +85,20 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_useFeed(makeTouchButton(this)),
       m_useDelta(makeTouchButton(this)) {
   setMinimumWidth(330);
+  buildSettings();
+  buildVerdict();
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(m_settingsGroup);
+  layout->addWidget(m_verdictGroup);
+  layout->addWidget(m_pausesGroup);
+  layout->addStretch();
+
+  connectFields();
+  retranslate();
+  restyle();
+}
+
+void MethodPanel::buildSettings() {
   for (const base::MethodKind method : base::kMethodKinds) {
     if (method != base::MethodKind::File) {  // for comparison, on the command line
       m_method->addItem(QString(), static_cast<int>(method));
@@ -130,7 +144,9 @@ MethodPanel::MethodPanel(QWidget* parent)
   addRow(m_accessLabel, m_access);
   m_transferLabel->setBuddy(m_byHand);
   form->addRow(m_transferLabel, m_byHand);  // rarely touched: no row as high as a finger
+}
 
+void MethodPanel::buildVerdict() {
   m_planned->setWordWrap(true);
   m_cost->setWordWrap(true);
   auto* pauses = new QFormLayout(m_pausesGroup);
@@ -155,13 +171,9 @@ MethodPanel::MethodPanel(QWidget* parent)
   verdict->addLayout(figures);
   verdict->addWidget(m_useFeed);
   verdict->addWidget(m_useDelta);
+}
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_settingsGroup);
-  layout->addWidget(m_verdictGroup);
-  layout->addWidget(m_pausesGroup);
-  layout->addStretch();
-
+void MethodPanel::connectFields() {
   connect(m_method, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_layout, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
@@ -184,8 +196,6 @@ MethodPanel::MethodPanel(QWidget* parent)
       Q_EMIT settingsChanged(m_settings);
     }
   });
-  retranslate();
-  restyle();
 }
 
 void MethodPanel::setSettings(const StreamSettings& settings) {

@@ -63,6 +63,9 @@ class MethodPanel final : public Page {
   void restyle() override;
 
  private:
+  void buildSettings();
+  void buildVerdict();
+  void connectFields();
   void showSettings();
   void showVerdict();
   void showPauses();

@@ -139,8 +139,18 @@ void ReportPanel::showReport() {
     m_outcome->setStatus(Status::Unknown, tr("No run yet"));
     return;
   }
-  const streaming::RunReport& report = *m_report;
-  const trace::Integrity& integrity = report.integrity;
+  showOutcome(*m_report);
+  showRun(*m_report);
+  showIntegrity(*m_report);
+  showPauses(*m_report);
+  showAccess(*m_report);
+}
+
+void ReportPanel::show(Row row, const QString& text, Status status) {
+  m_values[static_cast<std::size_t>(row)]->setStatus(status, text);
+}
+
+void ReportPanel::showOutcome(const streaming::RunReport& report) {
   const bool isStopped = report.outcome == streaming::Outcome::Stopped;
   if (report.outcome == streaming::Outcome::Failed) {
     m_outcome->setStatus(Status::Fault, tr("Failed"));
@@ -161,35 +171,38 @@ void ReportPanel::showReport() {
         break;
     }
   }
+}
 
-  // Figures carry no icon of their own unless they are abnormal.
-  const auto show = [this](Row row, const QString& text, Status status = Status::Plain) {
-    m_values[static_cast<std::size_t>(row)]->setStatus(status, text);
-  };
+QString ReportPanel::methodText(base::MethodKind method) {
+  switch (method) {
+    case base::MethodKind::Position:
+      return tr("Position");
+    case base::MethodKind::Signal:
+      return tr("Signal");
+    case base::MethodKind::Credit:
+      return tr("Credit (experimental)");
+    case base::MethodKind::File:
+      return tr("File");
+    case base::MethodKind::Window:
+      break;
+  }
+  return tr("Window");
+}
+
+void ReportPanel::showRun(const streaming::RunReport& report) {
   show(Program,
        report.programName.empty() ? noValue() : QString::fromStdString(report.programName));
   const bool position = report.settings.parameters.method == base::MethodKind::Position;
-  const auto methodText = [](base::MethodKind method) {
-    switch (method) {
-      case base::MethodKind::Position:
-        return tr("Position");
-      case base::MethodKind::Signal:
-        return tr("Signal");
-      case base::MethodKind::Credit:
-        return tr("Credit (experimental)");
-      case base::MethodKind::File:
-        return tr("File");
-      case base::MethodKind::Window:
-        break;
-    }
-    return tr("Window");
-  };
   show(Method, QStringLiteral("%1, N = %2")
                    .arg(methodText(report.settings.parameters.method),
                         QString::number(report.settings.parameters.pointsPerLoop)));
   show(Feed, feedText(report.settings.feedMmPerS));
   show(Delta, position ? lengthText(report.settings.deltaMm) : noValue());
   show(Duration, secondsText(base::toSeconds(report.duration), 2));
+}
+
+void ReportPanel::showIntegrity(const streaming::RunReport& report) {
+  const trace::Integrity& integrity = report.integrity;
   if (integrity.judged) {
     const auto fault = [](std::size_t count) { return count > 0 ? Status::Fault : Status::Good; };
     const QString executed =
@@ -212,7 +225,9 @@ void ReportPanel::showReport() {
       show(row, tr("not judged"), Status::Unknown);
     }
   }
+}
 
+void ReportPanel::showPauses(const streaming::RunReport& report) {
   base::Duration total{};
   for (const trace::Pause& pause : report.pauses) {
     total += pause.duration;
@@ -223,7 +238,9 @@ void ReportPanel::showReport() {
                       : millisecondsText(base::toMilliseconds(total) /
                                          static_cast<double>(report.pauses.size())));
   show(PauseTotal, secondsText(base::toSeconds(total), 2));
+}
 
+void ReportPanel::showAccess(const streaming::RunReport& report) {
   const QString form = groupingText(report.settings.grouping);
   show(AccessForm, report.accessForms ? tr("%1 (proved)").arg(form) : form);
   const streaming::AccessStatistics& access = report.access;

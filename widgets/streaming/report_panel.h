@@ -11,13 +11,12 @@
 
 #include "streaming/run.h"
 #include "widgets/common/page.h"
+#include "widgets/common/status_label.h"
 
 class QGroupBox;
 class QLabel;
 
 namespace rivulet::widgets {
-
-class StatusLabel;
 
 /// "Lists", "Arrays by count", … in the language of the operator.
 [[nodiscard]] QString groupingText(opcua::Grouping grouping);
@@ -61,6 +60,14 @@ class ReportPanel final : public Page {
   };
 
   void showReport();
+  void showOutcome(const streaming::RunReport& report);
+  void showRun(const streaming::RunReport& report);
+  void showIntegrity(const streaming::RunReport& report);
+  void showPauses(const streaming::RunReport& report);
+  void showAccess(const streaming::RunReport& report);
+  /// Figures carry no icon of their own unless they are abnormal.
+  void show(Row row, const QString& text, Status status = Status::Plain);
+  [[nodiscard]] static QString methodText(base::MethodKind method);
 
   std::optional<streaming::RunReport> m_report;
   StatusLabel* m_outcome;

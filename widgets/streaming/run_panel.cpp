@@ -58,6 +58,44 @@ RunPanel::RunPanel(QWidget* parent)
   m_startReason->setWordWrap(true);
   m_stopStatus->setWordWrap(true);
 
+  buildProgress();
+
+  auto* commands = new QHBoxLayout;
+  commands->setSpacing(24);
+  commands->addWidget(m_strip, 2);
+  commands->addLayout(buttons, 3);
+  // The buttons stay in place, whatever is shown below them: a finger that reaches for Stop must
+  // not find that the row has moved.
+  for (StatusLabel* label : {m_startReason, m_stopStatus}) {
+    QSizePolicy policy = label->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    label->setSizePolicy(policy);
+  }
+  auto* states = new QHBoxLayout;
+  states->addWidget(m_startReason, 1);
+  states->addWidget(m_stopStatus, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 4, 8, 4);
+  layout->addLayout(commands);
+  layout->addLayout(states);
+  layout->addWidget(m_progressGroup);
+
+  connect(m_start, &QPushButton::clicked, this, &RunPanel::startRequested);
+  connect(m_hold, &QPushButton::clicked, this,
+          [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
+  connect(m_resume, &QPushButton::clicked, this, &RunPanel::resumeRequested);
+  connect(m_stop, &QPushButton::clicked, this, [this] {
+    if (m_stopState == StopState::None) {
+      m_stopState = StopState::Requested;
+      showAll();
+    }
+    Q_EMIT stopRequested();  // again and again if the operator wants: it does no harm
+  });
+  retranslate();
+  restyle();
+}
+
+void RunPanel::buildProgress() {
   m_progress->setRange(0, kProgressSteps);
   m_progress->setMinimumHeight(24);
   m_progress->setAlignment(Qt::AlignCenter);
@@ -83,40 +121,6 @@ RunPanel::RunPanel(QWidget* parent)
   addFigure(m_marginName, m_margin, 1);
   addFigure(m_waitingName, m_waiting, 2);
   progress->addWidget(m_progress, 0, 0, 1, column);
-
-  auto* orders = new QHBoxLayout;
-  orders->setSpacing(24);
-  orders->addWidget(m_strip, 2);
-  orders->addLayout(buttons, 3);
-  // The buttons stay in place, whatever is shown below them: a finger that reaches for Stop must
-  // not find that the row has moved.
-  for (StatusLabel* label : {m_startReason, m_stopStatus}) {
-    QSizePolicy policy = label->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    label->setSizePolicy(policy);
-  }
-  auto* states = new QHBoxLayout;
-  states->addWidget(m_startReason, 1);
-  states->addWidget(m_stopStatus, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 4, 8, 4);
-  layout->addLayout(orders);
-  layout->addLayout(states);
-  layout->addWidget(m_progressGroup);
-
-  connect(m_start, &QPushButton::clicked, this, &RunPanel::startRequested);
-  connect(m_hold, &QPushButton::clicked, this,
-          [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
-  connect(m_resume, &QPushButton::clicked, this, &RunPanel::resumeRequested);
-  connect(m_stop, &QPushButton::clicked, this, [this] {
-    if (m_stopState == StopState::None) {
-      m_stopState = StopState::Requested;
-      showAll();
-    }
-    Q_EMIT stopRequested();  // again and again if the operator wants: it does no harm
-  });
-  retranslate();
-  restyle();
 }
 
 void RunPanel::setUpdate(const streaming::LiveUpdate& update) {

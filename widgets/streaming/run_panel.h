@@ -56,6 +56,7 @@ class RunPanel final : public Page {
   void restyle() override;
 
  private:
+  void buildProgress();
   enum class StopState { None, Requested, Confirmed, Unconfirmed };
 
   void showAll();
