@@ -21,96 +21,79 @@ namespace {
 
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 constexpr double kIndexMax = 1e6;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::int64_t asBits(double value) {
   return static_cast<std::int64_t>(std::clamp(value, -9.0e18, 9.0e18));
+}
+
+double fromBits(std::int64_t bits) {
+  return static_cast<double>(bits);
+}
+
+double truth(bool holds) {
+  return holds ? 1.0 : 0.0;
+}
+
+double notNegative(double value, double period) {
+  return value < 0.0 ? value + period : value;
 }
 
 double atan2Deg(double y, double x) {
   return std::atan2(y, x) / kRadPerDegree;
 }
 
-/// Functions and operators that need nothing but the numbers. What has no value gives NaN.
+/// What needs nothing but its numbers, in the order of `Op`. What has no value gives NaN.
+struct Computation {
+  Op op;
+  double (*of)(double a, double b, double c);
+};
+// clang-format off
+constexpr std::array kComputations{
+    Computation{Op::Negate, [](double a, double, double) { return -a; }},
+    Computation{Op::Not, [](double a, double, double) { return truth(a == 0.0); }},
+    Computation{Op::BitNot, [](double a, double, double) { return fromBits(~asBits(a)); }},
+    Computation{Op::Or, [](double a, double b, double) { return truth(a != 0.0 || b != 0.0); }},
+    Computation{Op::Xor, [](double a, double b, double) { return truth((a != 0.0) != (b != 0.0)); }},
+    Computation{Op::And, [](double a, double b, double) { return truth(a != 0.0 && b != 0.0); }},
+    Computation{Op::BitOr, [](double a, double b, double) { return fromBits(asBits(a) | asBits(b)); }},
+    Computation{Op::BitXor, [](double a, double b, double) { return fromBits(asBits(a) ^ asBits(b)); }},
+    Computation{Op::BitAnd, [](double a, double b, double) { return fromBits(asBits(a) & asBits(b)); }},
+    Computation{Op::Add, [](double a, double b, double) { return a + b; }},
+    Computation{Op::Subtract, [](double a, double b, double) { return a - b; }},
+    Computation{Op::Multiply, [](double a, double b, double) { return a * b; }},
+    Computation{Op::Divide, [](double a, double b, double) { return a / b; }},
+    Computation{Op::IntegerDivide, [](double a, double b, double) { return std::trunc(a / b); }},
+    Computation{Op::Modulo, [](double a, double b, double) { return std::fmod(a, b); }},
+    Computation{Op::FloorModulo, [](double a, double b, double) { return notNegative(std::fmod(a, b), std::abs(b)); }},
+    Computation{Op::Power, [](double a, double b, double) { return std::pow(a, b); }},
+    Computation{Op::Sin, [](double a, double, double) { return std::sin(a * kRadPerDegree); }},
+    Computation{Op::Cos, [](double a, double, double) { return std::cos(a * kRadPerDegree); }},
+    Computation{Op::Tan, [](double a, double, double) { return std::tan(a * kRadPerDegree); }},
+    Computation{Op::Asin, [](double a, double, double) { return std::asin(a) / kRadPerDegree; }},
+    Computation{Op::Acos, [](double a, double, double) { return std::acos(a) / kRadPerDegree; }},
+    Computation{Op::Atan2, [](double a, double b, double) { return atan2Deg(a, b); }},
+    Computation{Op::AtanPositive, [](double a, double b, double) { return notNegative(atan2Deg(a, b), 360.0); }},
+    Computation{Op::Sqrt, [](double a, double, double) { return std::sqrt(a); }},
+    Computation{Op::Square, [](double a, double, double) { return a * a; }},
+    Computation{Op::Abs, [](double a, double, double) { return std::abs(a); }},
+    Computation{Op::Truncate, [](double a, double, double) { return std::trunc(a); }},
+    Computation{Op::Round, [](double a, double, double) { return std::round(a); }},
+    Computation{Op::RoundUp, [](double a, double, double) { return std::ceil(a); }},
+    Computation{Op::RoundDown, [](double a, double, double) { return std::floor(a); }},
+    Computation{Op::Ln, [](double a, double, double) { return a > 0.0 ? std::log(a) : kNone; }},
+    Computation{Op::Exp, [](double a, double, double) { return std::exp(a); }},
+    Computation{Op::MinVal, [](double a, double b, double) { return std::min(a, b); }},
+    Computation{Op::MaxVal, [](double a, double b, double) { return std::max(a, b); }},
+    Computation{Op::Bound, [](double a, double b, double c) { return c > b ? b : std::max(a, c); }},  // Bound: least, most, value
+};
+// clang-format on
+
 double compute(Op op, double a, double b, double c) {
-  switch (op) {
-    case Op::Negate:
-      return -a;
-    case Op::Not:
-      return a == 0.0 ? 1.0 : 0.0;
-    case Op::BitNot:
-      return static_cast<double>(~asBits(a));
-    case Op::Or:
-      return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
-    case Op::Xor:
-      return (a != 0.0) != (b != 0.0) ? 1.0 : 0.0;
-    case Op::And:
-      return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
-    case Op::BitOr:
-      return static_cast<double>(asBits(a) | asBits(b));
-    case Op::BitXor:
-      return static_cast<double>(asBits(a) ^ asBits(b));
-    case Op::BitAnd:
-      return static_cast<double>(asBits(a) & asBits(b));
-    case Op::Add:
-      return a + b;
-    case Op::Subtract:
-      return a - b;
-    case Op::Multiply:
-      return a * b;
-    case Op::Divide:
-      return a / b;
-    case Op::IntegerDivide:
-      return std::trunc(a / b);
-    case Op::Modulo:
-      return std::fmod(a, b);
-    case Op::FloorModulo: {
-      const double rest = std::fmod(a, b);
-      return rest < 0.0 ? rest + std::abs(b) : rest;
-    }
-    case Op::Power:
-      return std::pow(a, b);
-    case Op::Sin:
-      return std::sin(a * kRadPerDegree);
-    case Op::Cos:
-      return std::cos(a * kRadPerDegree);
-    case Op::Tan:
-      return std::tan(a * kRadPerDegree);
-    case Op::Asin:
-      return std::asin(a) / kRadPerDegree;
-    case Op::Acos:
-      return std::acos(a) / kRadPerDegree;
-    case Op::Atan2:
-      return atan2Deg(a, b);
-    case Op::AtanPositive:
-      return atan2Deg(a, b) < 0.0 ? atan2Deg(a, b) + 360.0 : atan2Deg(a, b);
-    case Op::Sqrt:
-      return std::sqrt(a);
-    case Op::Square:
-      return a * a;
-    case Op::Abs:
-      return std::abs(a);
-    case Op::Truncate:
-      return std::trunc(a);
-    case Op::Round:
-      return std::round(a);
-    case Op::RoundUp:
-      return std::ceil(a);
-    case Op::RoundDown:
-      return std::floor(a);
-    case Op::Ln:
-      return a > 0.0 ? std::log(a) : std::numeric_limits<double>::quiet_NaN();
-    case Op::Exp:
-      return std::exp(a);
-    case Op::MinVal:
-      return std::min(a, b);
-    case Op::MaxVal:
-      return std::max(a, b);
-    case Op::Bound:  // least, most, value
-      return c > b ? b : std::max(a, c);
-    default:
-      break;
-  }
-  base::contractViolated("every operator has a meaning", __FILE__, __LINE__);
+  const Computation& computation =
+      kComputations[static_cast<std::size_t>(op) - static_cast<std::size_t>(Op::Negate)];
+  RIVULET_ASSERT(computation.op == op);
+  return computation.of(a, b, c);
 }
 
 bool isComparison(Op op) {

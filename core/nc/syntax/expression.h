@@ -32,7 +32,15 @@ enum class Op : std::uint8_t {
   Hash,      ///< #5, #[expression]: operand 0 is the number
   System,    ///< "$AA_IW", indices as operands
   Exists,    ///< EXISTS[#<name>]
-  // Operators.
+  // Operators on numbers and texts.
+  Concatenate,
+  Equal,
+  Unequal,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  // Operators on numbers.
   Negate,
   Not,
   BitNot,
@@ -42,13 +50,6 @@ enum class Op : std::uint8_t {
   BitOr,
   BitXor,
   BitAnd,
-  Concatenate,
-  Equal,
-  Unequal,
-  Less,
-  LessEqual,
-  Greater,
-  GreaterEqual,
   Add,
   Subtract,
   Multiply,
