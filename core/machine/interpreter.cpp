@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/units.h"
 #include "machine/sync_action.h"
@@ -85,7 +84,6 @@ Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& p
     : m_values(parameters, options),
       m_flow(std::move(program), m_values, options.library),
       m_endMm(options.startMm),
-      m_programmedMm(options.startMm),
       m_endDeg(options.startDeg),
       m_rotaryAxes(options.rotaryAxes),
       m_feedMmPerS(options.feedMmPerS),
@@ -238,16 +236,14 @@ Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
                               : word.reference == nc::Word::Reference::Absolute;
     return (absolute ? 0.0 : from) + scale * word.value;
   };
-  const base::Vec3 programmedFrom = m_programmedMm;
-  base::Vec3 target = m_endMm;
+  const base::Vec3 programmedFrom = m_frame.toProgrammed(m_endMm);
+  base::Vec3 programmed = programmedFrom;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (block.axes[axis]) {
-      m_programmedMm.set(axis, resolve(*block.axes[axis], m_programmedMm[axis], unit()));
-      target.set(axis, m_programmedMm[axis] + m_translationMm[axis]);
+      const double origin = m_incrementFromMm[axis].value_or(programmedFrom[axis]);
+      programmed.set(axis, resolve(*block.axes[axis], origin, unit()));
+      m_incrementFromMm[axis].reset();
     }
-  }
-  if (m_isRotated) {
-    target = rotated(m_programmedMm) + m_translationMm;  // every axis may have to move
   }
   base::RotaryDeg targetDeg = m_endDeg;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
@@ -255,14 +251,19 @@ Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
       targetDeg[axis] = resolve(*block.rotary[axis], m_endDeg[axis], 1.0);
     }
   }
-  const base::Vec3 from = m_endMm;
   PreparedMotion motion;
   if (m_mode != PathMode::Rapid && m_mode != PathMode::Line) {
-    const auto arc = arcOf(block, from, target, programmedFrom);
+    const auto arc = arcOf(block, programmedFrom, programmed);
     if (const Alarm* problem = std::get_if<Alarm>(&arc)) {
       return *problem;
     }
     motion.arc = std::get<ArcPath>(arc);
+  }
+  base::Vec3 target = m_frame.toWorkpiece(programmed);
+  for (std::size_t axis = 0; axis < base::kAxisCount && m_frame.isAligned(); ++axis) {
+    if (programmed[axis] == programmedFrom[axis] && !block.axes[axis]) {
+      target.set(axis, m_endMm[axis]);  // to the last bit
+    }
   }
   if (m_mode != PathMode::Rapid && m_feedMmPerS <= 0.0) {
     return Alarm{10860, "No feed is programmed."};
@@ -282,22 +283,27 @@ Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
 }
 
 std::variant<ArcPath, Alarm> Interpreter::arcOf(const BlockWords& words, base::Vec3 fromMm,
-                                                base::Vec3 toMm, base::Vec3 programmedFromMm) {
+                                                base::Vec3& toMm) const {
+  const auto placed = [this](ArcPath arc) -> std::variant<ArcPath, Alarm> {
+    if (!m_frame.keepsCircles()) {
+      return Alarm{kEndPointError, "A circle is no circle any more in a frame scaled unevenly."};
+    }
+    const base::Vec3 axis = m_frame.turned(arc.axis);
+    arc.centreMm = m_frame.toWorkpiece(arc.centreMm);
+    arc.axis = ((m_frame.mirrors() ? -1.0 : 1.0) / base::norm(axis)) * axis;
+    return arc;
+  };
   if (m_mode == PathMode::Through) {
-    base::Vec3 through = programmedFromMm;
+    base::Vec3 through = fromMm;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (words.through[axis]) {
         const double value = unit() * words.through[axis]->value;
         through.set(axis, m_absolute ? value : through[axis] + value);
       }
     }
-    const std::optional<ArcPath> arc =
-        nc::arcThrough(fromMm, rotated(through) + m_translationMm, toMm);
-    return arc ? std::variant<ArcPath, Alarm>(*arc)
+    const std::optional<ArcPath> arc = nc::arcThrough(fromMm, through, toMm);
+    return arc ? placed(*arc)
                : Alarm{kEndPointError, "Circle end-point error: the three points lie on a line."};
-  }
-  if (m_isRotated && m_plane != 0) {
-    return Alarm{12550, "Arcs outside G17 cannot be programmed in a rotated frame here."};
   }
   nc::Arc arc;
   arc.startMm = fromMm;
@@ -308,28 +314,18 @@ std::variant<ArcPath, Alarm> Interpreter::arcOf(const BlockWords& words, base::V
                   ? static_cast<int>(std::clamp(std::round(words.fullTurns->value), 0.0, 999.0))
                   : 0;
   nc::ArcWords given;
-  given.endIsGiven = words.axes[0] || words.axes[1] || words.axes[2];
+  given.endIsGiven = words.axes[m_plane] || words.axes[(m_plane + 1) % base::kAxisCount];
   if (words.radius) {
     given.radius = unit() * words.radius->value;
   } else if (words.openingAngle) {
     given.degrees = words.openingAngle->value;
   }
-  if (words.isArc() && !words.radius) {
-    base::Vec3 offset{};
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (words.centre[axis]) {
-        // I J K count from the start point, whatever G90 and G91 say.
-        const bool absolute = words.centre[axis]->reference == nc::Word::Reference::Absolute;
-        offset.set(axis,
-                   unit() * words.centre[axis]->value - (absolute ? programmedFromMm[axis] : 0.0));
-      }
-    }
-    // What lies across the plane is no part of the centre.
-    const std::size_t across = (m_plane + 2) % base::kAxisCount;
-    offset.set(across, 0.0);
-    offset = rotated(offset);
-    for (const std::size_t axis : {m_plane, (m_plane + 1) % base::kAxisCount}) {
-      given.centre[axis] = offset[axis];
+  for (const std::size_t axis : {m_plane, (m_plane + 1) % base::kAxisCount}) {
+    // I J K count from the start point, whatever G90 and G91 say; one of two may be left out.
+    if (words.isArc() && !words.radius) {
+      const Coordinate word = words.centre[axis].value_or(Coordinate{});
+      given.centre[axis] = unit() * word.value;
+      given.centreIsAbsolute[axis] = word.reference == nc::Word::Reference::Absolute;
     }
   }
   const nc::ResolvedArc resolved = nc::resolveArc(arc, given, kCircleErrorMm);
@@ -337,20 +333,14 @@ std::variant<ArcPath, Alarm> Interpreter::arcOf(const BlockWords& words, base::V
     return Alarm{kEndPointError,
                  fmt::format("Circle end-point error: {}.", nc::describe(resolved.problem))};
   }
-  return nc::inSpace(resolved.arc);
-}
-
-base::Vec3 Interpreter::rotated(base::Vec3 vector) const {
-  return vector.x * m_rotation[0] + vector.y * m_rotation[1] + vector.z * m_rotation[2];
+  toMm = resolved.arc.endMm;
+  return placed(nc::inSpace(resolved.arc));
 }
 
 Prepared Interpreter::setFrame(const nc::FrameStatement& statement) {
-  const bool isRotation = statement.name.ends_with("ROT");
-  if (!isRotation && !statement.name.ends_with("TRANS")) {
-    return Alarm{12550, fmt::format("{} is not known to this machine.", statement.name)};
-  }
-  base::Vec3 values{};
-  std::array<bool, base::kAxisCount> given{};
+  const bool isAdditive = statement.name[0] == 'A';
+  const std::string_view kind = std::string_view(statement.name).substr(isAdditive ? 1 : 0);
+  std::array<std::optional<double>, base::kAxisCount> given;
   std::optional<double> inPlane;
   for (const nc::Word& word : statement.words) {
     const nc::Expected<double> value = m_values.number(*word.value);
@@ -358,41 +348,50 @@ Prepared Interpreter::setFrame(const nc::FrameStatement& statement) {
       return alarmOf(value.error());
     }
     const std::size_t axis = std::string_view("XYZ").find(word.address);
-    if (word.address == "RPL") {
-      inPlane = *value;
-    } else if (axis < base::kAxisCount && word.address.size() == 1) {
-      if (given[axis]) {
-        return Alarm{12010, "An address is programmed more than once in the block."};
-      }
-      values.set(axis, *value);
-      given[axis] = true;
+    std::optional<double>* const target = word.address == "RPL"     ? &inPlane
+                                          : axis < base::kAxisCount ? &given[axis]
+                                                                    : nullptr;
+    if (target != nullptr && *target) {
+      return Alarm{12010, "An address is programmed more than once in the block."};
+    }
+    if (target != nullptr) {
+      *target = *value;
     } else if (std::string_view("ABCUVW").find(word.address) == std::string_view::npos) {
       return Alarm{12550, fmt::format("{} takes no word {}.", statement.name, word.address)};
     }
   }
-  if (statement.name[0] != 'A') {
-    // An absolute frame instruction takes the place of all that was programmed before.
-    m_rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    m_translationMm = {};
-    m_isRotated = false;
+  // An absolute frame instruction takes the place of all that was programmed before.
+  nc::Frame frame = isAdditive ? m_frame : nc::Frame{};
+  base::Vec3 offset;
+  base::Vec3 factors{1.0, 1.0, 1.0};
+  // About Z, then the turned Y, then the turned X.
+  for (std::size_t axis = base::kAxisCount; axis-- > 0;) {
+    if (!given[axis]) {
+      continue;
+    }
+    offset.set(axis, unit() * *given[axis]);
+    factors.set(axis, kind == "MIRROR" ? -1.0 : *given[axis]);
+    if (kind == "ROT") {
+      frame.rotate(axis, *given[axis]);
+    } else if (factors[axis] == 0.0) {
+      factors.set(axis, 1.0);
+      if (kind == "SCALE") {
+        return Alarm{12550, "A scale factor is 0."};
+      }
+    }
   }
-  if (!isRotation) {
-    m_translationMm = m_translationMm + rotated(unit() * values);
-    return PreparedNothing{};
+  if (kind == "TRANS" && !statement.words.empty()) {
+    frame.translate(offset);
+  } else if (kind == "ROT" && inPlane) {
+    frame.rotate((m_plane + 2) % base::kAxisCount, *inPlane);
+  } else if ((kind == "SCALE" || kind == "MIRROR") && !statement.words.empty()) {
+    frame.scale(factors);
   }
-  const bool aboutZ =
-      inPlane ? m_plane == 0 && !given[0] && !given[1] && !given[2] : !given[0] && !given[1];
-  if (!aboutZ) {
-    return Alarm{12550, "Frames are rotated about Z only here."};
+  const base::Vec3 before = m_frame.toProgrammed(m_endMm);
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    m_incrementFromMm[axis] = m_incrementFromMm[axis].value_or(before[axis]);
   }
-  const double angle = inPlane.value_or(values.z) * std::numbers::pi / 180.0;
-  if (angle != 0.0) {
-    const base::Vec3 x = std::cos(angle) * m_rotation[0] + std::sin(angle) * m_rotation[1];
-    const base::Vec3 y = std::cos(angle) * m_rotation[1] - std::sin(angle) * m_rotation[0];
-    m_rotation[0] = x;
-    m_rotation[1] = y;
-    m_isRotated = true;
-  }
+  m_frame = frame;
   return PreparedNothing{};
 }
 

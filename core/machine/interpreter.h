@@ -18,6 +18,7 @@
 #include "machine/r_parameters.h"
 #include "nc/eval/variables.h"
 #include "nc/flow/flow.h"
+#include "nc/modal/frame.h"
 
 namespace rivulet::machine {
 
@@ -68,24 +69,23 @@ class Interpreter {
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared move(const nc::Words& words, base::LineNumber line);
   [[nodiscard]] std::optional<Alarm> modes(const BlockWords& words);
+  /// In the programmed frame. @param toMm  found here if the block names no end but AR=
   [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const BlockWords& words, base::Vec3 fromMm,
-                                                   base::Vec3 toMm, base::Vec3 programmedFromMm);
+                                                   base::Vec3& toMm) const;
   [[nodiscard]] Prepared leave();
   [[nodiscard]] Prepared setFrame(const nc::FrameStatement& statement);
-  [[nodiscard]] base::Vec3 rotated(base::Vec3 vector) const;
   [[nodiscard]] double unit() const;
 
   Values m_values;
   nc::Flow m_flow;
   bool m_hasStopped = false;  ///< the stop that the next statement needs has been made
   base::Vec3 m_endMm;         ///< of the last block, machine
-  base::Vec3 m_programmedMm;  ///< the same as programmed, before frames
   base::RotaryDeg m_endDeg;   ///< of the last block; frames do not turn rotary axes
   base::RotarySet m_rotaryAxes;
-  // The programmable frame: rotation (columns), then translation.
-  std::array<base::Vec3, base::kAxisCount> m_rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  base::Vec3 m_translationMm;
-  bool m_isRotated = false;
+  nc::Frame m_frame;
+  /// From where the next increment counts after a change of the frame: it passes the shift of the
+  /// frame as well (SD42440, as delivered).
+  std::array<std::optional<double>, base::kAxisCount> m_incrementFromMm;
   double m_feedMmPerS;
   double m_feedDegPerS;  ///< the same number, for blocks that only turn
   double m_rapidMmPerS;
