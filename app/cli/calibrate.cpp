@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <vector>
 
 #include "cli/access_text.h"
 #include "cli/calibration_choice.h"
@@ -110,6 +112,30 @@ class Bar {
   int m_percent = -1;
 };
 
+/// Keeps the calibration in the file of the machine and in the one that was asked for.
+/// @return the files
+base::Result<std::vector<std::filesystem::path>> save(const CalibrateOptions& options,
+                                                      const streaming::CalibrationRecord& record,
+                                                      const nlohmann::ordered_json& json) {
+  const report::MachineStore store;
+  std::vector<std::filesystem::path> files;
+  if (!options.simulate) {
+    if (const auto saved = store.save(record); !saved) {
+      return base::fail(saved.error());
+    }
+    files.push_back(store.pathOf(record.endpoint, record.server));
+  }
+  if (!options.output.empty()) {
+    const std::string text =
+        json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    if (const auto saved = trace::writeFile(options.output, text); !saved) {
+      return base::fail(saved.error());
+    }
+    files.emplace_back(options.output);
+  }
+  return files;
+}
+
 }  // namespace
 
 Exit calibrate(const CalibrateOptions& options) {
@@ -132,7 +158,6 @@ Exit calibrate(const CalibrateOptions& options) {
   record.measuredAtUtc = utcNow();
   record.toolVersion = RIVULET_VERSION;
   std::optional<streaming::CalibrationRecord> earlier;
-  const report::MachineStore store;
   if (!options.simulate) {
     const auto identity = connection->control->identity();
     if (!identity) {
@@ -140,7 +165,7 @@ Exit calibrate(const CalibrateOptions& options) {
     }
     record.server = *identity;
     // Only for the estimate of the time.
-    if (auto found = store.calibration(record.endpoint, record.server); found) {
+    if (auto found = report::MachineStore().calibration(record.endpoint, record.server); found) {
       earlier = std::move(*found);
     }
   }
@@ -174,27 +199,16 @@ Exit calibrate(const CalibrateOptions& options) {
     return reportError(calibration.error(), options.json);
   }
   record.calibration = std::move(*calibration);
-  nlohmann::ordered_json json = report::calibrationJson(record);
-  std::vector<std::filesystem::path> files;
-  if (!options.simulate) {
-    if (const auto saved = store.save(record); !saved) {
-      return reportError(saved.error(), options.json);
-    }
-    files.push_back(store.pathOf(record.endpoint, record.server));
-  }
-  if (!options.output.empty()) {
-    const std::string text =
-        json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-    if (const auto saved = trace::writeFile(options.output, text); !saved) {
-      return reportError(saved.error(), options.json);
-    }
-    files.emplace_back(options.output);
+  const nlohmann::ordered_json json = report::calibrationJson(record);
+  const auto files = save(options, record, json);
+  if (!files) {
+    return reportError(files.error(), options.json);
   }
   if (options.json) {
     printJson(json);
   } else {
     print(record.calibration);
-    for (const std::filesystem::path& file : files) {
+    for (const std::filesystem::path& file : *files) {
       fmt::print("saved: {}\n", file.string());
     }
   }

@@ -118,124 +118,158 @@ void print(const PlannedPauses& pauses, const std::string& machine) {
   fmt::print("\n");
 }
 
-}  // namespace
+PlannedPauses pausesOf(const std::vector<streaming::PlannedPause>& planned,
+                       const std::vector<gcode::StreamPoint>& points,
+                       const feasibility::OperatingPoint& point, const PausePrice& price) {
+  PlannedPauses pauses;
+  pauses.count = planned.size();
+  pauses.inCut = streaming::pausesInCut(planned);
+  pauses.withoutS = price.withoutS();
+  pauses.priceS = price.priceS(planned);
+  if (base::hasWindows(point.method) && !planned.empty()) {
+    const auto even = streaming::plannedPauses(
+        points, point.method, static_cast<std::size_t>(point.pointsPerLoop), false);
+    pauses.even = {even.size(), streaming::pausesInCut(even), price.priceS(even)};
+  }
+  return pauses;
+}
 
-Exit feasibility(const FeasibilityOptions& options) {
-  streaming::RunSettings settings;
-  settings.parameters = options.point.parameters();
-  settings.deltaMm = options.point.deltaMm;
-  settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
-  feasibility::OperatingPoint point = report::operatingPointOf(settings);
-  feasibility::AccessModel access;
-  access.accessTime = base::fromMilliseconds(options.accessTimeMs);
-  CalibrationChoice calibrated;
+void put(nlohmann::ordered_json& json, const PlannedPauses& pauses) {
+  json["planned_pauses"] = pauses.count;
+  json["planned_pauses_in_cut"] = pauses.inCut;
+  json["time_without_pauses_s"] = pauses.withoutS;
+  json["pauses_cost_s"] = pauses.priceS;
+  if (pauses.even) {
+    json["even_pauses"] = pauses.even->count;
+    json["even_pauses_in_cut"] = pauses.even->inCut;
+    json["even_pauses_cost_s"] = pauses.even->priceS;
+  }
+}
+
+/// What `--calibration` or `--endpoint` says about access; nothing without them.
+base::Result<CalibrationChoice> calibrationFor(const FeasibilityOptions& options) {
   if (!options.calibration.empty()) {
     auto record = report::readCalibration(options.calibration);
     if (!record) {
-      return reportError(record.error(), options.json);
+      return base::fail(record.error());
     }
-    calibrated.record = std::move(*record);
-  } else if (!options.endpoint.empty()) {
-    auto connection = connectTo(options.endpoint);
-    if (!connection) {
-      return reportError(connection.error(), options.json);
-    }
-    auto choice = calibrationOf(*connection);
-    if (!choice) {
-      return reportError(choice.error(), options.json);
-    }
-    calibrated = std::move(*choice);
+    CalibrationChoice choice;
+    choice.record = std::move(*record);
+    return choice;
   }
+  if (options.endpoint.empty()) {
+    return CalibrationChoice();
+  }
+  const auto connection = connectTo(options.endpoint);
+  if (!connection) {
+    return base::fail(connection.error());
+  }
+  return calibrationOf(*connection);
+}
+
+/// What is judged: settings, distances, and what is told about the program.
+struct Question {
+  streaming::RunSettings settings;
+  feasibility::ProgramDistances distances;
+  std::optional<PlannedPauses> pauses;
+  nlohmann::ordered_json json;
+};
+
+/// Takes distances and pauses from the program of the options.
+base::Result<void> readProgram(const FeasibilityOptions& options, Question& question) {
+  auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
+  if (!program) {
+    return base::fail(program.error());
+  }
+  program->trajectory = options.resampling.resampled(std::move(program->trajectory));
+  const gcode::PointList list = gcode::streamPoints(program->trajectory, kOriginMm);
+  if (list.points.size() < 2) {
+    return base::fail(gcode::GcodeError::NoMotion,
+                      "The program has fewer than two points. Choose another.", program->name);
+  }
+  if (options.point.axes.empty()) {
+    question.settings.parameters =
+        streaming::withTurnedAxes(question.settings.parameters, program->trajectory);
+  }
+  const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
+  question.distances = feasibility::programDistances(list.points, point.pointsPerLoop);
+  question.json["program"] = program->name;
+  question.json["points"] = list.points.size();
+  question.json["distances"] = report::distancesJson(question.distances);
+  const auto machine = machine::loadPreset(options.preset);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  if (point.pointsPerLoop >= 1) {
+    const PausePrice price(program->trajectory, *machine, point.feedMmPerS);
+    const auto planned = streaming::plannedPauses(list.points, point.method,
+                                                  static_cast<std::size_t>(point.pointsPerLoop));
+    question.pauses = pausesOf(planned, list.points, point, price);
+    put(question.json, *question.pauses);
+    question.json["pauses"] = pausesJson(planned, list.points);
+  }
+  return {};
+}
+
+void print(const feasibility::ProgramDistances& distances) {
+  if (distances.windowSteps > 0) {
+    fmt::print(
+        "d_min {:.4f} mm (lines {} to {}), d_min^N {:.4f} mm over {} steps (lines {} to {})\n",
+        distances.pointDistanceMmMin, distances.pointDistancePlace.firstLine.value,
+        distances.pointDistancePlace.lastLine.value, distances.windowLengthMmMin,
+        distances.windowSteps, distances.windowPlace.firstLine.value,
+        distances.windowPlace.lastLine.value);
+  }
+}
+
+}  // namespace
+
+Exit feasibility(const FeasibilityOptions& options) {
+  Question question;
+  question.settings.parameters = options.point.parameters();
+  question.settings.deltaMm = options.point.deltaMm;
+  question.settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  const auto calibrated = calibrationFor(options);
+  if (!calibrated) {
+    return reportError(calibrated.error(), options.json);
+  }
+  if (options.program.empty()) {
+    question.distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
+    question.json["d_min_mm"] = question.distances.pointDistanceMmMin;
+  } else if (const auto read = readProgram(options, question); !read) {
+    return reportError(read.error(), options.json);
+  }
+  const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
+  feasibility::AccessModel access;
+  access.accessTime = base::fromMilliseconds(options.accessTimeMs);
   opcua::Grouping form = opcua::Grouping::List;
-  if (const streaming::CalibrationRecord* record = calibrated.usable()) {
+  if (const streaming::CalibrationRecord* record = calibrated->usable()) {
     form = streaming::accessPlan(streaming::AccessPreference::Automatic, point.method)
                .expected(&record->calibration);
     access = report::accessModel(record->calibration, form);
   }
   feasibility::SafetyFactors safety;
   safety.delta = options.deltaSafety;
-
-  feasibility::ProgramDistances distances;
-  std::optional<PlannedPauses> pauses;
-  nlohmann::ordered_json json;
-  if (!options.program.empty()) {
-    auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
-    if (!program) {
-      return reportError(program.error(), options.json);
-    }
-    program->trajectory = options.resampling.resampled(std::move(program->trajectory));
-    const gcode::PointList list = gcode::streamPoints(program->trajectory, kOriginMm);
-    if (list.points.size() < 2) {
-      return reportError(
-          base::makeError(gcode::GcodeError::NoMotion,
-                          "The program has fewer than two points. Choose another.", program->name),
-          options.json);
-    }
-    if (options.point.axes.empty()) {
-      settings.parameters = streaming::withTurnedAxes(settings.parameters, program->trajectory);
-      point = report::operatingPointOf(settings);
-    }
-    distances = feasibility::programDistances(list.points, point.pointsPerLoop);
-    json["program"] = program->name;
-    json["points"] = list.points.size();
-    json["distances"] = report::distancesJson(distances);
-    const auto machine = machine::loadPreset(options.preset);
-    if (!machine) {
-      return reportError(machine.error(), options.json);
-    }
-    if (point.pointsPerLoop >= 1) {
-      const auto perLoop = static_cast<std::size_t>(point.pointsPerLoop);
-      const PausePrice price(program->trajectory, *machine, point.feedMmPerS);
-      const auto planned = streaming::plannedPauses(list.points, point.method, perLoop);
-      pauses.emplace();
-      pauses->count = planned.size();
-      pauses->inCut = streaming::pausesInCut(planned);
-      pauses->withoutS = price.withoutS();
-      pauses->priceS = price.priceS(planned);
-      json["planned_pauses"] = pauses->count;
-      json["planned_pauses_in_cut"] = pauses->inCut;
-      json["time_without_pauses_s"] = pauses->withoutS;
-      json["pauses_cost_s"] = pauses->priceS;
-      if (base::hasWindows(point.method) && !planned.empty()) {
-        const auto even = streaming::plannedPauses(list.points, point.method, perLoop, false);
-        pauses->even = {even.size(), streaming::pausesInCut(even), price.priceS(even)};
-        json["even_pauses"] = pauses->even->count;
-        json["even_pauses_in_cut"] = pauses->even->inCut;
-        json["even_pauses_cost_s"] = pauses->even->priceS;
-      }
-      json["pauses"] = pausesJson(planned, list.points);
-    }
-  } else {
-    distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
-    json["d_min_mm"] = distances.pointDistanceMmMin;
-  }
-  const auto verdict = feasibility::judge(point, distances, access, safety);
+  const auto verdict = feasibility::judge(point, question.distances, access, safety);
   if (!verdict) {
     return reportError(verdict.error(), options.json);
   }
   if (options.json) {
+    nlohmann::ordered_json& json = question.json;
     json.update(report::verdictJson(*verdict));
     json["method"] = options.point.method;
     json["points_per_loop"] = point.pointsPerLoop;
-    json["axes"] = templates::axisLetters(settings.parameters);
+    json["axes"] = templates::axisLetters(question.settings.parameters);
     json["delta_mm"] = point.deltaMm;
     json["feed_mm_per_min"] = options.point.feedMmPerMin;
-    json["access_time"] = accessSourceJson(calibrated, form, *verdict);
+    json["access_time"] = accessSourceJson(*calibrated, form, *verdict);
     printJson(json);
   } else {
-    if (distances.windowSteps > 0) {
-      fmt::print(
-          "d_min {:.4f} mm (lines {} to {}), d_min^N {:.4f} mm over {} steps (lines {} to "
-          "{})\n",
-          distances.pointDistanceMmMin, distances.pointDistancePlace.firstLine.value,
-          distances.pointDistancePlace.lastLine.value, distances.windowLengthMmMin,
-          distances.windowSteps, distances.windowPlace.firstLine.value,
-          distances.windowPlace.lastLine.value);
-    }
+    print(question.distances);
     print(*verdict);
-    fmt::print("{}\n", accessSourceText(calibrated, form, *verdict));
-    if (pauses) {
-      print(*pauses, options.preset);
+    fmt::print("{}\n", accessSourceText(*calibrated, form, *verdict));
+    if (question.pauses) {
+      print(*question.pauses, options.preset);
     }
   }
   return verdict->feasible ? Exit::Done : Exit::Wrong;
