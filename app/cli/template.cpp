@@ -147,7 +147,7 @@ Exit makeTemplate(const TemplateOptions& options) {
                  {"owner", cells->owner},
                  {"heartbeat", cells->heartbeat},
                  {"windows", cells->windows}};
-      if (cells->inFiles) {
+      if (cells->files > 0) {
         numbers["asked"] = cells->asked;
       } else {
         numbers["first_window"] = cells->windowCount(0);

@@ -21,7 +21,8 @@ ClientTurn turnOf(const TurnSize& size) {
     case MethodKind::File:
       break;
   }
-  const int content = size.cellsPerPoint * size.pointsPerLoop + templates::kWindowOwnCells;
+  const int content =
+      size.cellsPerPoint * size.pointsPerLoop + templates::WindowProtocol::WindowCells;
   return {size.method == MethodKind::Credit ? 2 : 1, content, 1};
 }
 

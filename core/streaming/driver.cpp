@@ -38,26 +38,10 @@ constexpr Duration kStoreDeadline = std::chrono::seconds{10};
 
 constexpr double kChannelReset = 0.0;
 
-/// Cells of the longest request the method makes while it streams.
-int longestWrite(const templates::TemplateParameters& parameters) {
-  constexpr int kWindowHeader = 3;  // count, feed, check
-  int axes = static_cast<int>(std::count(parameters.axes.begin(), parameters.axes.end(), true));
-  axes += static_cast<int>(
-      std::count(parameters.rotaryAxes.begin(), parameters.rotaryAxes.end(), true));
-  if (parameters.method == base::MethodKind::Position) {
-    return axes;
-  }
-  if (parameters.method == base::MethodKind::Signal) {
-    return axes * (parameters.pointsPerLoop / 2) + 1;
-  }
-  return axes * parameters.pointsPerLoop + kWindowHeader;
-}
-
 }  // namespace
 
 Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-               RunSink& sink, std::size_t total, opcua::Assignment stop,
-               const templates::CellMap& cells)
+               RunSink& sink, std::size_t total, const templates::CellMap& cells)
     : m_link(link),
       m_method(method),
       m_settings(settings),
@@ -65,9 +49,9 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
       m_sink(sink),
       m_correction(cells, settings.parameters) {
   m_counters.total = total;
-  m_stop = stop;
-  // Method position reads the axes itself; for it only the feed is missing on the display.
-  if (settings.parameters.method != base::MethodKind::Position) {
+  m_stop = {opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)};
+  // Where the method reads the axes itself, only the feed is missing on the display.
+  if (!method.readsPosition()) {
     for (int axis = 0; axis < static_cast<int>(base::kAxisCount); ++axis) {
       m_display.push_back({opcua::VariableKind::ActualPosition, axis});
     }
@@ -76,7 +60,7 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
   m_status.push_back({opcua::VariableKind::ChannelStatus, 0});
   m_status.push_back({opcua::VariableKind::Alarm, 0});
   if (settings.calibration) {
-    const int nodes = longestWrite(settings.parameters);
+    const int nodes = templates::longestWrite(settings.parameters);
     m_calibratedTail = settings.calibration->tail(true, settings.grouping, nodes);
     if (!m_calibratedTail) {
       // A form that was not measured: lists always are.
@@ -188,7 +172,7 @@ bool Driver::hasSlackFor(int nodes) const {
     return true;  // the machine waits anyway
   }
   const Duration needed = kSlackFactor * expectedRead(nodes + 1);
-  return m_link.now() + needed < m_method.progress().nextEarliest;
+  return m_method.progress().expected.isAhead(Expectation::Access, m_link.now() + needed);
 }
 
 Duration Driver::expectedRead(int nodes) const {
@@ -222,12 +206,12 @@ bool Driver::wantsStatus() const {
   const Progress& progress = m_method.progress();
   // Once the program has been told to end, or once it is later than it could be, the channel is
   // asked whether it still runs; before that only where nobody waits.
-  const bool late = now > progress.nextLatest && progress.nextLatest != Instant{};
+  const bool late = !progress.expected.isAhead(Expectation::Progress, now);
   return late || hasSlackFor(static_cast<int>(m_status.size()));
 }
 
 void Driver::submitMonitor() {
-  const bool started = m_method.progress().lastProgress != Instant{} || m_abandonedAt;
+  const bool started = m_method.progress().lastProgress || m_abandonedAt;
   if (m_methodPending || m_monitorPending || !started) {
     return;
   }
@@ -286,11 +270,7 @@ void Driver::submitMethod() {
 void Driver::handle(const opcua::Event& event) {
   if (event.kind == opcua::EventKind::ConnectionLost) {
     m_end.error = event.error;
-    m_end.error.message += base::hasWindows(m_settings.parameters.method)
-                               ? " The control executes the windows it has, then waits; it repeats "
-                                 "nothing. Connect again and resume the run, or reset the control."
-                               : " The control continues with the points it has and repeats them: "
-                                 "stop the program at the control.";
+    m_end.error.message += " " + std::string(m_method.adviceWhenLost());
     m_done = true;
     return;
   }
@@ -356,8 +336,7 @@ bool Driver::forgives(const opcua::Event& event, bool forMethod) {
   if (event.error.code != opcua::LinkError::DeadlineExceeded || m_abandonedAt) {
     return false;
   }
-  if (forMethod ? !m_method.answerLost(event.at)
-                : !base::hasWindows(m_settings.parameters.method)) {
+  if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
     return false;
   }
   m_sink.note({event.at, "no answer in time: asked again"});
@@ -471,17 +450,10 @@ void Driver::checkDeadlines() {
     m_done = true;
     return;
   }
-  if (!m_abandonedAt && progress.lastProgress != Instant{} &&
-      now > progress.nextLatest + m_settings.stallDeadline) {
-    const char* text =
-        base::hasWindows(m_settings.parameters.method)
-            ? "The stream made no progress although the program was active: the control was on "
-              "hold, or something else writes the R-parameters of the run. Nothing was repeated. "
-              "Release the hold or find the other writer, then resume."
-            : "The stream made no progress although the program was active: a point or a signal "
-              "was missed and old points were repeated, or the control was on hold. See the "
-              "report, then reduce the feed or release the hold.";
-    abandon(base::makeError(StreamError::StreamStalled, text));
+  const std::optional<Instant> expected = progress.expected.deadline(Expectation::Progress);
+  if (!m_abandonedAt && progress.lastProgress && expected &&
+      now > *expected + m_settings.stallDeadline) {
+    abandon(base::makeError(StreamError::StreamStalled, std::string(m_method.adviceWhenStalled())));
   }
 }
 
@@ -515,10 +487,12 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
   update.sample = std::move(sample);
   const Progress& progress = m_method.progress();
   const std::optional<Duration> slow = slowAccess();
-  if (slow && progress.lastProgress != Instant{} && !progress.allSent) {
-    const bool hasWindows = progress.neededAt != Instant{};
-    const Duration margin =
-        (hasWindows ? progress.neededAt : progress.nextEarliest) - update.at - *slow;
+  // The axes need points, or the method an access.
+  const std::optional<Instant> points = progress.expected.deadline(Expectation::Points);
+  const std::optional<Instant> needed =
+      points ? points : progress.expected.deadline(Expectation::Access);
+  if (slow && needed && progress.lastProgress && !progress.allSent) {
+    const Duration margin = *needed - update.at - *slow;
     // Windows that are all there wait for a machine slower than planned: that is not too late.
     if (margin >= Duration{0} || !progress.hasNothingToBring) {
       update.margin = margin;

@@ -52,12 +52,11 @@ struct StreamEnd {
 
 class Driver {
  public:
-  /// @param total     points of the program, for the counters
-  /// @param stop      what ends the program; written by the driver itself only when the stream has
-  ///                  to be abandoned
-  /// @param cells     for the online correction
+  /// @param total  points of the program, for the counters
+  /// @param cells  for the online correction, and to end the program when the stream has to be
+  ///               abandoned
   Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-         RunSink& sink, std::size_t total, opcua::Assignment stop, const templates::CellMap& cells);
+         RunSink& sink, std::size_t total, const templates::CellMap& cells);
 
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
   void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
@@ -87,7 +86,7 @@ class Driver {
   void handleMonitor(const opcua::Event& event);
   void checkOrders();
   [[nodiscard]] RunState state() const;
-  /// No answer in time is no harm for method window: the machine waits, the method asks again.
+  /// No answer in time does no harm where the machine waits for its client: it is asked again.
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
   [[nodiscard]] bool hasSlackFor(int nodes) const;

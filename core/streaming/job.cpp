@@ -11,9 +11,11 @@
 #include <span>
 
 #include "base/contract.h"
+#include "base/hash.h"
 #include "base/units.h"
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
+#include "streaming/method.h"
 #include "streaming/pause_placement.h"
 #include "streaming/start_policy.h"
 #include "templates/generator.h"
@@ -102,14 +104,12 @@ class Job {
         m_settings(settings),
         m_orders(orders),
         m_ledger(sink, recorder.writer),
-        m_recorder(std::move(recorder)) {}
+        m_recorder(std::move(recorder)),
+        m_type(methodType(settings.parameters.method)) {}
 
   RunReport run() {
     m_report.programName = m_program.name;
-    m_settings.placePauses = m_settings.placePauses && !isCredit();
-    if (isWindow() && m_settings.runNumber == 0) {
-      m_settings.runNumber = makeRunNumber();
-    }
+    m_type.complete(m_settings, entropy());
     m_report.settings = m_settings;
     Result<void> result = mayStart();
     if (result) {
@@ -131,11 +131,6 @@ class Job {
   }
 
  private:
-  [[nodiscard]] bool isWindow() const { return base::hasWindows(m_settings.parameters.method); }
-  [[nodiscard]] bool isCredit() const {
-    return m_settings.parameters.method == base::MethodKind::Credit;
-  }
-
   [[nodiscard]] Result<void> mayStart() const {
     if (base::needsCommissioning(m_settings.parameters.method) && !m_settings.isCommissioned) {
       return base::fail(blockedError({BlockReason::NotCommissioned, {}, std::nullopt}));
@@ -143,17 +138,11 @@ class Job {
     return {};
   }
 
-  /// Two runs must not have the same number by accident: the clock of the link counts
-  /// nanoseconds, and no two clients were switched on in the same one.
-  [[nodiscard]] int makeRunNumber() const {
-    constexpr std::uint64_t kNumbers = 999'983;
-    std::uint64_t mixed = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count()) + 1;
-    for (const char letter : m_program.hash) {
-      mixed = mixed * 1'099'511'628'211ULL + static_cast<unsigned char>(letter);
-    }
-    mixed ^= mixed >> 29;
-    mixed *= 0x9E3779B97F4A7C15ULL;
-    return static_cast<int>((mixed >> 20) % kNumbers) + 1;
+  /// No two runs have the same by accident: the clock of the link counts nanoseconds, and no two
+  /// clients were switched on in the same one.
+  [[nodiscard]] std::uint64_t entropy() const {
+    const auto now = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count());
+    return base::hashOf(m_program.hash) ^ ((now + 1) * base::kHashPrime);
   }
 
   Result<void> prepare() {
@@ -168,26 +157,24 @@ class Job {
     }
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
-    if (isWindow()) {
-      const Resume from = m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg});
-      m_report.checkpoint = Checkpoint{m_settings.runNumber,   from.point,   from.startMm, false,
-                                       m_settings.placePauses, from.startDeg};
-    }
+    m_report.checkpoint = m_type.checkpoint(
+        m_settings, m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg}));
     startRecording();
     return {};
   }
 
   /// Tries the forms of access on cells the run is going to overwrite anyway.
   Result<void> chooseAccess() {
-    if (m_settings.access == AccessChoice::Fixed || m_cells.inFiles) {
+    if (m_settings.access == AccessChoice::Fixed || m_cells.slotCount() == 0) {
       return {};
     }
-    if (!isWindow() && m_settings.parameters.layout != templates::Layout::Contiguous) {
+    if (!m_cells.scratch) {
       return base::fail(opcua::LinkError::Rejected,
                         "Arrays need consecutive cells, and Rivulet may not use the cells between "
                         "the points. Choose the contiguous layout, or lists.");
     }
-    Result<AccessForms> forms = probeAccess(m_link, scratchCells(), m_settings.requestDeadline);
+    Result<AccessForms> forms = probeAccess(m_link, {m_cells.scratch->first, m_cells.scratch->last},
+                                            m_settings.requestDeadline);
     if (!forms) {
       return base::fail(forms.error());
     }
@@ -202,22 +189,6 @@ class Job {
                         "No form of array access works on this control. Use lists.");
     }
     return {};
-  }
-
-  /// Nothing but cells of the run's own. Method window: the first window between the free cell in
-  /// front of it and the cell behind it, if that is the run's own; where slots have gaps, no
-  /// further than to the first slot.
-  [[nodiscard]] ScratchCells scratchCells() const {
-    if (!isWindow()) {
-      return {m_cells.firstSlot, m_cells.last()};
-    }
-    const int first = m_cells.windowCount(0) - 1;
-    const int slotEnd = m_cells.slotCells(0).back();
-    if (m_cells.slotStride > slotEnd - m_cells.firstSlot + 1) {
-      return {first, slotEnd};
-    }
-    const int behind = m_cells.windowCount(0) + m_cells.windowStride;
-    return {first, m_cells.windows > 1 ? behind : behind - 1};
   }
 
   void startRecording() {
@@ -261,13 +232,11 @@ class Job {
                                              transfer->compared ? "compared" : "not compared",
                                              transfer->selected ? "selected" : "to be selected")});
     // A number left from an earlier run must not pass for the program's own.
-    const std::array<opcua::Assignment, 3> clear{{{opcua::rParameter(m_cells.layout), 0.0},
-                                                  {opcua::rParameter(m_cells.run), 0.0},
-                                                  {opcua::rParameter(m_cells.stop), 0.0}}};
-    const std::size_t cells = isWindow() ? 2 : 3;  // there the run cell is the stop cell too
-    if (Result<void> done =
-            opcua::writeNow(m_link, std::span(clear).first(cells), m_settings.requestDeadline);
-        !done) {
+    std::vector<opcua::Assignment> clear;
+    for (const int cell : m_cells.cleared) {
+      clear.push_back({opcua::rParameter(cell), 0.0});
+    }
+    if (Result<void> done = opcua::writeNow(m_link, clear, m_settings.requestDeadline); !done) {
       return done;
     }
     publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
@@ -361,9 +330,9 @@ class Job {
   void stream() {
     MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings,
                       m_flight.toolDeg};
-    const std::unique_ptr<Method> method = makeMethod(std::move(setup));
+    const std::unique_ptr<Method> method = m_type.make(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
-                  {opcua::rParameter(m_cells.stop), isWindow() ? 2.0 : 1.0}, m_cells);
+                  m_cells);
     ControlAxes shown;
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
       if (m_cells.rotaryAxes[axis]) {
@@ -389,66 +358,43 @@ class Job {
     } else {
       m_report.outcome = Outcome::Completed;
     }
-    if (isWindow() && end.programEnded) {
-      takeEndOfWindows();
+    if (end.programEnded) {
+      takeProgramEnd();
     }
-  }
-
-  /// Points in the first windows of this run.
-  [[nodiscard]] std::size_t pointsOfWindows(double windows) const {
-    const std::vector<gcode::StreamPoint>& points = m_flight.points.points;
-    const auto perWindow = static_cast<std::size_t>(m_settings.parameters.pointsPerLoop);
-    const PausePlacement placement = cutWindows(points, perWindow, m_settings.placePauses);
-    return windows < static_cast<double>(placement.windows())
-               ? placement.begins[static_cast<std::size_t>(windows)]
-               : points.size();
   }
 
   /// How the program ended and how far it came, in its own words.
-  void takeEndOfWindows() {
-    const std::array<Variable, 3> watched{opcua::rParameter(m_cells.state),
-                                          opcua::rParameter(m_cells.executed),
-                                          opcua::rParameter(m_cells.owner)};
-    const auto readings = opcua::readNow(m_link, watched, m_settings.requestDeadline);
-    if (!readings || (*readings)[0].status || (*readings)[1].status || (*readings)[2].status) {
-      m_ledger.note({m_link.now(), "the reason why the program ended could not be read"});
-      if (m_report.outcome == Outcome::Completed) {
-        m_report.outcome = Outcome::Failed;
-        m_report.error = base::makeError(StreamError::EndedEarly,
-                                         "The program on the control has ended, but the reason "
-                                         "could not be read. Resume the run to check it again.");
-      }
+  void takeProgramEnd() {
+    const std::optional<ProgramEnd> end =
+        m_type.askEnd(m_link, m_cells, m_settings, m_flight.points.points);
+    if (!end) {
       return;
     }
-    const double executed = (*readings)[1].number;
-    const bool isOurs = (*readings)[2].number == static_cast<double>(m_settings.runNumber);
-    if (isOurs && executed >= 0.0) {
-      m_report.counters.executed = pointsOfWindows(executed);
+    if (!end->isKnown) {
+      m_ledger.note({m_link.now(), "the reason why the program ended could not be read"});
+    }
+    if (end->executed) {
+      m_report.counters.executed = *end->executed;
     }
     if (m_report.error.code) {
       return;  // what came first is the cause
     }
-    const auto fail = [this](StreamError code, const char* text) {
-      m_report.outcome = Outcome::Failed;
-      m_report.error = base::makeError(code, text);
-    };
-    const auto state = static_cast<templates::WindowState>((*readings)[0].number);
-    if (!isOurs) {
-      fail(StreamError::Restarted,
-           "The program on the control has been started for another run. Rivulet writes nothing "
-           "more.");
-    } else if (state == templates::WindowState::Damaged) {
-      fail(StreamError::WindowDamaged,
-           "The control rejected a window whose check number did not match: something else writes "
-           "these R-parameters. The window was not executed. Find the other writer, then resume.");
-    } else if (state == templates::WindowState::Abandoned) {
-      fail(StreamError::ClientSilent,
-           "The control ended its program because it received nothing from Rivulet for too long. "
-           "Check the network, then resume.");
-    } else if (m_report.outcome == Outcome::Completed && state != templates::WindowState::Done) {
-      fail(StreamError::EndedEarly,
-           "The program on the control ended before every point was executed.");
+    const bool isCompleted = m_report.outcome == Outcome::Completed;
+    if (end->error.code && (end->isKnown || isCompleted)) {
+      fail(end->error);
+    } else if (isCompleted && !end->isDone) {
+      fail(endedEarly());
     }
+  }
+
+  void fail(base::Error error) {
+    m_report.outcome = Outcome::Failed;
+    m_report.error = std::move(error);
+  }
+
+  [[nodiscard]] static base::Error endedEarly() {
+    return base::makeError(StreamError::EndedEarly,
+                           "The program on the control ended before every point was executed.");
   }
 
   void finish() {
@@ -463,10 +409,7 @@ class Job {
     }
     if (m_report.outcome == Outcome::Completed && m_report.integrity.judged &&
         m_report.integrity.executed < m_report.counters.total) {
-      m_report.outcome = Outcome::Failed;
-      m_report.error =
-          base::makeError(StreamError::EndedEarly,
-                          "The program on the control ended before every point was executed.");
+      fail(endedEarly());
     }
     m_report.access = m_ledger.statistics();
     if (m_recorder.writer != nullptr) {
@@ -533,6 +476,7 @@ class Job {
   RunOrders& m_orders;
   Ledger m_ledger;
   JobRecorder m_recorder;
+  const MethodType& m_type;
   templates::CellMap m_cells;
   Preflight m_flight;
   RunReport m_report;

@@ -8,6 +8,7 @@
 /// @threadsafety one object, one thread. No allocation between the first poll and the end.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "base/instant.h"
+#include "base/timer_table.h"
 #include "gcode/trajectory.h"
 #include "opcua/link.h"
 #include "streaming/run.h"
@@ -39,20 +41,24 @@ struct Answer {
   std::span<const opcua::Reading> readings;  ///< Read; empty for a write
 };
 
+/// What a method expects of the time to come.
+enum class Expectation {
+  Access,    ///< the next access is not needed before; stopped: none is needed
+  Progress,  ///< later progress means something is slower than planned; stopped: none is expected
+  Points,    ///< when the axes run out of delivered points; stopped: not known
+  Count,
+};
+
 /// What a method tells the world.
 struct Progress {
   std::size_t executed = 0;       ///< points known to be passed
   std::size_t stopsPassed = 0;    ///< STOPREs of the template known to be passed
   std::size_t brokenSignals = 0;  ///< signals that came out of turn: a window was missed
-  base::Instant lastProgress{};   ///< when `executed` grew last
-  base::Instant nextEarliest{};   ///< the next access is not needed before
-  base::Instant nextLatest{};     ///< progress after this means something is slower than planned
-  /// Methods with windows: when the axes will have come through all that has been delivered;
-  /// zero: not known.
-  base::Instant neededAt{};
+  std::optional<base::Instant> lastProgress;  ///< nothing: the stream has not begun
+  base::TimerTable<Expectation> expected;
   bool hasNothingToBring = false;  ///< methods with windows: all the control takes is there
   bool allSent = false;            ///< every point is on the control
-  bool granted = false;            ///< method window: the control obeys this run
+  bool granted = false;            ///< methods with windows: the control obeys this run
   bool stopWritten = false;        ///< the program on the control has been told to end
 };
 
@@ -87,6 +93,15 @@ class Method {
 
   /// Tool position contained in the answer handled last, if the method reads it anyway.
   [[nodiscard]] virtual std::optional<base::Vec3> positionMm() const { return std::nullopt; }
+  /// True if it does; the driver reads no position for the display then.
+  [[nodiscard]] virtual bool readsPosition() const { return false; }
+
+  /// True if the machine waits where the client is late: an answer that does not come is no harm.
+  [[nodiscard]] virtual bool waitsForClient() const = 0;
+  /// What the control does without its client, and what to do; for the user, in English.
+  [[nodiscard]] virtual std::string_view adviceWhenLost() const = 0;
+  /// Why there may be no progress, and what to do; for the user, in English.
+  [[nodiscard]] virtual std::string_view adviceWhenStalled() const = 0;
 };
 
 /// What every method is made from.
@@ -98,7 +113,51 @@ struct MethodSetup {
   base::RotaryDeg startDeg{};  ///< the same of A, B, C
 };
 
-/// The method named in the settings. @param setup see MethodSetup
-[[nodiscard]] std::unique_ptr<Method> makeMethod(MethodSetup setup);
+/// How a program ended and how far it came, in its own words.
+struct ProgramEnd {
+  std::optional<std::size_t> executed;  ///< points of this run; nothing: not known
+  bool isKnown = false;                 ///< its cells could be read
+  bool isDone = false;                  ///< it reached its end
+  base::Error error;                    ///< why it ended; code clear: nothing was wrong
+};
+
+/// What a job has to know of a method before and after the stream. One per method, with the method
+/// in `methods/`; `methodType` is where they are registered. @threadsafety no state.
+class MethodType {
+ public:
+  MethodType() = default;
+  MethodType(const MethodType&) = delete;
+  MethodType& operator=(const MethodType&) = delete;
+  virtual ~MethodType() = default;
+
+  [[nodiscard]] virtual std::unique_ptr<Method> make(MethodSetup setup) const = 0;
+
+  /// Fills in what the user leaves open. @param entropy  of this run
+  virtual void complete(RunSettings& /*settings*/, std::uint64_t /*entropy*/) const {}
+
+  /// Points at whose end the axes stand between windows or loops, in order.
+  /// @param points N, >= 1, points per loop or window  @param place  see `cutWindows`
+  [[nodiscard]] virtual std::vector<std::size_t> pausesBefore(
+      std::span<const gcode::StreamPoint> points, std::size_t pointsPerLoop, bool place) const = 0;
+
+  /// What a run needs to be resumed later; nothing: this method cannot be.
+  [[nodiscard]] virtual std::optional<Checkpoint> checkpoint(const RunSettings& /*settings*/,
+                                                             const Resume& /*from*/) const {
+    return std::nullopt;
+  }
+  /// Windows the program may have taken and not executed; 0: this method has none.
+  [[nodiscard]] virtual int windowsTakenMax(
+      const templates::TemplateParameters& /*parameters*/) const {
+    return 0;
+  }
+  /// Asks a program that has ended how it did. Nothing: it cannot say.
+  [[nodiscard]] virtual std::optional<ProgramEnd> askEnd(
+      opcua::Link& /*link*/, const templates::CellMap& /*cells*/, const RunSettings& /*settings*/,
+      std::span<const gcode::StreamPoint> /*points*/) const {
+    return std::nullopt;
+  }
+};
+
+[[nodiscard]] const MethodType& methodType(base::MethodKind method);
 
 }  // namespace rivulet::streaming

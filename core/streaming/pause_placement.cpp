@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "streaming/method.h"
 
 namespace rivulet::streaming {
 
@@ -106,25 +107,9 @@ std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> poin
   RIVULET_ASSERT(!points.empty() && pointsPerLoop >= 1);
   const std::vector<bool> harmless = harmlessPauses(points);
   std::vector<PlannedPause> pauses;
-  const auto add = [&](std::size_t behind) {
-    if (behind > 0 && behind < points.size()) {
-      pauses.push_back({static_cast<std::uint32_t>(behind - 1), !harmless[behind - 1]});
-    }
-  };
-  if (method == base::MethodKind::Credit) {
-    return pauses;
-  }
-  if (base::hasWindows(method)) {
-    for (const std::size_t begin : cutWindows(points, pointsPerLoop, place).begins) {
-      add(begin);
-    }
-    return pauses;
-  }
-  const std::size_t half = method == base::MethodKind::Signal ? pointsPerLoop / 2 : 0;
-  for (std::size_t loop = 0; loop < points.size(); loop += pointsPerLoop) {
-    add(loop);
-    if (half > 0) {
-      add(loop + half);
+  for (const std::size_t next : methodType(method).pausesBefore(points, pointsPerLoop, place)) {
+    if (next > 0 && next < points.size()) {
+      pauses.push_back({static_cast<std::uint32_t>(next - 1), !harmless[next - 1]});
     }
   }
   return pauses;

@@ -11,7 +11,9 @@
 #include "base/contract.h"
 #include "opcua/await.h"
 #include "streaming/control_axes.h"
+#include "streaming/method.h"
 #include "streaming/pause_placement.h"
+#include "templates/generator.h"
 
 namespace rivulet::streaming {
 
@@ -25,7 +27,6 @@ using opcua::Variable;
 using opcua::VariableKind;
 
 constexpr double kReset = 0.0;
-constexpr double kEnd = 2.0;
 constexpr Duration kPollInterval = std::chrono::milliseconds{100};
 
 /// A tool farther from the path than this has been moved since: roundings of the control are
@@ -136,7 +137,8 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
                         "The program on the control did not end. Reset the control, then resume.");
     }
     if (!told) {
-      const opcua::Assignment end{opcua::rParameter(cells.run), kEnd};
+      const opcua::Assignment end{opcua::rParameter(cells.endCell),
+                                  static_cast<double>(cells.endValue)};
       if (Result<void> done = opcua::writeNow(link, {&end, 1}, settings.requestDeadline); !done) {
         return done;
       }
@@ -214,7 +216,8 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     return base::fail(plan.error());
   }
   const templates::CellMap& cells = *plan;
-  if (cells.windows == 0) {
+  const int takenMax = methodType(settings.parameters.method).windowsTakenMax(settings.parameters);
+  if (takenMax == 0) {
     return base::fail(
         StreamError::CannotResume,
         "Only methods window and credit report how far a run came. Start from the beginning.");
@@ -279,9 +282,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     return Resume{last.firstPoint, last.startMm, last.startDeg};
   }
   // What the program may have taken over beyond what is executed.
-  const bool isCredit = settings.parameters.method == base::MethodKind::Credit;
-  const double aheadMax = isCredit ? settings.parameters.windowsAhead : 1.0;
-  const bool fits = latched >= executed && latched <= executed + aheadMax &&
+  const bool fits = latched >= executed && latched <= executed + takenMax &&
                     latched == std::floor(latched) && executed == std::floor(executed);
   if (!isOurs || !(executed >= 0.0) || !fits || latched > static_cast<double>(total)) {
     return base::fail(StreamError::CannotResume,

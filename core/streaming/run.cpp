@@ -42,6 +42,19 @@ std::string_view outcomeName(Outcome outcome) {
   return "";
 }
 
+std::string_view passedByName(PassedBy passedBy) {
+  return passedBy == PassedBy::Position ? "position" : "distance-to-go";
+}
+
+std::optional<PassedBy> passedByFromName(std::string_view name) {
+  for (const PassedBy passedBy : {PassedBy::Position, PassedBy::DistanceToGo}) {
+    if (passedByName(passedBy) == name) {
+      return passedBy;
+    }
+  }
+  return std::nullopt;
+}
+
 std::string_view runFindingName(RunFinding finding) {
   switch (finding) {
     case RunFinding::Faultless:

@@ -82,6 +82,17 @@ struct Checkpoint {
   base::RotaryDeg startDeg{};
 };
 
+/// What method position watches to see that a point has been passed.
+enum class PassedBy {
+  Position,      ///< the tool's position, compared with the point
+  DistanceToGo,  ///< the distance to the end of the block, as Algorithm II of [P1] has it
+};
+
+/// "position", "distance-to-go".
+[[nodiscard]] std::string_view passedByName(PassedBy passedBy);
+/// Inverse of `passedByName`; nothing for an unknown name.
+[[nodiscard]] std::optional<PassedBy> passedByFromName(std::string_view name);
+
 /// How a run comes by its form of access.
 enum class AccessChoice {
   Fixed,  ///< `RunSettings::grouping` as it stands, untried
@@ -92,6 +103,7 @@ enum class AccessChoice {
 struct RunSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
   double deltaMm = 0.3;                      ///< δ, > 0
+  PassedBy passedBy = PassedBy::Position;    ///< method position only
   double feedMmPerS = 10.0;                  ///< > 0
   opcua::Grouping grouping = opcua::Grouping::List;
   /// Where it is not Fixed, the cells of the first window (or the slots, which must be contiguous)

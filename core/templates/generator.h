@@ -29,11 +29,17 @@ struct WindowFile {
 
 /// The subprogram that is this window. It moves nothing unless the program asks for this number
 /// and obeys this run, and unless it is whole; then it answers in the cell `asked`: minus twice its
-/// number, and one less if it is the last. Coordinates have six decimals. @param cells inFiles
+/// number, and one less if it is the last. Coordinates have six decimals. @param cells  of method
+/// file
 [[nodiscard]] std::string windowFileText(const CellMap& cells, const WindowFile& window);
 
 /// Name on the control of the subprogram for windows whose number from 0 is `file` modulo k.
 [[nodiscard]] std::string windowFileName(int file);
+
+/// What the program writes into its layout cell: a hash of its text (without this number), so that
+/// a client never drives another program. Two programs share one by chance with 1 in 16 million.
+/// @return 1 to 2^24 - 1, which a 32-bit real holds; 0 for settings that make no program
+[[nodiscard]] int layoutNumber(const TemplateParameters& parameters);
 
 /// File name on the control, e.g. "RIVULET_SIGNAL_7.MPF": at most 24 characters before the dot.
 [[nodiscard]] std::string templateFileName(const TemplateParameters& parameters);

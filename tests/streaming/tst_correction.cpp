@@ -76,7 +76,7 @@ struct Bench {
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
         const double at = pointMm[axis] * (i + 1);
         machine.writeRParameter(cells.slotCells(i)[axis], at);
-        check += templates::checkFactor(place++) * at;
+        check += templates::WindowProtocol::checkFactor(place++) * at;
       }
     }
     set(cells.client, kToken);

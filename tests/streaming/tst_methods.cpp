@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QtTest>
+#include <set>
+#include <utility>
 
 #include "streaming/method.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
+using streaming::Expectation;
 using namespace std::chrono_literals;
 
 namespace {
@@ -32,7 +35,7 @@ class TestMethods : public QObject {
   /// What is due has no slack: a read for the display before a refill makes it late.
   void refillIsNeededAtOnce() {
     for (const MethodKind kind : base::kPaperMethods) {
-      const auto method = streaming::makeMethod(setup(kind));
+      const auto method = streaming::methodType(kind).make(setup(kind));
       base::Instant now{};
       for (int begin = 0; begin < 2; ++begin) {  // fill, run
         QVERIFY(method->poll(now)->kind == streaming::Action::Kind::Write);
@@ -45,13 +48,82 @@ class TestMethods : public QObject {
       now += 5ms;
       method->handle({now - 5ms, now, readings}, now);
       QVERIFY(method->progress().executed > 0);
-      QVERIFY(method->progress().nextEarliest <= now);
+      QVERIFY(!method->progress().expected.isAhead(Expectation::Access, now));
       QVERIFY(method->poll(now)->kind == streaming::Action::Kind::Write);
       now += 20ms;
       method->handle({now - 20ms, now, {}}, now);
       // The next point is 50 mm away at 10 mm/s.
-      QVERIFY(method->progress().nextEarliest > now + 1s);
+      QVERIFY(method->progress().expected.isAhead(Expectation::Access, now + 1s));
     }
+  }
+
+  /// The distance to go is 0 before the first motion: that is no point passed.
+  /// @source [P1] Algorithm II
+  void distanceToGoWaitsForMotionAndCountsABlockOnce() {
+    streaming::MethodSetup one = setup(MethodKind::Position);
+    one.settings.passedBy = streaming::PassedBy::DistanceToGo;
+    const auto method = streaming::methodType(MethodKind::Position).make(std::move(one));
+    base::Instant now{};
+    for (int begin = 0; begin < 2; ++begin) {  // fill, run
+      QVERIFY(method->poll(now)->kind == streaming::Action::Kind::Write);
+      method->handle({now, now, {}}, now);
+    }
+    // The distance read, and the points passed after it.
+    const std::vector<std::pair<double, std::size_t>> seen{
+        {0.0, 0},  {0.0, 0},             // stands and waits
+        {49.0, 0}, {10.0, 0},            // on the way to the first point
+        {0.2, 1},  {0.1, 1},  {0.0, 1},  // there, counted once
+        {0.25, 2},                       // the next block, nearly at its end when it is seen
+        {0.1, 2},  {48.0, 2}, {0.29, 3}, {0.0, 3}, {0.0, 3}};  // a STOPRE
+    for (const auto& [toGoMm, passed] : seen) {
+      const auto action = method->poll(now);
+      QVERIFY(action->kind == streaming::Action::Kind::Read);
+      QCOMPARE(action->variables[0].kind, opcua::VariableKind::DistanceToGo);
+      const std::size_t before = method->progress().executed;
+      std::vector<opcua::Reading> readings(3);
+      readings[0].number = toGoMm;
+      now += 5ms;
+      method->handle({now - 5ms, now, readings}, now);
+      QCOMPARE(method->progress().executed, passed);
+      if (passed > before) {  // the slot that has been passed is refilled
+        const auto refill = method->poll(now);
+        QVERIFY(refill->kind == streaming::Action::Kind::Write);
+        QCOMPARE(refill->assignments[0].value, 50.0 * static_cast<double>(passed + 7));
+        method->handle({now, now, {}}, now);
+      }
+    }
+    QVERIFY(!method->readsPosition());
+  }
+
+  /// Every method is registered under its own kind.
+  void everyMethodHasItsType() {
+    std::set<const streaming::MethodType*> types;
+    for (const MethodKind kind : base::kMethodKinds) {
+      const streaming::MethodType& type = streaming::methodType(kind);
+      QVERIFY(types.insert(&type).second);
+      streaming::MethodSetup one = setup(kind);
+      type.complete(one.settings, 17);
+      QCOMPARE(one.settings.runNumber > 0, base::hasWindows(kind));
+      QCOMPARE(type.windowsTakenMax(one.settings.parameters) > 0, base::hasWindows(kind));
+      QCOMPARE(type.checkpoint(one.settings, {}).has_value(), base::hasWindows(kind));
+      const auto method = type.make(std::move(one));
+      QCOMPARE(method->waitsForClient(), base::hasWindows(kind));
+      QCOMPARE(method->readsPosition(), kind == MethodKind::Position);
+    }
+  }
+
+  void aTimerThatIsStoppedNeverExpires() {
+    base::TimerTable<Expectation> timers;
+    const base::Instant now{};
+    QVERIFY(timers.isAhead(Expectation::Points, now));
+    QVERIFY(!timers.isExpired(Expectation::Points, now + 1h));
+    timers.set(Expectation::Points, now + 1s);
+    QVERIFY(timers.isAhead(Expectation::Points, now));
+    QVERIFY(timers.isExpired(Expectation::Points, now + 1s));
+    QVERIFY(!timers.isAhead(Expectation::Points, now + 1s));
+    QVERIFY(!timers.deadline(Expectation::Access));
+    timers.stop(Expectation::Points);
+    QVERIFY(!timers.isExpired(Expectation::Points, now + 1h));
   }
 };
 

@@ -78,7 +78,7 @@ struct Bench {
       const std::vector<int> numbers = cells.slotCells(slot * parameters.pointsPerLoop + i);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         machine.writeRParameter(numbers[axis], point[axis]);
-        check += templates::checkFactor(place++) * point[axis];
+        check += templates::WindowProtocol::checkFactor(place++) * point[axis];
       }
     }
     machine.writeRParameter(cells.windowCount(slot), count);

@@ -2,44 +2,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Method 1 of [P1]: watch the tool; when it is within δ of the point due, put the next point of
-/// the list into that point's slot. Kept as published, with its hazards: a point that is passed
-/// between two reads is waited for for ever while the control repeats its loop.
+/// Method 1 of [P1]: when the tool is within δ of the point due, put the next point of the list
+/// into that point's slot. Kept as published, with its hazards: a point that is passed between two
+/// reads is missed, and the control repeats old points.
+///
+/// [P1] III names two ways to see that a point has been reached. With `PassedBy::Position` the
+/// tool's position is compared with the point. With `PassedBy::DistanceToGo` the distance to the
+/// end of the block in motion is compared with δ, as Algorithm II has it. @deviation Algorithm II
+/// does not say how a block is told from the one before. Here a block counts once: the distance has
+/// to grow before it can count again. It is 0 before the first motion and at each STOPRE, so the
+/// client waits for motion there too.
 /// @source [P1] Algorithm II. @threadsafety one object, one thread.
 #pragma once
 
-#include <array>
-
-#include "streaming/methods/slots.h"
+#include "streaming/methods/loop.h"
 
 namespace rivulet::streaming {
 
-class PositionMethod final : public Method {
+class PositionMethod final : public LoopMethod {
  public:
   explicit PositionMethod(MethodSetup setup);
 
-  std::optional<Action> poll(base::Instant now) override;
-  void handle(const Answer& answer, base::Instant now) override;
-  void requestStop() override { m_stopWanted = true; }
-  const Progress& progress() const override { return m_progress; }
   std::optional<base::Vec3> positionMm() const override { return m_positionMm; }
+  bool readsPosition() const override { return !m_watchesDistance; }
 
  private:
-  enum class Phase { Fill, Run, Watch, Refill, Stop };
+  void begun(base::Instant sent, base::Instant now) override;
+  void observe(const Answer& answer, base::Instant now) override;
+  std::size_t addRefill() override;
+  bool isInLastLoop() const override;
+  bool hasSentAll() const override { return m_due + m_plan.slotCount() > m_plan.pointCount(); }
 
-  void observe(const Answer& answer, base::Instant now);
-  [[nodiscard]] Action write(Phase phase, std::size_t points);
+  /// The point due has been passed.
+  void advance(base::Instant now);
+  /// Shortest way to where the point due counts as passed, δ not subtracted.
+  [[nodiscard]] double seePosition(const Answer& answer, base::Instant now);
+  [[nodiscard]] double seeDistanceToGo(const Answer& answer, base::Instant now);
 
-  SlotPlan m_plan;
-  std::array<opcua::Variable, base::kAxisCount> m_watched;
-  Phase m_phase = Phase::Fill;
-  bool m_waiting = false;  ///< an answer is outstanding
-  bool m_stopWanted = false;
-  bool m_refillDue = false;
-  base::Instant m_nextPointEarliest{};  ///< when the tool can be at the point due
-  std::size_t m_due = 0;                ///< index of the point the tool is on its way to
+  bool m_watchesDistance;
+  std::size_t m_due = 0;  ///< index of the point the tool is on its way to
   std::optional<base::Vec3> m_positionMm;
-  Progress m_progress;
+  double m_toGoMm = 0.0;         ///< as read last; 0 before the first motion
+  bool m_isBlockCounted = true;  ///< the block in motion has been counted
+};
+
+class PositionMethodType final : public LoopMethodType {
+ public:
+  [[nodiscard]] std::unique_ptr<Method> make(MethodSetup setup) const override;
+
+ private:
+  [[nodiscard]] std::size_t pauseWithinLoop(std::size_t) const override { return 0; }
 };
 
 }  // namespace rivulet::streaming

@@ -10,39 +10,36 @@
 /// slots, signal 1 the remaining N-⌊N/2⌋. @threadsafety one object, one thread.
 #pragma once
 
-#include <array>
-
-#include "streaming/methods/slots.h"
+#include "streaming/methods/loop.h"
 
 namespace rivulet::streaming {
 
-class SignalMethod final : public Method {
+class SignalMethod final : public LoopMethod {
  public:
   explicit SignalMethod(MethodSetup setup);
 
-  std::optional<Action> poll(base::Instant now) override;
-  void handle(const Answer& answer, base::Instant now) override;
-  void requestStop() override { m_stopWanted = true; }
-  const Progress& progress() const override { return m_progress; }
-
  private:
-  enum class Phase { Fill, Run, Watch, Refill, Stop };
+  void begun(base::Instant sent, base::Instant now) override;
+  void observe(const Answer& answer, base::Instant now) override;
+  std::size_t addRefill() override;
+  bool isInLastLoop() const override { return m_passed > 2 * m_plan.lastLoop(); }
+  bool hasSentAll() const override { return windowBegin(m_passed + 2) >= m_plan.pointCount(); }
 
-  void observe(const Answer& answer, base::Instant now);
-  [[nodiscard]] Action write(Phase phase, std::size_t points);
   [[nodiscard]] std::size_t windowSize(std::size_t window) const;
-  /// Number of points in front of a window, counting windows from the start of the run.
+  /// Number of points before a window, counting windows from the start of the run.
   [[nodiscard]] std::size_t windowBegin(std::size_t window) const;
 
-  SlotPlan m_plan;
-  std::array<opcua::Variable, 1> m_watched;
-  Phase m_phase = Phase::Fill;
-  bool m_waiting = false;
-  bool m_stopWanted = false;
-  bool m_refillDue = false;
-  base::Instant m_nextSignalEarliest{};  ///< of the window the control is in
-  std::size_t m_passed = 0;              ///< windows the control has signalled
-  Progress m_progress;
+  std::size_t m_passed = 0;  ///< windows the control has signalled
+};
+
+class SignalMethodType final : public LoopMethodType {
+ public:
+  [[nodiscard]] std::unique_ptr<Method> make(MethodSetup setup) const override;
+
+ private:
+  [[nodiscard]] std::size_t pauseWithinLoop(std::size_t pointsPerLoop) const override {
+    return pointsPerLoop / 2;
+  }
 };
 
 }  // namespace rivulet::streaming

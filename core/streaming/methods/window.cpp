@@ -3,7 +3,7 @@
 
 #include "streaming/methods/window.h"
 
-#include "templates/generator.h"
+#include "opcua/await.h"
 
 namespace rivulet::streaming {
 
@@ -11,11 +11,7 @@ namespace {
 
 using base::Duration;
 using base::Instant;
-
-/// Values of the run cell.
-constexpr double kHold = 0.0;
-constexpr double kRun = 1.0;
-constexpr double kEnd = 2.0;
+using templates::WindowProtocol;
 
 /// Between signs of life. The program gives up after 20 s without one, at the earliest.
 constexpr Duration kBeatInterval = std::chrono::seconds{1};
@@ -23,37 +19,35 @@ constexpr Duration kBeatInterval = std::chrono::seconds{1};
 constexpr Duration kLookInterval = std::chrono::milliseconds{250};
 /// Stand-still between windows, the pre-run's work on a window, and scatter.
 constexpr Duration kSlowerThanPlanned = std::chrono::milliseconds{400};
-/// No progress is expected while the client itself has something to bring.
-constexpr Duration kOurTurn = std::chrono::hours{1};
 
 }  // namespace
 
-WindowMethod::WindowMethod(MethodSetup setup)
+WindowedMethod::WindowedMethod(MethodSetup&& setup, bool saysExecuted)
     : m_plan(std::move(setup)),
-      m_perWindow(static_cast<std::size_t>(m_plan.cells().pointsPerLoop)),
       m_slots(static_cast<std::size_t>(m_plan.cells().windows)),
-      m_begins(m_plan.windowBegins(m_perWindow)),
+      m_begins(m_plan.windowBegins(static_cast<std::size_t>(m_plan.cells().pointsPerLoop))),
       m_windowCount(m_begins.size() - 1),
       m_ownerCell{opcua::rParameter(m_plan.cells().owner)},
-      m_saysExecuted(m_plan.settings().parameters.method != base::MethodKind::Window),
-      m_isCredit(m_plan.settings().parameters.method == base::MethodKind::Credit),
       m_watched{opcua::rParameter(m_plan.cells().latched)},
       m_header{opcua::rParameter(m_plan.cells().latched),
                opcua::rParameter(m_plan.cells().delivered), opcua::rParameter(m_plan.cells().owner),
-               opcua::rParameter(m_plan.cells().state), opcua::rParameter(m_plan.cells().run)} {
+               opcua::rParameter(m_plan.cells().state), opcua::rParameter(m_plan.cells().run)},
+      m_saysExecuted(saysExecuted) {
   RIVULET_ASSERT(m_slots >= 1);
   RIVULET_ASSERT(m_plan.settings().runNumber > 0);
+  m_timers.set(Timer::Beat, Instant{});  // the first one at once
+  m_timers.set(Timer::Look, Instant{});
   if (m_saysExecuted) {
     m_watched.push_back(opcua::rParameter(m_plan.cells().executed));
     m_header.push_back(opcua::rParameter(m_plan.cells().executed));
   }
 }
 
-std::size_t WindowMethod::windowBegin(std::size_t window) const {
+std::size_t WindowedMethod::windowBegin(std::size_t window) const {
   return m_begins[std::min(window, m_windowCount)];
 }
 
-Duration WindowMethod::windowTime(std::size_t window) const {
+Duration WindowedMethod::windowTime(std::size_t window) const {
   const std::size_t begin = windowBegin(window);
   const std::size_t end = windowBegin(window + 1);
   if (begin == 0) {
@@ -62,21 +56,17 @@ Duration WindowMethod::windowTime(std::size_t window) const {
   return m_plan.travelTime(begin - 1, end - 1);
 }
 
-Duration WindowMethod::takenTime() const {
-  if (!m_isCredit) {
-    return windowTime(m_latched == 0 ? 0 : m_latched - 1);
-  }
-  Duration sum{};
-  for (std::size_t window = m_executed; window < std::max(m_latched, m_executed + 1); ++window) {
-    sum += windowTime(window);
-  }
-  return sum;
+Duration WindowedMethod::takenTime() const {
+  return windowTime(m_latched == 0 ? 0 : m_latched - 1);
 }
 
-void WindowMethod::reckonNeed() {
-  const std::size_t freed = m_plan.cells().inFiles ? m_executed : m_latched;
+void WindowedMethod::expectTaken(Instant now) {
+  m_progress.expected.set(Expectation::Progress, now + takenTimeMax() + kSlowerThanPlanned);
+}
+
+void WindowedMethod::estimateNeed() {
   m_progress.hasNothingToBring =
-      m_delivered == m_filled && (m_filled == m_windowCount || m_filled >= freed + m_slots);
+      m_delivered == m_filled && (m_filled == m_windowCount || m_filled >= freed() + m_slots);
   if (m_latched == 0) {
     return;  // nothing moves yet
   }
@@ -84,93 +74,49 @@ void WindowMethod::reckonNeed() {
   for (std::size_t window = m_executed; window < m_delivered; ++window) {
     enough += windowTime(window);
   }
-  m_progress.neededAt = m_takenAt + enough;
+  m_progress.expected.set(Expectation::Points, m_takenAt + enough);
 }
 
-Duration WindowMethod::takenTimeMax() const {
-  const bool slows = m_isCredit && m_plan.settings().parameters.slowDown;
-  return slows ? takenTime() * 100 / templates::kCreditSlowPercent : takenTime();
-}
-
-Action WindowMethod::write(Step step, std::size_t points) {
+Action WindowedMethod::write(Step step, std::size_t points) {
   m_step = step;
   m_waiting = true;
   return {Action::Kind::Write, {}, m_plan.writes(), points};
 }
 
-Action WindowMethod::read(Step step, std::span<const opcua::Variable> variables) {
+Action WindowedMethod::read(Step step, std::span<const opcua::Variable> variables) {
   m_step = step;
   m_waiting = true;
   return {Action::Kind::Read, variables, {}, 0};
 }
 
-/// Coordinates, number of points, feed, check: what the control adds up is added up here, term by
-/// term in the same order.
-void WindowMethod::addContent(std::size_t window) {
-  const templates::CellMap& cells = m_plan.cells();
-  const std::size_t begin = windowBegin(window);
-  const std::size_t end = windowBegin(window + 1);
-  const std::size_t slot = window % m_slots;
-  const double count = (end == m_plan.pointCount() ? -1.0 : 1.0) * static_cast<double>(end - begin);
-  const double feedMmPerMin = base::mmPerMinFromMmPerS(m_plan.settings().feedMmPerS);
-  double check = static_cast<double>(m_plan.settings().runNumber) +
-                 templates::kCheckNumber * static_cast<double>(window + 1) +
-                 templates::kCheckCount * count + templates::kCheckFeed * feedMmPerMin;
-  for (std::size_t i = 0; i < m_perWindow; ++i) {
-    // A short window is filled up with its last point: the check covers every slot.
-    m_plan.addPointAt(slot * m_perWindow + i, std::min(begin + i, end - 1));
-  }
-  int place = 0;
-  for (const opcua::Assignment& coordinate : m_plan.writes()) {
-    check += templates::checkFactor(place++) * coordinate.value;
-  }
-  const int windowCell = static_cast<int>(slot);
-  m_plan.addCell(cells.windowCount(windowCell), count);
-  m_plan.addCell(cells.windowFeed(windowCell), feedMmPerMin);
-  m_plan.addCell(cells.windowCheck(windowCell), check);
-  if (opcua::isArray(m_plan.settings().grouping)) {
-    m_plan.lastToFront(3);  // where they stand on the control: the window is one array
-  }
-}
-
-Action WindowMethod::store(std::size_t window) {
-  const std::size_t begin = windowBegin(window);
-  const std::size_t end = windowBegin(window + 1);
-  templates::WindowFile file;
-  file.run = m_plan.settings().runNumber;
-  file.number = window + 1;
-  file.isLast = end == m_plan.pointCount();
-  file.feedMmPerMin = base::mmPerMinFromMmPerS(m_plan.settings().feedMmPerS);
-  for (std::size_t point = begin; point < end; ++point) {
-    m_plan.forEachCoordinate(point, [&](double value) { file.coordinates.push_back(value); });
-  }
-  m_fileName = templates::windowFileName(static_cast<int>(window % m_slots));
-  m_fileText = templates::windowFileText(m_plan.cells(), file);
-  m_step = Step::Content;
-  m_waiting = true;
-  return {Action::Kind::Store, {}, {}, end - begin, m_fileName, m_fileText};
-}
-
-double WindowMethod::runWanted() const {
+int WindowedMethod::runWanted() const {
   if (m_stopWanted) {
-    return kEnd;
+    return WindowProtocol::kEnd;
   }
   // The first windows are all there before anything moves: the start has the full margin.
   const bool filled = m_delivered >= std::min(m_slots, m_windowCount);
-  return filled && !m_holdWanted ? kRun : kHold;
+  return filled && !m_holdWanted ? WindowProtocol::kRun : WindowProtocol::kHold;
 }
 
-std::optional<Action> WindowMethod::poll(Instant now) {
+std::optional<Action> WindowedMethod::pollContent() {
+  if (m_filled > m_delivered || m_renumber) {
+    m_plan.addCell(m_plan.cells().delivered, static_cast<double>(m_filled));
+    return write(Step::Number);
+  }
+  if (m_filled < m_windowCount && m_filled < freed() + m_slots) {
+    m_step = Step::Content;
+    m_waiting = true;
+    return bring(m_filled, windowBegin(m_filled + 1) - windowBegin(m_filled));
+  }
+  return std::nullopt;
+}
+
+std::optional<Action> WindowedMethod::poll(Instant now) {
   if (m_waiting || m_trouble != Trouble::None) {
     return std::nullopt;
   }
   m_plan.clearWrites();
   const templates::CellMap& cells = m_plan.cells();
-  if (m_stopWanted && m_run != kEnd) {
-    m_runAsked = kEnd;
-    m_plan.addCell(cells.run, kEnd);
-    return write(Step::Run);
-  }
   if (!m_owned && !m_stopWanted) {
     if (m_step == Step::Claim) {
       m_plan.addCell(cells.client, static_cast<double>(m_plan.settings().runNumber));
@@ -185,94 +131,60 @@ std::optional<Action> WindowMethod::poll(Instant now) {
   }
   // After a stop nothing is delivered any more: what could still be executed only gets less.
   if (!m_stopWanted) {
-    if (m_filled > m_delivered || m_renumber) {
-      m_plan.addCell(cells.delivered, static_cast<double>(m_filled));
-      return write(Step::Number);
-    }
-    const std::size_t freed = cells.inFiles ? m_executed : m_latched;
-    if (m_filled < m_windowCount && m_filled < freed + m_slots) {
-      if (cells.inFiles) {
-        return store(m_filled);
-      }
-      addContent(m_filled);
-      return write(Step::Content, windowBegin(m_filled + 1) - windowBegin(m_filled));
+    if (std::optional<Action> action = pollContent()) {
+      return action;
     }
   }
-  if (now >= m_nextBeat) {
+  if (m_timers.isExpired(Timer::Beat, now)) {
     m_beat += 1.0;
     m_plan.addCell(cells.heartbeat, m_beat);
     return write(Step::Beat);
   }
-  if (now > m_progress.nextLatest && now >= m_nextLook) {
-    m_nextLook = now + kLookInterval;
+  if (!m_progress.expected.isAhead(Expectation::Progress, now) &&
+      m_timers.isExpired(Timer::Look, now)) {
+    m_timers.set(Timer::Look, now + kLookInterval);
     return read(Step::Look, m_header);
   }
   return read(Step::Watch, m_watched);
 }
 
-bool WindowMethod::answerLost(Instant) {
+bool WindowedMethod::answerLost(Instant) {
   // Whether it was carried out or not: `poll` asks for the same again.
   m_waiting = false;
   return true;
 }
 
-void WindowMethod::handle(const Answer& answer, Instant now) {
+void WindowedMethod::handle(const Answer& answer, Instant now) {
   RIVULET_ASSERT(m_waiting);
   m_waiting = false;
   switch (m_step) {
     case Step::Claim:
       m_step = Step::AwaitOwner;
       m_progress.lastProgress = now;
-      m_progress.nextEarliest = now;
-      m_progress.nextLatest = now + kSlowerThanPlanned;
+      m_progress.expected.set(Expectation::Access, now);
+      m_progress.expected.set(Expectation::Progress, now + kSlowerThanPlanned);
       break;
-    case Step::AwaitOwner: {
-      const double owner = answer.readings[0].number;
-      m_owned = owner == static_cast<double>(m_plan.settings().runNumber);
-      if (m_owned) {
-        m_progress.granted = true;
-        m_progress.lastProgress = now;
-        m_progress.nextLatest = now + kOurTurn;
-      } else if (owner != 0.0) {
-        m_trouble = Trouble::OtherClient;
-      } else if (now > m_progress.nextLatest) {
-        m_step = Step::Claim;  // it may have been overwritten on its way
-      }
+    case Step::AwaitOwner:
+      takeOwner(answer.readings[0].number, now);
       break;
-    }
     case Step::Content:
       ++m_filled;
       break;
     case Step::Number:
-      if (m_delivered < m_filled) {
-        // What the control had not taken so far it takes at once, or behind the window it is in.
-        m_progress.nextLatest = now + takenTimeMax() + kSlowerThanPlanned;
-      }
-      m_delivered = m_filled;
-      m_renumber = false;
-      if (m_filled == m_windowCount || m_filled >= m_latched + m_slots) {
-        m_progress.nextEarliest = m_windowEnds;  // until then there is nothing to be brought
-      }
+      confirmNumber(now);
       break;
     case Step::Run:
-      m_run = m_runAsked;
-      m_progress.lastProgress = now;
-      if (m_run != kHold) {
-        // Behind a stop as well: the control goes on to the end of what it has taken.
-        m_progress.nextLatest = now + takenTimeMax() + kSlowerThanPlanned;
-      } else {
-        m_progress.nextLatest = now + kOurTurn;
-      }
-      m_progress.stopWritten = m_run == kEnd;
+      confirmRun(now);
       break;
     case Step::Beat:
-      m_nextBeat = now + kBeatInterval;
-      if (m_run == kHold) {
-        m_progress.nextLatest = now + kOurTurn;
+      m_timers.set(Timer::Beat, now + kBeatInterval);
+      if (m_run == WindowProtocol::kHold) {
+        m_progress.expected.stop(Expectation::Progress);
       }
       break;
     case Step::Watch:
-      observe(answer.readings[0].number, m_saysExecuted ? answer.readings[1].number : 0.0, answer,
+      observe(answer.readings[0].number,
+              m_saysExecuted ? std::optional(answer.readings[1].number) : std::nullopt, answer,
               now);
       break;
     case Step::Look:
@@ -280,25 +192,67 @@ void WindowMethod::handle(const Answer& answer, Instant now) {
       break;
   }
   m_progress.allSent = m_delivered == m_windowCount;
-  reckonNeed();
+  estimateNeed();
 }
 
-void WindowMethod::observe(double latched, double executed, const Answer& answer, Instant now) {
+void WindowedMethod::takeOwner(double owner, Instant now) {
+  m_owned = owner == static_cast<double>(m_plan.settings().runNumber);
+  if (m_owned) {
+    m_progress.granted = true;
+    m_progress.lastProgress = now;
+    m_progress.expected.stop(Expectation::Progress);  // the client has to bring the first windows
+  } else if (owner != 0.0) {
+    m_trouble = Trouble::OtherClient;
+  } else if (!m_progress.expected.isAhead(Expectation::Progress, now)) {
+    m_step = Step::Claim;  // it may have been overwritten on its way
+  }
+}
+
+void WindowedMethod::confirmNumber(Instant now) {
+  if (m_delivered < m_filled) {
+    // What the control had not taken so far it takes at once, or after the window it is in.
+    expectTaken(now);
+  }
+  m_delivered = m_filled;
+  m_renumber = false;
+  if (m_filled == m_windowCount || m_filled >= m_latched + m_slots) {
+    // Until then there is nothing to be brought.
+    m_progress.expected.set(Expectation::Access,
+                            m_timers.deadline(Timer::WindowEnds).value_or(Instant{}));
+  }
+}
+
+void WindowedMethod::confirmRun(Instant now) {
+  m_run = m_runAsked;
+  m_progress.lastProgress = now;
+  m_progress.stopWritten = m_run == WindowProtocol::kEnd;
+  if (m_run == WindowProtocol::kHold) {
+    m_progress.expected.stop(Expectation::Progress);
+  } else {
+    // After a stop as well: the control goes on to the end of what it has taken.
+    expectTaken(now);
+  }
+}
+
+void WindowedMethod::observe(double latched, std::optional<double> executed, const Answer& answer,
+                             Instant now) {
   if (!(latched >= 0.0) || latched > static_cast<double>(m_delivered) ||
       latched < static_cast<double>(m_latched)) {
     // The program on the control never says this to us: someone else has written the cell, or the
     // program has been started again. The header says which.
-    m_nextLook = now;
-    m_progress.nextLatest = std::min(m_progress.nextLatest, now - Duration{1});
+    m_timers.set(Timer::Look, now);
+    if (m_progress.expected.isAhead(Expectation::Progress, now)) {
+      m_progress.expected.set(Expectation::Progress, now);
+    }
     return;
   }
   const auto windows = static_cast<std::size_t>(latched);
-  // With method window, one that is copied has everything in front of it executed. With the others
-  // the control says so; what it cannot have meant is left out of account.
+  // A window that is taken has everything before it executed, unless the control says what has been
+  // executed; what it cannot have meant is ignored.
   std::size_t passed = windows == 0 ? 0 : windows - 1;
-  if (m_saysExecuted) {
-    const bool isMeant = executed >= static_cast<double>(m_executed) && executed <= latched;
-    passed = isMeant ? static_cast<std::size_t>(executed) : m_executed;
+  if (executed) {
+    const bool isMeant = *executed >= static_cast<double>(m_executed) && *executed <= latched;
+    passed = isMeant ? static_cast<std::size_t>(*executed) : m_executed;
   }
   if (windows == m_latched && passed == m_executed) {
     return;
@@ -308,36 +262,41 @@ void WindowMethod::observe(double latched, double executed, const Answer& answer
   m_takenAt = answer.sent;
   m_progress.lastProgress = now;
   m_progress.executed = windowBegin(m_executed);
-  m_progress.stopsPassed = m_isCredit ? 0 : m_executed;
+  m_progress.stopsPassed = stopsPassed();
   const bool moreToBring = m_filled < m_windowCount && !m_stopWanted;
-  m_windowEnds = answer.sent + takenTime();
-  m_progress.nextEarliest = moreToBring ? now : m_windowEnds;
-  m_progress.nextLatest = moreToBring && m_delivered == m_latched
-                              ? now + kOurTurn
-                              : now + takenTimeMax() + kSlowerThanPlanned;
+  const Instant windowEnds = answer.sent + takenTime();
+  m_timers.set(Timer::WindowEnds, windowEnds);
+  m_progress.expected.set(Expectation::Access, moreToBring ? now : windowEnds);
+  if (moreToBring && m_delivered == m_latched) {
+    m_progress.expected.stop(Expectation::Progress);  // it is for the client to bring more
+  } else {
+    expectTaken(now);
+  }
 }
 
-void WindowMethod::look(const Answer& answer, Instant now) {
-  const double owner = answer.readings[2].number;
+void WindowedMethod::look(const Answer& answer, Instant now) {
+  const double owner = answer.readings[Owner].number;
   if (owner != static_cast<double>(m_plan.settings().runNumber)) {
     m_trouble = owner == 0.0 ? Trouble::Restarted : Trouble::OtherClient;
     return;
   }
-  if (answer.readings[3].number != static_cast<double>(templates::WindowState::Runs)) {
+  if (answer.readings[State].number != static_cast<double>(templates::WindowState::Runs)) {
     // The driver sees that the channel is in reset; nothing more is to be written.
     m_trouble = Trouble::Ended;
-    m_progress.nextEarliest = now + kOurTurn;
+    m_progress.expected.stop(Expectation::Access);
     return;
   }
   // An earlier write that was late may have put back our number or our stop.
-  m_renumber = m_owned && answer.readings[1].number != static_cast<double>(m_delivered);
-  if (m_stopWanted && answer.readings[4].number != kEnd) {
-    m_run = kHold;
+  m_renumber = m_owned && answer.readings[Delivered].number != static_cast<double>(m_delivered);
+  if (m_stopWanted && answer.readings[Run].number != WindowProtocol::kEnd) {
+    m_run = WindowProtocol::kHold;
   }
-  observe(answer.readings[0].number, m_saysExecuted ? answer.readings[5].number : 0.0, answer, now);
+  observe(answer.readings[Latched].number,
+          m_saysExecuted ? std::optional(answer.readings[Executed].number) : std::nullopt, answer,
+          now);
 }
 
-std::optional<base::Error> WindowMethod::failure() const {
+std::optional<base::Error> WindowedMethod::failure() const {
   switch (m_trouble) {
     case Trouble::OtherClient:
       return base::makeError(
@@ -353,6 +312,128 @@ std::optional<base::Error> WindowMethod::failure() const {
       break;
   }
   return std::nullopt;
+}
+
+std::string_view WindowedMethod::adviceWhenLost() const {
+  return "The control executes the windows it has, then waits; it repeats nothing. Connect again "
+         "and resume the run, or reset the control.";
+}
+
+std::string_view WindowedMethod::adviceWhenStalled() const {
+  return "The stream made no progress although the program was active: the control was on "
+         "hold, or something else writes the R-parameters of the run. Nothing was repeated. "
+         "Release "
+         "the hold or find the other writer, then resume.";
+}
+
+/// Coordinates, number of points, feed, check: what the control adds up is added up here, term by
+/// term in the same order.
+Action WindowMethod::bring(std::size_t window, std::size_t points) {
+  const templates::CellMap& cells = m_plan.cells();
+  const std::size_t begin = windowBegin(window);
+  const std::size_t end = begin + points;
+  const std::size_t slot = window % m_slots;
+  const auto perWindow = static_cast<std::size_t>(cells.pointsPerLoop);
+  const bool isLast = end == m_plan.pointCount();
+  const double count = (isLast ? -1.0 : 1.0) * static_cast<double>(points);
+  const double feedMmPerMin = base::mmPerMinFromMmPerS(m_plan.settings().feedMmPerS);
+  double check = static_cast<double>(m_plan.settings().runNumber) +
+                 WindowProtocol::kCheckNumber * static_cast<double>(window + 1) +
+                 WindowProtocol::kCheckCount * count + WindowProtocol::kCheckFeed * feedMmPerMin;
+  for (std::size_t i = 0; i < perWindow; ++i) {
+    // A short window is filled up with its last point: the check covers every slot.
+    m_plan.addPointAt(slot * perWindow + i, std::min(begin + i, end - 1));
+  }
+  int place = 0;
+  for (const opcua::Assignment& coordinate : m_plan.writes()) {
+    check += WindowProtocol::checkFactor(place++) * coordinate.value;
+  }
+  const int windowCell = static_cast<int>(slot);
+  m_plan.addCell(cells.windowCount(windowCell), count);
+  m_plan.addCell(cells.windowFeed(windowCell), feedMmPerMin);
+  m_plan.addCell(cells.windowCheck(windowCell), check);
+  if (opcua::isArray(m_plan.settings().grouping)) {
+    // Where they stand on the control: the window is one array.
+    m_plan.lastToFront(WindowProtocol::WindowCells);
+  }
+  return {Action::Kind::Write, {}, m_plan.writes(), points};
+}
+
+std::unique_ptr<Method> WindowMethodType::make(MethodSetup setup) const {
+  return std::make_unique<WindowMethod>(std::move(setup));
+}
+
+void WindowMethodType::complete(RunSettings& settings, std::uint64_t entropy) const {
+  if (settings.runNumber != 0) {
+    return;
+  }
+  constexpr std::uint64_t kNumbers = 999'983;
+  std::uint64_t mixed = entropy ^ (entropy >> 29U);
+  mixed *= 0x9E3779B97F4A7C15ULL;
+  settings.runNumber = static_cast<int>((mixed >> 20U) % kNumbers) + 1;
+}
+
+std::vector<std::size_t> WindowMethodType::pausesBefore(std::span<const gcode::StreamPoint> points,
+                                                        std::size_t pointsPerLoop,
+                                                        bool place) const {
+  return cutWindows(points, pointsPerLoop, place).begins;
+}
+
+std::optional<Checkpoint> WindowMethodType::checkpoint(const RunSettings& settings,
+                                                       const Resume& from) const {
+  Checkpoint checkpoint;
+  checkpoint.runNumber = settings.runNumber;
+  checkpoint.firstPoint = from.point;
+  checkpoint.startMm = from.startMm;
+  checkpoint.startDeg = from.startDeg;
+  checkpoint.pausesPlaced = settings.placePauses;
+  return checkpoint;
+}
+
+std::optional<ProgramEnd> WindowMethodType::askEnd(
+    opcua::Link& link, const templates::CellMap& cells, const RunSettings& settings,
+    std::span<const gcode::StreamPoint> points) const {
+  const std::array<opcua::Variable, 3> watched{opcua::rParameter(cells.state),
+                                               opcua::rParameter(cells.executed),
+                                               opcua::rParameter(cells.owner)};
+  ProgramEnd end;
+  const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
+  if (!numbers) {
+    end.error = base::makeError(StreamError::EndedEarly,
+                                "The program on the control has ended, but the reason could not be "
+                                "read. Resume the run to check it again.");
+    return end;
+  }
+  end.isKnown = true;
+  const auto state = static_cast<templates::WindowState>((*numbers)[0]);
+  const double executed = (*numbers)[1];
+  if ((*numbers)[2] != static_cast<double>(settings.runNumber)) {
+    end.error = base::makeError(StreamError::Restarted,
+                                "The program on the control has been started for another run. "
+                                "Rivulet writes nothing more.");
+    return end;
+  }
+  if (executed >= 0.0) {
+    const auto perWindow = static_cast<std::size_t>(cells.pointsPerLoop);
+    const PausePlacement placement = cutWindows(points, perWindow, settings.placePauses);
+    end.executed = executed < static_cast<double>(placement.windows())
+                       ? placement.begins[static_cast<std::size_t>(executed)]
+                       : points.size();
+  }
+  end.isDone = state == templates::WindowState::Done;
+  if (state == templates::WindowState::Damaged) {
+    end.error = base::makeError(
+        StreamError::WindowDamaged,
+        "The control rejected a window whose check number did not match: something else writes "
+        "these "
+        "R-parameters. The window was not executed. Find the other writer, then resume.");
+  } else if (state == templates::WindowState::Abandoned) {
+    end.error = base::makeError(
+        StreamError::ClientSilent,
+        "The control ended its program because it received nothing from Rivulet for too long. "
+        "Check the network, then resume.");
+  }
+  return end;
 }
 
 }  // namespace rivulet::streaming

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Windows with numbers: the program on the control enters none that has not been delivered, so a
+/// Windows with numbers: the program on the control takes none that has not been delivered, so a
 /// client that is late makes the machine wait and never repeat. The client writes a window's
 /// content, waits for the answer, and only then writes its number; it writes into a window again
 /// only after the control has said that it holds a copy. Every request says the same when it is
@@ -12,10 +12,8 @@
 /// that arrives late) each window carries a check number made of the run's number, its own number
 /// and its content; the program refuses what does not fit.
 ///
-/// Method credit is the same client. Its program copies windows while those before are under way,
-/// so what has been executed is read from a cell of its own. With method file a window is a
-/// subprogram that is transferred; it is taken while it is executed, not copied, so its place is
-/// free once it has been executed.
+/// Methods window, credit and file are this client. They differ in how the content of a window is
+/// brought, and in what the control says of its motion.
 /// @threadsafety one object, one thread.
 #pragma once
 
@@ -26,72 +24,172 @@
 
 namespace rivulet::streaming {
 
-class WindowMethod final : public Method {
+class WindowedMethod : public Method {
  public:
-  explicit WindowMethod(MethodSetup setup);
+  std::optional<Action> poll(base::Instant now) final;
+  void handle(const Answer& answer, base::Instant now) final;
+  bool answerLost(base::Instant now) final;
+  void requestStop() final { m_stopWanted = true; }
+  void requestHold(bool hold) final { m_holdWanted = hold; }
+  const Progress& progress() const final { return m_progress; }
+  std::optional<base::Error> failure() const final;
+  bool waitsForClient() const final { return true; }
+  std::string_view adviceWhenLost() const final;
+  std::string_view adviceWhenStalled() const final;
 
-  std::optional<Action> poll(base::Instant now) override;
-  void handle(const Answer& answer, base::Instant now) override;
-  bool answerLost(base::Instant now) override;
-  void requestStop() override { m_stopWanted = true; }
-  void requestHold(bool hold) override { m_holdWanted = hold; }
-  const Progress& progress() const override { return m_progress; }
-  std::optional<base::Error> failure() const override;
+ protected:
+  /// @param saysExecuted  the program says which windows have been executed
+  WindowedMethod(MethodSetup&& setup, bool saysExecuted);
+
+  /// Brings the content of a window. @param points  of this window
+  [[nodiscard]] virtual Action bring(std::size_t window, std::size_t points) = 0;
+  /// Windows whose place may be filled again, counted from the first.
+  [[nodiscard]] virtual std::size_t freed() const { return m_latched; }
+  /// Shortest time until what the control has taken is executed, counted from its last sign.
+  [[nodiscard]] virtual base::Duration takenTime() const;
+  /// The same if the machine goes as slowly as the program may make it.
+  [[nodiscard]] virtual base::Duration takenTimeMax() const { return takenTime(); }
+  /// STOPREs passed.
+  [[nodiscard]] virtual std::size_t stopsPassed() const { return m_executed; }
+
+  [[nodiscard]] std::size_t windowBegin(std::size_t window) const;
+  [[nodiscard]] base::Duration windowTime(std::size_t window) const;
+
+  SlotPlan m_plan;
+  std::size_t m_slots;         ///< k
+  std::size_t m_latched = 0;   ///< windows the control has taken
+  std::size_t m_executed = 0;  ///< windows the axes have passed, as far as known
 
  private:
   enum class Step { Claim, AwaitOwner, Content, Number, Run, Beat, Watch, Look };
   enum class Trouble { None, OtherClient, Restarted, Ended };
+  enum class Timer {
+    Beat,        ///< the next sign of life
+    Look,        ///< all header cells are read again to see why nothing goes on
+    WindowEnds,  ///< the window in motion, at the earliest
+    Count,
+  };
+
+  /// Header cells in the order in which they are read.
+  enum HeaderItem { Latched, Delivered, Owner, State, Run, Executed };
 
   [[nodiscard]] Action write(Step step, std::size_t points = 0);
   [[nodiscard]] Action read(Step step, std::span<const opcua::Variable> variables);
-  void addContent(std::size_t window);
-  /// Method file: the same window as a subprogram.
-  [[nodiscard]] Action store(std::size_t window);
-  /// @param executed  as the control says; method credit only
-  void observe(double latched, double executed, const Answer& answer, base::Instant now);
+  void takeOwner(double owner, base::Instant now);
+  void confirmNumber(base::Instant now);
+  void confirmRun(base::Instant now);
+  /// @param executed  as the control says; nothing where it does not
+  void observe(double latched, std::optional<double> executed, const Answer& answer,
+               base::Instant now);
   void look(const Answer& answer, base::Instant now);
-  [[nodiscard]] std::size_t windowBegin(std::size_t window) const;
-  [[nodiscard]] base::Duration windowTime(std::size_t window) const;
-  /// Shortest time until what the control has taken is executed, counted from its last sign.
-  [[nodiscard]] base::Duration takenTime() const;
-  /// The same, as long as it may well last.
-  [[nodiscard]] base::Duration takenTimeMax() const;
+  /// The next access, once the control obeys this run; nothing: the stream has nothing to bring.
+  [[nodiscard]] std::optional<Action> pollContent();
+  /// From now on the control is expected to go on to the end of what it has taken.
+  void expectTaken(base::Instant now);
   /// Until when the axes have enough, and whether the client has something to bring.
-  void reckonNeed();
+  void estimateNeed();
   /// The value the run cell should have now.
-  [[nodiscard]] double runWanted() const;
+  [[nodiscard]] int runWanted() const;
 
-  SlotPlan m_plan;
-  std::size_t m_perWindow;
-  std::size_t m_slots;                ///< k
-  std::vector<std::size_t> m_begins;  ///< first point of each window, and behind the last one
+  std::vector<std::size_t> m_begins;  ///< first point of each window, and after the last one
   std::size_t m_windowCount;          ///< windows the points make
   std::array<opcua::Variable, 1> m_ownerCell;
-  bool m_saysExecuted;  ///< the program says what has been executed: all but method window
-  bool m_isCredit;
-  std::string m_fileName;  ///< method file: of the window under way, and its text
-  std::string m_fileText;
-  std::vector<opcua::Variable> m_watched;  ///< latched; method credit: and executed
+  std::vector<opcua::Variable> m_watched;  ///< latched, and executed where the program says it
   std::vector<opcua::Variable> m_header;
+  bool m_saysExecuted;
   Step m_step = Step::Claim;
+  Trouble m_trouble = Trouble::None;
   bool m_waiting = false;
   bool m_stopWanted = false;
   bool m_holdWanted = false;
-  bool m_renumber = false;       ///< the number on the control is not ours: it is written again
-  base::Instant m_windowEnds{};  ///< the window in motion, at the earliest
-  Trouble m_trouble = Trouble::None;
-  bool m_owned = false;         ///< the control has granted us its cells
-  double m_run = 0.0;           ///< value of the run cell, as far as confirmed
-  double m_runAsked = 0.0;      ///< value in the write under way
-  std::size_t m_filled = 0;     ///< windows whose content is confirmed
-  std::size_t m_delivered = 0;  ///< windows whose number is confirmed
-  std::size_t m_latched = 0;    ///< windows the control has copied
-  std::size_t m_executed = 0;   ///< windows the axes have passed, as far as known
-  base::Instant m_takenAt{};    ///< when the control was seen to come further
-  base::Instant m_nextBeat{};
-  base::Instant m_nextLook{};
+  bool m_renumber = false;  ///< the number on the control is not ours: it is written again
+  bool m_owned = false;     ///< the control has granted us its cells
+  int m_run = templates::WindowProtocol::kHold;       ///< value of the run cell, as confirmed
+  int m_runAsked = templates::WindowProtocol::kHold;  ///< value in the write that is outstanding
+  std::size_t m_filled = 0;                           ///< windows whose content is confirmed
+  std::size_t m_delivered = 0;                        ///< windows whose number is confirmed
+  base::Instant m_takenAt{};                          ///< when the control was seen to come further
+  base::TimerTable<Timer> m_timers;
   double m_beat = 0.0;
   Progress m_progress;
+};
+
+/// The control copies each window; one that is copied has everything before it executed.
+class WindowMethod : public WindowedMethod {
+ public:
+  explicit WindowMethod(MethodSetup setup) : WindowMethod(std::move(setup), false) {}
+
+ protected:
+  WindowMethod(MethodSetup&& setup, bool saysExecuted)
+      : WindowedMethod(std::move(setup), saysExecuted) {}
+
+ private:
+  [[nodiscard]] Action bring(std::size_t window, std::size_t points) final;
+};
+
+/// The control copies windows while those before are in motion, so what has been executed is read
+/// from a cell of its own.
+class CreditMethod final : public WindowMethod {
+ public:
+  explicit CreditMethod(MethodSetup setup) : WindowMethod(std::move(setup), true) {}
+
+ private:
+  [[nodiscard]] base::Duration takenTime() const override;
+  [[nodiscard]] base::Duration takenTimeMax() const override;
+  [[nodiscard]] std::size_t stopsPassed() const override { return 0; }
+};
+
+/// A window is a subprogram that is transferred. The control executes it where it lies, so its
+/// place is free only after it has been executed.
+class FileMethod final : public WindowedMethod {
+ public:
+  explicit FileMethod(MethodSetup setup) : WindowedMethod(std::move(setup), true) {}
+
+ private:
+  [[nodiscard]] Action bring(std::size_t window, std::size_t points) override;
+  [[nodiscard]] std::size_t freed() const override { return m_executed; }
+
+  std::string m_name;  ///< of the window that is being transferred
+  std::string m_text;
+};
+
+/// What the methods with windows are for a job: runs have numbers, and the program says how far it
+/// came.
+class WindowMethodType : public MethodType {
+ public:
+  [[nodiscard]] std::unique_ptr<Method> make(MethodSetup setup) const override;
+  void complete(RunSettings& settings, std::uint64_t entropy) const override;
+  [[nodiscard]] std::vector<std::size_t> pausesBefore(std::span<const gcode::StreamPoint> points,
+                                                      std::size_t pointsPerLoop,
+                                                      bool place) const override;
+  [[nodiscard]] std::optional<Checkpoint> checkpoint(const RunSettings& settings,
+                                                     const Resume& from) const final;
+  [[nodiscard]] int windowsTakenMax(const templates::TemplateParameters&) const override {
+    return 1;
+  }
+  [[nodiscard]] std::optional<ProgramEnd> askEnd(
+      opcua::Link& link, const templates::CellMap& cells, const RunSettings& settings,
+      std::span<const gcode::StreamPoint> points) const final;
+};
+
+class CreditMethodType final : public WindowMethodType {
+ public:
+  [[nodiscard]] std::unique_ptr<Method> make(MethodSetup setup) const override;
+  /// Without pauses between windows there is nothing to place.
+  void complete(RunSettings& settings, std::uint64_t entropy) const override;
+  [[nodiscard]] std::vector<std::size_t> pausesBefore(std::span<const gcode::StreamPoint>,
+                                                      std::size_t, bool) const override {
+    return {};
+  }
+  [[nodiscard]] int windowsTakenMax(
+      const templates::TemplateParameters& parameters) const override {
+    return parameters.windowsAhead;
+  }
+};
+
+class FileMethodType final : public WindowMethodType {
+ public:
+  [[nodiscard]] std::unique_ptr<Method> make(MethodSetup setup) const override;
 };
 
 }  // namespace rivulet::streaming

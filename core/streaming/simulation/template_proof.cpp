@@ -312,7 +312,7 @@ class Prover {
                      trial.hasEnded() ? "" : "the program does not end without its client");
     });
     const templates::CellMap cells = *templates::planCells(m_parameters);
-    if (cells.inFiles) {
+    if (cells.files > 0) {
       addWrongFile(cells);
     } else {
       addDamagedWindow(cells);

@@ -179,7 +179,7 @@ class Linter {
   /// Method file: the client writes it, and it moves nothing unless it is the window asked for.
   [[nodiscard]] bool isOwnSubprogram(const std::string& name) const {
     bool isOwn = false;
-    for (int file = 0; m_cells.inFiles && file < m_cells.windows; ++file) {
+    for (int file = 0; file < m_cells.files; ++file) {
       isOwn = isOwn || name + ".SPF" == windowFileName(file);
     }
     return isOwn;

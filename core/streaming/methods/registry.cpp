@@ -7,18 +7,25 @@
 
 namespace rivulet::streaming {
 
-std::unique_ptr<Method> makeMethod(MethodSetup setup) {
-  switch (setup.settings.parameters.method) {
+const MethodType& methodType(base::MethodKind method) {
+  static const PositionMethodType position;
+  static const SignalMethodType signal;
+  static const WindowMethodType window;
+  static const CreditMethodType credit;
+  static const FileMethodType file;
+  switch (method) {
     case base::MethodKind::Position:
-      return std::make_unique<PositionMethod>(std::move(setup));
+      return position;
     case base::MethodKind::Signal:
-      return std::make_unique<SignalMethod>(std::move(setup));
-    case base::MethodKind::Window:
+      return signal;
     case base::MethodKind::Credit:
+      return credit;
     case base::MethodKind::File:
+      return file;
+    case base::MethodKind::Window:
       break;
   }
-  return std::make_unique<WindowMethod>(std::move(setup));
+  return window;
 }
 
 }  // namespace rivulet::streaming

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "templates/listing.h"
+
+namespace rivulet::templates {
+
+void Listing::pieces(std::string_view begin, const std::vector<std::string>& pieces,
+                     std::string_view between) {
+  constexpr std::size_t kLineMax = 110;
+  std::string written;
+  for (const std::string& piece : pieces) {
+    if (!written.empty() && written.size() + between.size() + piece.size() > kLineMax) {
+      line("{}", written);
+      written.clear();
+    }
+    written += written.empty() ? begin : between;
+    written += piece;
+  }
+  if (!written.empty()) {
+    line("{}", written);
+  }
+}
+
+std::string lettersOf(const CellMap& cells) {
+  TemplateParameters chosen;
+  chosen.axes = cells.axes;
+  chosen.rotaryAxes = cells.rotaryAxes;
+  return axisLetters(chosen);
+}
+
+SlotText slotText(const CellMap& cells, int slot) {
+  SlotText text;
+  const std::vector<int> numbers = cells.slotCells(slot);
+  std::size_t next = 0;
+  for (const char letter : lettersOf(cells)) {
+    const std::string_view blank = next == 0 ? "" : " ";
+    text.axes += fmt::format("{}{}", blank, letter);
+    text.words += fmt::format("{}{}=R{}", blank, letter, numbers[next]);
+    text.cells += fmt::format("{}R{}", blank, numbers[next]);
+    ++next;
+  }
+  return text;
+}
+
+}  // namespace rivulet::templates

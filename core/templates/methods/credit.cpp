@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "templates/methods/window.h"
+
+namespace rivulet::templates {
+
+namespace {
+
+/// Passes of the loop that waits while the axes move, before the program stops to look: minutes.
+/// Only a control that does not show what is new without a stop gets there.
+constexpr int kAskingPassesMax = 100'000;
+/// Passes in which no block was left to execute, before the program stops to look. The stop also
+/// has a block executed that the control holds back until it knows the next one.
+constexpr int kDryPassesMax = 25;
+
+}  // namespace
+
+std::string CreditTemplate::nameSuffix(const TemplateParameters& parameters) const {
+  return WindowTemplate::nameSuffix(parameters) +
+         fmt::format("A{}{}", parameters.windowsAhead, parameters.slowDown ? "" : "F");
+}
+
+void CreditTemplate::writeNotes(Listing& out, const CreditSettings& settings) const {
+  out.line(
+      "; EXPERIMENTAL: between windows it does not stop. It asks again and again while the axes");
+  out.line("; move, and relies on a control that reads R-parameters each time it passes a block.");
+  out.line("; At most {} windows are copied and not executed: so many follow behind a stop.",
+           settings.windowsAhead);
+}
+
+void CreditTemplate::writeSlowDown(Listing& out, const CreditSettings& settings,
+                                   const CellMap& cells) const {
+  if (settings.slowDown) {
+    out.line("; Slower while nothing is left behind the window in motion.");
+    out.line("ID=1 WHENEVER ($R{}-$R{})<2 DO $AC_OVR={}", cells.latched, cells.executed,
+             WindowProtocol::kSlowPercent);
+  }
+}
+
+/// Waits for the next window while those before are in motion. Nothing in here goes to the main
+/// run, so nothing keeps the axes from moving on.
+void CreditTemplate::writeAsking(Listing& out, const CreditSettings& settings,
+                                 const CellMap& cells) const {
+  out.line("RIV_MORE:");
+  out.line("RIV_TURN=0 RIV_DRY=0");
+  out.line("RIV_ASK:");
+  out.line("IF R{}>{} GOTOF RIV_STOPPED", cells.run, WindowProtocol::kRun);
+  out.line("IF (R{}>{}) AND (R{}>RIV_L) AND (R{}<=RIV_L+{}) AND (RIV_L-R{}<{}) GOTOF RIV_TAKE",
+           cells.run, WindowProtocol::kHold, cells.delivered, cells.delivered, cells.windows,
+           cells.executed, settings.windowsAhead);
+  out.line("RIV_TURN=RIV_TURN+1");
+  out.line("IF $AC_IPO_BUF>0 GOTOF RIV_FED");
+  out.line("RIV_DRY=RIV_DRY+1");
+  out.line("RIV_FED:");
+  out.line("IF (RIV_TURN<{}) AND (RIV_DRY<{}) GOTOB RIV_ASK", kAskingPassesMax, kDryPassesMax);
+  out.line("GOTOB RIV_NEXT");
+}
+
+/// The main run writes it with the first block of this window: the windows before it are done.
+void CreditTemplate::writeTaken(Listing& out, const CellMap& cells) const {
+  out.line("DO $R{}=R{}-1", cells.executed, cells.latched);
+}
+
+void CreditTemplate::writeLastTaken(Listing& out, const CreditSettings& settings) const {
+  if (settings.slowDown) {
+    out.line("IF RIV_K>0 GOTOF RIV_PART");
+    out.line("CANCEL(1)");
+    out.line("RIV_PART:");
+  }
+}
+
+}  // namespace rivulet::templates

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "base/contract.h"
+#include "base/text.h"
+#include "templates/generator.h"
+#include "templates/methods/window.h"
+
+namespace rivulet::templates {
+
+namespace {
+
+/// About 40 kB a window.
+constexpr int kPointsMax = 1000;
+
+std::string subprogram(int file) {
+  return fmt::format("RIVULET_W{}", file + 1);
+}
+
+}  // namespace
+
+base::Result<void> FileTemplate::check(const TemplateParameters& parameters) const {
+  if (parameters.correctionLimitMm != 0.0) {
+    return base::fail(TemplateError::BadCorrection,
+                      "Method file has no online correction: choose method window.");
+  }
+  if (base::Result<void> windows = WindowedTemplate::check(parameters); !windows) {
+    return windows;
+  }
+  if (parameters.pointsPerLoop > kPointsMax) {
+    return base::fail(TemplateError::DoesNotFit,
+                      fmt::format("{} points per file: choose at most {}.",
+                                  parameters.pointsPerLoop, kPointsMax));
+  }
+  return {};
+}
+
+CellMap FileTemplate::cells(const TemplateParameters& parameters) const {
+  CellMap cells = header(parameters);
+  cells.pointSlots = 0;
+  cells.files = parameters.windows;
+  cells.asked = parameters.baseCell + WindowProtocol::Asked;
+  return cells;
+}
+
+int FileTemplate::pointsMax(const TemplateParameters& parameters) const {
+  const int needed = parameters.baseCell + WindowProtocol::HeaderCells;
+  return needed <= parameters.rParameterCount ? kPointsMax : 0;
+}
+
+int FileTemplate::longestWrite(const TemplateParameters& /*parameters*/) const {
+  return 1;  // the number of a window; its content is a file
+}
+
+std::string FileTemplate::program(const TemplateParameters& parameters, const CellMap& cells,
+                                  int layoutNumber) const {
+  constexpr Wording kWording{"SUBPROGRAMS", "begun by this program"};
+  Listing out;
+  writeTitle(out, parameters, cells, kWording);
+  out.line(
+      "; FOR COMPARISON: each window is a subprogram that the client transfers. It is executed");
+  out.line("; only once it has been delivered, and if it bears its number and that of the run.");
+  writeHeaderCells(out, cells, kWording);
+  out.line("; R{}  the window asked for, then the answer of its subprogram", cells.asked);
+  out.line(";");
+  out.line("DEF REAL RIV_OWN,RIV_BEAT,RIV_K");
+  out.line("DEF INT RIV_L,RIV_IDLE");
+  writeResets(out, cells);
+  out.line("RIV_L=0 RIV_OWN=0 RIV_IDLE=0");
+  out.line("G90 G94 G64");
+  out.line("STOPRE");
+  out.line("RIV_BEAT=R{}", cells.heartbeat);
+  out.line("R{}={}", cells.layout, layoutNumber);
+  writeWaiting(out, cells);
+  out.line("RIV_TAKE:");
+  out.line("RIV_IDLE=0 RIV_L=RIV_L+1");
+  out.line("R{}=RIV_L R{}=RIV_L", cells.latched, cells.asked);
+  for (int file = 1; file < cells.files; ++file) {
+    out.line("IF (RIV_L-1) MOD {}=={} GOTOF RIV_FILE{}", cells.files, file, file + 1);
+  }
+  for (int file = 0; file < cells.files; ++file) {
+    if (file > 0) {
+      out.line("RIV_FILE{}:", file + 1);
+    }
+    out.line("CALL \"{}\"", subprogram(file));
+    if (file + 1 < cells.files) {
+      out.line("GOTOF RIV_ANSWER");
+    }
+  }
+  // 0: more windows follow, 1: it was the last; see `WindowProtocol::fileAnswer`.
+  out.line("RIV_ANSWER:");
+  out.line("RIV_K=-R{}-2*RIV_L", cells.asked);
+  out.line("IF RIV_K==0 GOTOB RIV_NEXT");
+  out.line("STOPRE");
+  out.line("IF RIV_K<>1 GOTOF RIV_DAMAGED");
+  out.line("R{}=RIV_L R{}={}", cells.executed, cells.state, static_cast<int>(WindowState::Done));
+  out.line("M30");
+  writeEnd(out, cells, "RIV_STOPPED", WindowState::Stopped, true);
+  writeEnd(out, cells, "RIV_DAMAGED", WindowState::Damaged, true);
+  writeEnd(out, cells, "RIV_LOST", WindowState::Abandoned, true);
+  return out.take();
+}
+
+std::string windowFileText(const CellMap& cells, const WindowFile& window) {
+  const std::string letters = lettersOf(cells);
+  RIVULET_ASSERT(cells.files > 0 && !window.coordinates.empty());
+  RIVULET_ASSERT(window.coordinates.size() % letters.size() == 0);
+  Listing out;
+  const std::size_t count = window.coordinates.size() / letters.size();
+  out.line("; RIVULET: WINDOW {} OF RUN {}, {} POINTS. WRITTEN ANEW WHILE THE MACHINE RUNS",
+           window.number, window.run, count);
+  out.line("IF (R{}<>{}) OR (R{}<>{}) GOTOF RIV_END", cells.asked, window.number, cells.owner,
+           window.run);
+  // A file that has been cut off has no such label: the control stops before anything moves.
+  out.line("GOTOF RIV_WHOLE");
+  out.line("RIV_GO:");
+  out.line("R{}={}", cells.asked,
+           WindowProtocol::fileAnswer(static_cast<long long>(window.number), window.isLast));
+  std::size_t next = 0;
+  for (std::size_t point = 0; point < count; ++point) {
+    std::string words;
+    for (const char letter : letters) {
+      words += fmt::format(" {}{:.6f}", letter, window.coordinates[next++]);
+    }
+    out.line("G1{}{}", words,
+             point == 0 ? fmt::format(" F{}", base::formatNumber(window.feedMmPerMin)) : "");
+  }
+  out.line("RIV_END:");
+  out.line("M17");
+  out.line("RIV_WHOLE:");
+  out.line("GOTOB RIV_GO");
+  return out.take();
+}
+
+std::string windowFileName(int file) {
+  return subprogram(file) + ".SPF";
+}
+
+}  // namespace rivulet::templates

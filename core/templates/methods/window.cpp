@@ -1,0 +1,457 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "templates/methods/window.h"
+
+#include <algorithm>
+
+namespace rivulet::templates {
+
+namespace {
+
+/// Beyond any control; keeps the arithmetic of cells small.
+constexpr int kRParametersMax = 1'000'000;
+constexpr int kStrideMax = 100;
+
+/// Passes of the waiting loop without a window and without a change of the heartbeat, before the
+/// program ends. A pass takes 20 ms and more.
+constexpr int kSilentPassesMax = 1000;
+
+/// Numbers of the synchronized actions that lay the corrections over X, Y and Z.
+constexpr int kCorrectionAction = 11;
+
+/// Below this an overlay is gone, mm.
+constexpr double kOverlayGoneMm = 0.0005;
+/// Passes of 20 ms in which the overlay has to be gone at the end.
+constexpr int kOverlayPassesMax = 500;
+
+/// "X" with its cell and its action, for each axis that is corrected.
+struct Corrected {
+  char letter;
+  int cell;
+  int action;
+};
+
+std::vector<Corrected> correctedAxes(const WindowCells& cells) {
+  std::vector<Corrected> axes;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (cells.correction[axis] >= 0) {
+      axes.push_back({base::kAxisNames[axis], cells.correction[axis],
+                      kCorrectionAction + static_cast<int>(axis)});
+    }
+  }
+  return axes;
+}
+
+/// "ABS($AA_OFF_VAL[X])>0.0005" of all axes.
+std::string overlayThere(const WindowCells& cells) {
+  std::string condition;
+  for (const Corrected& axis : correctedAxes(cells)) {
+    condition += fmt::format("{}(ABS($AA_OFF_VAL[{}])>{})", condition.empty() ? "" : " OR ",
+                             axis.letter, kOverlayGoneMm);
+  }
+  return condition;
+}
+
+/// Nothing may lie over the axes when the client asks where they stand, and a control that adds up
+/// what it is given would drive away.
+void writeOverlayCheck(Listing& out, const WindowCells& cells) {
+  out.line("; Only where nothing is laid over the axes, and where it is no sum (MD36750).");
+  out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayLeft));
+  out.line("IF {} GOTOF RIV_UNFIT", overlayThere(cells));
+  out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayIntegrates));
+  std::string integrates;
+  for (const Corrected& axis : correctedAxes(cells)) {
+    integrates += fmt::format("{}(($MA_AA_OFF_MODE[{}] B_AND 1)>0)",
+                              integrates.empty() ? "" : " OR ", axis.letter);
+  }
+  out.line("IF {} GOTOF RIV_UNFIT", integrates);
+  out.line("RIV_IDLE=0");
+}
+
+/// A value beyond the limit is not obeyed: the last one that was obeyed stays. For a value that is
+/// not a number no comparison holds.
+void writeCorrections(Listing& out, double limitMm, const WindowCells& cells) {
+  for (const Corrected& axis : correctedAxes(cells)) {
+    out.line("ID={} WHENEVER ($R{}>=-{:.3f}) AND ($R{}<={:.3f}) DO $AA_OFF[{}]=$R{}", axis.action,
+             axis.cell, limitMm, axis.cell, limitMm, axis.letter, axis.cell);
+  }
+}
+
+/// Actions of the same numbers replace those that obeyed the client. The axes have reached the end
+/// of the path before the program ends.
+void writeOverlayBack(Listing& out, const CellMap& cells, int layoutNumber) {
+  out.line("RIV_OFF:");
+  for (const Corrected& axis : correctedAxes(cells)) {
+    out.line("ID={} DO $AA_OFF[{}]=0", axis.action, axis.letter);
+  }
+  out.line("RIV_IDLE=0");
+  out.line("RIV_BACK:");
+  out.line("G4 F0.02");
+  out.line("RIV_IDLE=RIV_IDLE+1");
+  out.line("IF RIV_IDLE>{} GOTOF RIV_END", kOverlayPassesMax);
+  out.line("IF {} GOTOB RIV_BACK", overlayThere(cells));
+  out.line("G4 F0.2");
+  out.line("RIV_END:");
+  out.line("M30");
+  out.line("RIV_UNFIT:");
+  out.line("R{}=RIV_IDLE R{}={}", cells.state, cells.layout, layoutNumber);
+  out.line("M30");
+}
+
+/// "G1 X=RIV_C[3] Y=RIV_C[4] F=RIV_F": from the program's own copy, never from the cells.
+void writeCopiedPoint(Listing& out, const std::string& letters, int place) {
+  std::string words;
+  int next = place * static_cast<int>(letters.size());
+  for (const char letter : letters) {
+    words += fmt::format("{}=RIV_C[{}] ", letter, next++);
+  }
+  out.line("G1 {}F=RIV_F", words);
+}
+
+double limitMmOf(const WindowSettings& settings) {
+  return correctionSteps(settings) / 1000.0;
+}
+
+base::Result<void> checkCorrection(const TemplateParameters& parameters) {
+  const double limitMm = parameters.correctionLimitMm;
+  if (limitMm == 0.0) {
+    return {};
+  }
+  if (!(limitMm > 0.0) || limitMm > kCorrectionLimitMmMax || correctionSteps(parameters) == 0) {
+    return base::fail(TemplateError::BadCorrection,
+                      fmt::format("A limit of {} mm for the online correction: choose 0.001 to {} "
+                                  "mm, or 0 for none.",
+                                  limitMm, kCorrectionLimitMmMax));
+  }
+  if (parameters.axes == std::array{false, false, false}) {
+    return base::fail(TemplateError::BadCorrection,
+                      "Only X, Y and Z can be corrected online, but none of them is selected.");
+  }
+  return {};
+}
+
+}  // namespace
+
+base::Result<void> WindowedTemplate::check(const TemplateParameters& parameters) const {
+  if (parameters.windows < 1 || parameters.windows > WindowProtocol::kWindowsMax) {
+    return base::fail(TemplateError::BadCells,
+                      fmt::format("{} windows: choose 1 to {}.", parameters.windows,
+                                  WindowProtocol::kWindowsMax));
+  }
+  if (parameters.windowsAhead < 1 || parameters.windowsAhead > WindowProtocol::kWindowsAheadMax) {
+    return base::fail(TemplateError::BadCells,
+                      fmt::format("{} windows ahead of the motion: choose 1 to {}.",
+                                  parameters.windowsAhead, WindowProtocol::kWindowsAheadMax));
+  }
+  if (parameters.baseCell < 0 || parameters.baseCell > kRParametersMax) {
+    return base::fail(TemplateError::BadCells,
+                      fmt::format("The cells cannot begin at R{}.", parameters.baseCell));
+  }
+  const int axes = cellsPerPoint(parameters);
+  if (parameters.slotStride != 0 &&
+      (parameters.slotStride < axes || parameters.slotStride > kStrideMax)) {
+    return base::fail(TemplateError::BadCells,
+                      fmt::format("{} cells per point: choose {} to {}, or 0 for as many as axes.",
+                                  parameters.slotStride, axes, kStrideMax));
+  }
+  return {};
+}
+
+std::string WindowedTemplate::nameSuffix(const TemplateParameters& parameters) const {
+  std::string name = fmt::format("X{}", parameters.windows);
+  name += parameters.baseCell != 0 ? fmt::format("B{}", parameters.baseCell) : "";
+  name += parameters.slotStride != 0 ? fmt::format("S{}", parameters.slotStride) : "";
+  return name;
+}
+
+CellMap WindowedTemplate::header(const TemplateParameters& parameters) const {
+  const int first = parameters.baseCell;
+  CellMap cells;
+  cells.axes = parameters.axes;
+  cells.rotaryAxes = parameters.rotaryAxes;
+  cells.pointsPerLoop = parameters.pointsPerLoop;
+  cells.run = first + WindowProtocol::Run;
+  cells.delivered = first + WindowProtocol::Delivered;
+  cells.latched = first + WindowProtocol::Latched;
+  cells.executed = first + WindowProtocol::Executed;
+  cells.layout = first + WindowProtocol::Layout;
+  cells.state = first + WindowProtocol::State;
+  cells.client = first + WindowProtocol::Client;
+  cells.owner = first + WindowProtocol::Owner;
+  cells.heartbeat = first + WindowProtocol::Heartbeat;
+  // Not used here; `last` and the lists of cells must not find those of [P1].
+  cells.signal = cells.stop = cells.feed = cells.run;
+  cells.slotStride = parameters.slotStride > 0 ? parameters.slotStride : cellsPerPoint(parameters);
+  cells.windows = parameters.windows;
+  cells.windowStride = WindowProtocol::WindowCells + cells.slotStride * parameters.pointsPerLoop;
+  cells.firstSlot = first + WindowProtocol::HeaderCells + WindowProtocol::WindowCells;
+  cells.cleared = {cells.layout, cells.run};
+  cells.endCell = cells.run;
+  cells.endValue = WindowProtocol::kEnd;
+  return cells;
+}
+
+void WindowedTemplate::writeTitle(Listing& out, const TemplateParameters& parameters,
+                                  const CellMap& cells, const Wording& wording) const {
+  const int count = cells.pointsPerLoop;
+  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO WHAT THE {} SAY, WINDOW BY WINDOW",
+           wording.source);
+  out.line("; Do not edit: the client relies on every line. Axes move only while it runs.");
+  out.line("; Method {}, {} point{} per window, {} window{}, axes {}",
+           base::methodName(parameters.method), count, plural(count), cells.windows,
+           plural(cells.windows), fmt::join(lettersOf(cells), " "));
+  if (base::any(cells.rotaryAxes)) {
+    out.line("; Rotary axes in degrees; where only they turn, the feed is in deg/min.");
+  }
+}
+
+void WindowedTemplate::writeHeaderCells(Listing& out, const CellMap& cells,
+                                        const Wording& wording) const {
+  out.line(";");
+  out.line("; R{}  run, by the client: {} hold, {} run, {} end before the next window", cells.run,
+           WindowProtocol::kHold, WindowProtocol::kRun, WindowProtocol::kEnd);
+  out.line("; R{}  windows delivered, written by the client last of each window", cells.delivered);
+  out.line("; R{}  windows {}", cells.latched, wording.latched);
+  out.line("; R{}  windows executed to the end", cells.executed);
+  out.line("; R{}  number of this program's layout, checked by the client", cells.layout);
+  out.line("; R{}  state: 0 runs, 1 done, 2 stopped, 3 window damaged, 4 client silent{}",
+           cells.state, cells.corrects() ? "," : "");
+  if (cells.corrects()) {
+    out.line("; 5 not begun: overlay left from before, 6 not begun: overlay adds up");
+  }
+  out.line("; R{}  number of the client's run, R{} number of the run this program obeys",
+           cells.client, cells.owner);
+  out.line("; R{}  heartbeat of the client", cells.heartbeat);
+}
+
+void WindowedTemplate::writeResets(Listing& out, const CellMap& cells) const {
+  // The layout number comes later: a client that sees it knows that these are done.
+  out.line("R{}=0 R{}=0 R{}=0 R{}=0", cells.run, cells.delivered, cells.latched, cells.executed);
+  out.line("R{}=0 R{}=0 R{}=0", cells.state, cells.client, cells.owner);
+}
+
+void WindowedTemplate::writeWaiting(Listing& out, const CellMap& cells) const {
+  // After this STOPRE the axes stand and what the client has written is read afresh.
+  out.line("RIV_NEXT:");
+  out.line("STOPRE");
+  out.line("R{}=RIV_L R{}=RIV_L", cells.latched, cells.executed);
+  out.line("IF R{}>{} GOTOF RIV_STOPPED", cells.run, WindowProtocol::kRun);
+  out.line("IF (R{}>{}) AND (RIV_OWN>0) AND (R{}>RIV_L) AND (R{}<=RIV_L+{}) GOTOF RIV_TAKE",
+           cells.run, WindowProtocol::kHold, cells.delivered, cells.delivered, cells.windows);
+  out.line("IF R{}==RIV_BEAT GOTOF RIV_SILENT", cells.heartbeat);
+  out.line("RIV_BEAT=R{} RIV_IDLE=0", cells.heartbeat);
+  out.line("RIV_SILENT:");
+  out.line("RIV_IDLE=RIV_IDLE+1");
+  out.line("IF RIV_IDLE>{} GOTOF RIV_LOST", kSilentPassesMax);
+  out.line("IF RIV_OWN>0 GOTOF RIV_PAUSE");
+  out.line("RIV_OWN=R{}", cells.client);
+  out.line("R{}=RIV_OWN", cells.owner);
+  out.line("RIV_PAUSE:");
+  out.line("G4 F0.02");
+  out.line("GOTOB RIV_NEXT");
+}
+
+void WindowedTemplate::writeEnd(Listing& out, const CellMap& cells, std::string_view label,
+                                WindowState state, bool stands) const {
+  out.line("{}:", label);
+  if (!stands) {
+    out.line("STOPRE");
+    out.line("R{}=RIV_L R{}={}", cells.executed, cells.state, static_cast<int>(state));
+  } else {
+    out.line("R{}={}", cells.state, static_cast<int>(state));
+  }
+  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : "M30");
+}
+
+base::Result<void> WindowTemplate::check(const TemplateParameters& parameters) const {
+  base::Result<void> windows = WindowedTemplate::check(parameters);
+  return windows ? checkCorrection(parameters) : windows;
+}
+
+CellMap WindowTemplate::cells(const TemplateParameters& parameters) const {
+  CellMap cells = header(parameters);
+  cells.pointSlots = cells.windows * cells.pointsPerLoop;
+  if (cells.pointSlots <= 0) {
+    return cells;
+  }
+  const int slotEnd = cells.slotCells(cells.pointSlots - 1).back();
+  if (correctionSteps(parameters) > 0) {
+    int next = slotEnd + 1;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (parameters.axes[axis]) {
+        cells.correction[axis] = next++;
+      }
+    }
+  }
+  // The first window, between the free cell before it and the cell after it, if that is the run's
+  // own; where slots have gaps, no further than to the first slot.
+  const int first = cells.windowCount(0) - 1;
+  const int firstSlotEnd = cells.slotCells(0).back();
+  const int after = cells.windowCount(0) + cells.windowStride;
+  const bool hasGaps = cells.slotStride > firstSlotEnd - cells.firstSlot + 1;
+  cells.scratch = CellRange{first, hasGaps ? firstSlotEnd : cells.windows > 1 ? after : after - 1};
+  return cells;
+}
+
+int WindowTemplate::pointsMax(const TemplateParameters& parameters) const {
+  TemplateParameters one = parameters;
+  one.pointsPerLoop = 1;
+  one.windows = std::clamp(parameters.windows, 1, WindowProtocol::kWindowsMax);
+  const CellMap smallest = cells(one);
+  const auto corrections = static_cast<int>(std::count_if(
+      smallest.correction.begin(), smallest.correction.end(), [](int cell) { return cell >= 0; }));
+  const int perWindow =
+      (parameters.rParameterCount - corrections - smallest.windowCount(0)) / one.windows -
+      WindowProtocol::WindowCells;
+  // The last cells of the last slot may stay unused where the stride leaves room.
+  int fits = std::max(0, perWindow / smallest.slotStride);
+  for (one.pointsPerLoop = fits + 1; cells(one).last() < parameters.rParameterCount;
+       ++one.pointsPerLoop) {
+    fits = one.pointsPerLoop;
+  }
+  return fits;
+}
+
+std::string WindowTemplate::nameSuffix(const TemplateParameters& parameters) const {
+  const int steps = correctionSteps(parameters);
+  return WindowedTemplate::nameSuffix(parameters) + (steps > 0 ? fmt::format("K{}", steps) : "");
+}
+
+int WindowTemplate::longestWrite(const TemplateParameters& parameters) const {
+  return cellsPerPoint(parameters) * parameters.pointsPerLoop + WindowProtocol::WindowCells;
+}
+
+std::string WindowTemplate::program(const TemplateParameters& parameters, const CellMap& cells,
+                                    int layoutNumber) const {
+  Listing out;
+  writeComments(out, parameters, cells);
+  writeStart(out, parameters, cells, layoutNumber);
+  writeWaiting(out, cells);
+  writeAsking(out, parameters, cells);
+  writeCopyAndCheck(out, cells);
+  writeMotion(out, parameters, cells);
+  out.line("STOPRE");
+  out.line("R{}=RIV_L R{}={}", cells.executed, cells.state, static_cast<int>(WindowState::Done));
+  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : "M30");
+  writeEnd(out, cells, "RIV_STOPPED", WindowState::Stopped, standsBetweenWindows());
+  writeEnd(out, cells, "RIV_DAMAGED", WindowState::Damaged, standsBetweenWindows());
+  writeEnd(out, cells, "RIV_LOST", WindowState::Abandoned, true);
+  if (cells.corrects()) {
+    writeOverlayBack(out, cells, layoutNumber);
+  }
+  return out.take();
+}
+
+void WindowTemplate::writeComments(Listing& out, const TemplateParameters& parameters,
+                                   const CellMap& cells) const {
+  constexpr Wording kWording{"R-PARAMETERS",
+                             "copied by this program: their cells may be written again"};
+  writeTitle(out, parameters, cells, kWording);
+  if (cells.corrects()) {
+    out.line("; Online correction: what the last cells say is laid over the axes, also while they");
+    out.line(
+        "; stand. Its motion comes on top of the feed. It is gone again when the program ends.");
+  }
+  out.line("; A window is executed only once its number has been delivered and its check number");
+  out.line("; fits: where the client is late, the axes wait.");
+  writeNotes(out, parameters);
+  writeHeaderCells(out, cells, kWording);
+  for (int window = 0; window < cells.windows; ++window) {
+    out.line("; R{} R{} R{}  window {}: points (negative: the last window), feed in mm/min, check",
+             cells.windowCount(window), cells.windowFeed(window), cells.windowCheck(window),
+             window + 1);
+    for (int place = 0; place < cells.pointsPerLoop; ++place) {
+      const SlotText slot = slotText(cells, window * cells.pointsPerLoop + place);
+      out.line("; {}  window {} point {}: {}", slot.cells, window + 1, place + 1, slot.axes);
+    }
+  }
+  for (const Corrected& axis : correctedAxes(cells)) {
+    out.line("; R{}  online correction of {} in mm, by the client; obeyed up to {:.3f}", axis.cell,
+             axis.letter, limitMmOf(parameters));
+  }
+  out.line(";");
+}
+
+void WindowTemplate::writeStart(Listing& out, const TemplateParameters& parameters,
+                                const CellMap& cells, int layoutNumber) const {
+  // What the program relies on it keeps in variables of its own, which no client can write.
+  const int coordinates = cells.pointsPerLoop * static_cast<int>(lettersOf(cells).size());
+  out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT", coordinates);
+  out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE{}", variables());
+  writeResets(out, cells);
+  out.line("RIV_L=0 RIV_OWN=0 RIV_B={} RIV_IDLE=0", cells.windowCount(0));
+  if (cells.corrects()) {
+    std::string uncorrected;
+    for (const Corrected& axis : correctedAxes(cells)) {
+      uncorrected += fmt::format("{}R{}=0", uncorrected.empty() ? "" : " ", axis.cell);
+    }
+    out.line("{}", uncorrected);
+  }
+  out.line("G90 G94 G64");
+  out.line("STOPRE");
+  out.line("RIV_BEAT=R{}", cells.heartbeat);
+  if (cells.corrects()) {
+    writeOverlayCheck(out, cells);
+    writeCorrections(out, limitMmOf(parameters), cells);
+  }
+  writeSlowDown(out, parameters, cells);
+  out.line("R{}={}", cells.layout, layoutNumber);
+}
+
+void WindowTemplate::writeCopyAndCheck(Listing& out, const CellMap& cells) const {
+  // First a copy, then the check of the copy, then the motion from the copy: whatever is written
+  // meanwhile, and by whom, the axes go where the client of this run meant them to go.
+  const auto axes = static_cast<int>(lettersOf(cells).size());
+  out.line("RIV_TAKE:");
+  out.line("RIV_IDLE=0 RIV_K=R[RIV_B] RIV_F=R[RIV_B+{}] RIV_S=R[RIV_B+{}]",
+           static_cast<int>(WindowProtocol::Feed), static_cast<int>(WindowProtocol::Check));
+  std::vector<std::string> copies;
+  std::vector<std::string> terms;
+  for (int place = 0; place < cells.pointsPerLoop; ++place) {
+    for (int axis = 0; axis < axes; ++axis) {
+      const int number = place * axes + axis;
+      const int offset = WindowProtocol::WindowCells + place * cells.slotStride + axis;
+      copies.push_back(fmt::format("RIV_C[{}]=R[RIV_B+{}]", number, offset));
+      terms.push_back(fmt::format("{:.6f}*RIV_C[{}]", WindowProtocol::checkFactor(number), number));
+    }
+  }
+  out.pieces("", copies, " ");
+  out.line("RIV_S=RIV_OWN+{}*(RIV_L+1)+{}*RIV_K+{}*RIV_F-RIV_S", WindowProtocol::kCheckNumber,
+           WindowProtocol::kCheckCount, WindowProtocol::kCheckFeed);
+  out.pieces("RIV_S=RIV_S+", terms, "+");
+  out.line("IF ABS(RIV_S)>0.000001 GOTOF RIV_DAMAGED");
+  out.line("RIV_L=RIV_L+1 RIV_N=ABS(RIV_K)");
+  out.line("R{}=RIV_L", cells.latched);
+  if (cells.windows > 1) {
+    out.line("RIV_B=RIV_B+{}", cells.windowStride);
+    out.line("IF RIV_B<={} GOTOF RIV_MOVE", cells.windowCount(cells.windows - 1));
+    out.line("RIV_B={}", cells.windowCount(0));
+    out.line("RIV_MOVE:");
+  }
+}
+
+void WindowTemplate::writeMotion(Listing& out, const TemplateParameters& parameters,
+                                 const CellMap& cells) const {
+  const int count = cells.pointsPerLoop;
+  const std::string letters = lettersOf(cells);
+  out.line("IF RIV_K<{} GOTOF RIV_SHORT", count);
+  writeTaken(out, cells);
+  for (int place = 0; place < count; ++place) {
+    writeCopiedPoint(out, letters, place);
+  }
+  out.line("GOTOB {}", next());
+  out.line("RIV_SHORT:");
+  writeLastTaken(out, parameters);
+  writeTaken(out, cells);
+  for (int place = 0; place < count; ++place) {
+    writeCopiedPoint(out, letters, place);
+    if (place + 1 < count) {
+      out.line("IF RIV_N<{} GOTOF RIV_TAIL", place + 2);
+    }
+  }
+  out.line("RIV_TAIL:");
+  out.line("IF RIV_K>0 GOTOB {}", next());
+}
+
+}  // namespace rivulet::templates

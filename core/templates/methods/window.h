@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Methods with numbered windows: the program takes a window only after its number has been
+/// delivered. What the three methods share is in `WindowedTemplate`.
+#pragma once
+
+#include <string_view>
+
+#include "templates/listing.h"
+#include "templates/method_template.h"
+
+namespace rivulet::templates {
+
+/// Header cells, the waiting loop and the ends of the program.
+class WindowedTemplate : public MethodTemplate {
+ public:
+  [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
+  [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
+
+ protected:
+  /// What the programs of these methods say of themselves.
+  struct Wording {
+    std::string_view source;   ///< "R-PARAMETERS"
+    std::string_view latched;  ///< what the cell `latched` counts
+  };
+
+  /// The header cells, and the slots of the chosen axes after them.
+  [[nodiscard]] CellMap header(const TemplateParameters& parameters) const;
+  void writeTitle(Listing& out, const TemplateParameters& parameters, const CellMap& cells,
+                  const Wording& wording) const;
+  void writeHeaderCells(Listing& out, const CellMap& cells, const Wording& wording) const;
+  void writeResets(Listing& out, const CellMap& cells) const;
+  /// The axes stand; the program asks what is new, and gives up where nobody is there any more.
+  void writeWaiting(Listing& out, const CellMap& cells) const;
+  /// @param stands  the axes stand here; else a STOPRE comes first, and all that was copied has
+  ///                been executed after it
+  void writeEnd(Listing& out, const CellMap& cells, std::string_view label, WindowState state,
+                bool stands) const;
+};
+
+/// Copies each window, checks the copy and moves from the copy.
+class WindowTemplate : public WindowedTemplate {
+ public:
+  [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
+  [[nodiscard]] CellMap cells(const TemplateParameters& parameters) const override;
+  [[nodiscard]] int pointsMax(const TemplateParameters& parameters) const override;
+  [[nodiscard]] std::string program(const TemplateParameters& parameters, const CellMap& cells,
+                                    int layoutNumber) const override;
+  [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
+  [[nodiscard]] int longestWrite(const TemplateParameters& parameters) const override;
+
+ protected:
+  /// What method credit does in addition. Nothing here.
+  virtual void writeNotes(Listing&, const CreditSettings&) const {}
+  [[nodiscard]] virtual std::string_view variables() const { return ""; }
+  virtual void writeSlowDown(Listing&, const CreditSettings&, const CellMap&) const {}
+  virtual void writeAsking(Listing&, const CreditSettings&, const CellMap&) const {}
+  virtual void writeTaken(Listing&, const CellMap&) const {}
+  virtual void writeLastTaken(Listing&, const CreditSettings&) const {}
+  /// Where the program goes on after a window.
+  [[nodiscard]] virtual std::string_view next() const { return "RIV_NEXT"; }
+  /// True if the axes stand whenever the program asks for a window.
+  [[nodiscard]] virtual bool standsBetweenWindows() const { return true; }
+
+ private:
+  void writeComments(Listing& out, const TemplateParameters& parameters,
+                     const CellMap& cells) const;
+  void writeStart(Listing& out, const TemplateParameters& parameters, const CellMap& cells,
+                  int layoutNumber) const;
+  void writeCopyAndCheck(Listing& out, const CellMap& cells) const;
+  void writeMotion(Listing& out, const TemplateParameters& parameters, const CellMap& cells) const;
+};
+
+/// As method window, without a stop between windows. Experimental.
+class CreditTemplate final : public WindowTemplate {
+ public:
+  [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
+
+ private:
+  void writeNotes(Listing& out, const CreditSettings& settings) const override;
+  [[nodiscard]] std::string_view variables() const override { return ",RIV_TURN,RIV_DRY"; }
+  void writeSlowDown(Listing& out, const CreditSettings& settings,
+                     const CellMap& cells) const override;
+  void writeAsking(Listing& out, const CreditSettings& settings,
+                   const CellMap& cells) const override;
+  void writeTaken(Listing& out, const CellMap& cells) const override;
+  void writeLastTaken(Listing& out, const CreditSettings& settings) const override;
+  [[nodiscard]] std::string_view next() const override { return "RIV_MORE"; }
+  [[nodiscard]] bool standsBetweenWindows() const override { return false; }
+};
+
+/// Calls a subprogram for each window, and goes on only if its answer is the right one.
+class FileTemplate final : public WindowedTemplate {
+ public:
+  [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
+  [[nodiscard]] CellMap cells(const TemplateParameters& parameters) const override;
+  [[nodiscard]] int pointsMax(const TemplateParameters& parameters) const override;
+  [[nodiscard]] std::string program(const TemplateParameters& parameters, const CellMap& cells,
+                                    int layoutNumber) const override;
+  [[nodiscard]] int longestWrite(const TemplateParameters& parameters) const override;
+};
+
+}  // namespace rivulet::templates
