@@ -209,22 +209,19 @@ std::optional<std::size_t> pointAhead(const std::vector<base::AxisPosition>& pat
   return next;
 }
 
-Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
-                          const RunSettings& settings, const Checkpoint& last) {
-  const Result<templates::CellMap> plan = templates::planCells(settings.parameters);
-  if (!plan) {
-    return base::fail(plan.error());
-  }
-  const templates::CellMap& cells = *plan;
-  const int takenMax = methodType(settings.parameters.method).windowsTakenMax(settings.parameters);
-  if (takenMax == 0) {
-    return base::fail(
-        StreamError::CannotResume,
-        "Only methods window and credit report how far a run came. Start from the beginning.");
-  }
-  if (Result<void> ended = endOurProgram(link, settings, cells, last); !ended) {
-    return base::fail(ended.error());
-  }
+namespace {
+
+/// What the control says of a run that was left, and where the machine stands.
+struct Remains {
+  double owner = 0.0;
+  double latched = 0.0;
+  double executed = 0.0;
+  base::AxisPosition tool;
+  LastCorrection correction;
+};
+
+Result<Remains> readRemains(opcua::Link& link, const RunSettings& settings,
+                            const templates::CellMap& cells) {
   std::vector<Variable> watched{
       opcua::rParameter(cells.owner),    opcua::rParameter(cells.latched),
       opcua::rParameter(cells.executed), {VariableKind::ActualPosition, 0},
@@ -243,81 +240,122 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   if (!angles) {
     return base::fail(angles.error());
   }
-  const base::AxisPosition tool{{(*numbers)[3], (*numbers)[4], (*numbers)[5]}, *angles};
-  const base::AxisPosition start{last.startMm, last.startDeg};
-  Result<gcode::PointList> list = pointsOnAxes(program.trajectory, settings.parameters, start);
-  if (!list) {
-    return base::fail(list.error());
+  return Remains{(*numbers)[0],
+                 (*numbers)[1],
+                 (*numbers)[2],
+                 {{(*numbers)[3], (*numbers)[4], (*numbers)[5]}, *angles},
+                 lastCorrection(settings, cells, std::span(*numbers).subspan(corrections))};
+}
+
+/// Finds the next point of a run that was left. Asks nothing.
+class Resumption {
+ public:
+  /// @param points  of the whole program, as the run had them
+  Resumption(const RunSettings& settings, const Checkpoint& last, const Remains& remains,
+             std::vector<gcode::StreamPoint> points)
+      : m_settings(settings), m_last(last), m_remains(remains), m_points(std::move(points)) {
+    m_uncorrected = remains.tool;
+    m_uncorrected.mm = remains.tool.mm - remains.correction.mm;
   }
-  const std::vector<gcode::StreamPoint> points = std::move(list->points);
-  // Axes that are not streamed may stand anywhere.
-  const auto placeOf = [&](std::size_t point) {
-    return onlyRotary({points[point].positionMm, points[point].rotaryDeg}, cells.rotaryAxes);
-  };
-  const auto placeBefore = [&](std::size_t point) {
-    return point > 0 ? placeOf(point - 1) : onlyRotary(start, cells.rotaryAxes);
-  };
-  const std::size_t total = points.size();
-  const double latched = (*numbers)[1];
-  const double executed = (*numbers)[2];
-  const bool isOurs = (*numbers)[0] == static_cast<double>(last.runNumber);
-  const LastCorrection correction =
-      lastCorrection(settings, cells, std::span(*numbers).subspan(corrections));
-  base::AxisPosition uncorrected = tool;
-  uncorrected.mm = tool.mm - correction.mm;
-  // The tool is not there: why?
-  const auto beside = [&](const base::AxisPosition& expected) {
-    const bool isCorrected = correction.isKnown && correction.mm != Vec3{} &&
-                             distance(expected, uncorrected) <= kBesideMm;
-    return isCorrected ? base::fail(StreamError::OverlayLeft, kOverlayLeft)
-                       : base::fail(StreamError::CannotResume, kMoved);
-  };
-  if (!isOurs && !last.granted) {
-    // It never came to be obeyed: nothing has moved for it.
-    if (last.firstPoint >= total ||
-        (last.firstPoint > 0 && distance(placeBefore(last.firstPoint), tool) > kBesideMm)) {
-      return last.firstPoint < total ? beside(placeBefore(last.firstPoint))
-                                     : base::fail(StreamError::CannotResume, kMoved);
+
+  /// @param takenMax  windows the program may have taken and not executed
+  [[nodiscard]] Result<std::size_t> nextPoint(int takenMax) const {
+    const bool isOurs = m_remains.owner == static_cast<double>(m_last.runNumber);
+    if (!isOurs && !m_last.granted) {
+      return ofRunNeverObeyed();
     }
-    return Resume{last.firstPoint, last.startMm, last.startDeg};
+    const double latched = m_remains.latched;
+    const double executed = m_remains.executed;
+    const bool fits = latched >= executed && latched <= executed + takenMax &&
+                      latched == std::floor(latched) && executed == std::floor(executed);
+    if (!isOurs || !(executed >= 0.0) || !fits || latched > static_cast<double>(m_points.size())) {
+      return base::fail(StreamError::CannotResume,
+                        "The control has run another program since then: it is not known where "
+                        "this run was left. Start from the beginning.");
+    }
+    const std::vector<std::size_t> ends = windowEnds();
+    const auto pointOf = [&](double windows) {
+      return ends[std::min(static_cast<std::size_t>(windows), ends.size() - 1)];
+    };
+    const std::size_t next = pointOf(executed);
+    if (latched > executed) {
+      return withinWindows(next, pointOf(latched));
+    }
+    // Cells can be written by others; the place of the tool cannot.
+    return stands(placeBefore(next)) ? Result<std::size_t>(next) : beside(placeBefore(next));
   }
-  // What the program may have taken over beyond what is executed.
-  const bool fits = latched >= executed && latched <= executed + takenMax &&
-                    latched == std::floor(latched) && executed == std::floor(executed);
-  if (!isOurs || !(executed >= 0.0) || !fits || latched > static_cast<double>(total)) {
-    return base::fail(StreamError::CannotResume,
-                      "The control has run another program since then: it is not known where this "
-                      "run was left. Start from the beginning.");
+
+ private:
+  /// Axes that are not streamed may stand anywhere.
+  [[nodiscard]] base::AxisPosition placeOf(std::size_t point) const {
+    return onlyRotary({m_points[point].positionMm, m_points[point].rotaryDeg},
+                      m_settings.parameters.rotaryAxes);
   }
-  // The windows of the run that was left are cut again as they were then.
-  const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
-  const std::span<const gcode::StreamPoint> streamed =
-      std::span(points).subspan(std::min(last.firstPoint, total));
-  const PausePlacement placement =
-      streamed.empty() ? PausePlacement{} : cutWindows(streamed, perWindow, last.pausesPlaced);
-  const auto pointOf = [&](double windows) {
-    const auto window = static_cast<std::size_t>(windows);
-    return window < placement.windows() ? last.firstPoint + placement.begins[window] : total;
-  };
-  std::size_t next = pointOf(executed);
-  if (latched > executed) {
-    // Reset in the middle of what was taken over: the tool stands on its way, or at its end.
-    const std::size_t end = pointOf(latched);
+  [[nodiscard]] base::AxisPosition placeBefore(std::size_t point) const {
+    return point > 0
+               ? placeOf(point - 1)
+               : onlyRotary({m_last.startMm, m_last.startDeg}, m_settings.parameters.rotaryAxes);
+  }
+  [[nodiscard]] bool stands(const base::AxisPosition& expected) const {
+    return distance(expected, m_remains.tool) <= kBesideMm;
+  }
+  [[nodiscard]] bool isCorrected() const { return m_remains.correction.mm != Vec3{}; }
+
+  /// The tool is not at the expected place: because of a correction, or for another reason.
+  [[nodiscard]] tl::unexpected<base::Error> beside(const base::AxisPosition& expected) const {
+    const bool explains = m_remains.correction.isKnown && isCorrected() &&
+                          distance(expected, m_uncorrected) <= kBesideMm;
+    return explains ? base::fail(StreamError::OverlayLeft, kOverlayLeft)
+                    : base::fail(StreamError::CannotResume, kMoved);
+  }
+
+  /// The control never obeyed this run, so nothing has moved for it.
+  [[nodiscard]] Result<std::size_t> ofRunNeverObeyed() const {
+    const std::size_t first = m_last.firstPoint;
+    if (first >= m_points.size()) {
+      return base::fail(StreamError::CannotResume, kMoved);
+    }
+    if (first > 0 && !stands(placeBefore(first))) {
+      return beside(placeBefore(first));
+    }
+    return first;
+  }
+
+  /// Points before each window, and all of them at the end. The windows are cut again as they were
+  /// in the run that was left.
+  [[nodiscard]] std::vector<std::size_t> windowEnds() const {
+    const std::size_t first = std::min(m_last.firstPoint, m_points.size());
+    const std::span<const gcode::StreamPoint> streamed = std::span(m_points).subspan(first);
+    std::vector<std::size_t> ends;
+    if (!streamed.empty()) {
+      const auto perWindow = static_cast<std::size_t>(m_settings.parameters.pointsPerLoop);
+      for (const std::size_t begin : cutWindows(streamed, perWindow, m_last.pausesPlaced).begins) {
+        ends.push_back(first + begin);
+      }
+    }
+    ends.push_back(m_points.size());
+    return ends;
+  }
+
+  /// Reset within windows that had been taken: the tool is on their path, or at its end.
+  [[nodiscard]] Result<std::size_t> withinWindows(std::size_t next, std::size_t end) const {
     std::vector<base::AxisPosition> path{placeBefore(next)};
     for (std::size_t i = next; i < end; ++i) {
       path.push_back(placeOf(i));
     }
+    const bool isPath = path.size() >= 2;
     const std::optional<std::size_t> ahead =
-        path.size() >= 2 ? pointAhead(path, tool) : std::nullopt;
-    if (path.size() >= 2 && correction.mm != Vec3{}) {
-      // Whether the correction still lies over the axes is not known: both must say the same, or
-      // only where it does not may the path be.
+        isPath ? pointAhead(path, m_remains.tool) : std::nullopt;
+    if (isPath && isCorrected()) {
+      // The correction may still be active or not. Resume only if both give the same point, or if
+      // the tool is on the path only without it.
+      const bool isKnown = m_remains.correction.isKnown;
       const std::optional<std::size_t> corrected =
-          correction.isKnown ? pointAhead(path, uncorrected) : std::nullopt;
+          isKnown ? pointAhead(path, m_uncorrected) : std::nullopt;
       if (!ahead && corrected) {
         return base::fail(StreamError::OverlayLeft, kOverlayLeft);
       }
-      if (!correction.isKnown || (corrected && corrected != ahead)) {
+      if (!isKnown || (corrected && corrected != ahead)) {
         return base::fail(StreamError::CannotResume,
                           "A correction was active when the run was interrupted, and the tool's "
                           "place without it is not known. Start from the beginning.");
@@ -328,16 +366,53 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
                         "The tool is not on the path of the interrupted windows, or the path "
                         "passes its place twice. Start from the beginning.");
     }
-    next += *ahead - 1;
-  } else if (distance(placeBefore(next), tool) > kBesideMm) {
-    // Cells can be written by others; where the tool stands cannot.
-    return beside(placeBefore(next));
+    return next + *ahead - 1;
   }
-  if (next >= total) {
+
+  const RunSettings& m_settings;
+  const Checkpoint& m_last;
+  const Remains& m_remains;
+  std::vector<gcode::StreamPoint> m_points;
+  base::AxisPosition m_uncorrected;
+};
+
+}  // namespace
+
+Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
+                          const RunSettings& settings, const Checkpoint& last) {
+  const Result<templates::CellMap> cells = templates::planCells(settings.parameters);
+  if (!cells) {
+    return base::fail(cells.error());
+  }
+  const int takenMax = methodType(settings.parameters.method).windowsTakenMax(settings.parameters);
+  if (takenMax == 0) {
+    return base::fail(
+        StreamError::CannotResume,
+        "Only methods window and credit report how far a run came. Start from the beginning.");
+  }
+  if (Result<void> ended = endOurProgram(link, settings, *cells, last); !ended) {
+    return base::fail(ended.error());
+  }
+  const Result<Remains> remains = readRemains(link, settings, *cells);
+  if (!remains) {
+    return base::fail(remains.error());
+  }
+  Result<gcode::PointList> list =
+      pointsOnAxes(program.trajectory, settings.parameters, {last.startMm, last.startDeg});
+  if (!list) {
+    return base::fail(list.error());
+  }
+  const std::size_t total = list->points.size();
+  const Resumption resumption(settings, last, *remains, std::move(list->points));
+  const Result<std::size_t> next = resumption.nextPoint(takenMax);
+  if (!next) {
+    return base::fail(next.error());
+  }
+  if (*next >= total) {
     return base::fail(StreamError::CannotResume, "Every point has been executed already.",
                       program.name);
   }
-  return Resume{next, last.startMm, last.startDeg};
+  return Resume{*next, last.startMm, last.startDeg};
 }
 
 }  // namespace rivulet::streaming

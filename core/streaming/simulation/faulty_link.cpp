@@ -136,83 +136,100 @@ std::optional<Event> FaultyLink::wait(Instant until) {
       return event;
     }
     Instant next = std::min(until, now() + kStep);
-    const auto bring = [&](std::deque<Sent>& requests) {
-      for (auto request = requests.begin(); request != requests.end();) {
-        if (!request->inner && request->fate == Fate::RequestLost && request->givenUp) {
-          request = requests.erase(request);
-          continue;
-        }
-        if (!request->inner && request->fate != Fate::RequestLost) {
-          if (request->arrives <= now()) {
-            deliver(*request);
-          } else {
-            next = std::min(next, request->arrives);
-          }
-        }
-        ++request;
-      }
-    };
-    bring(m_strays);
-    bring(m_requests);
-    for (Sent& request : m_requests) {
-      if (!request.givenUp && request.deadline <= now()) {
-        request.givenUp = true;
-        Event event;
-        event.kind = EventKind::RequestFailed;
-        event.request = request.id;
-        event.sent = request.sent;
-        event.at = now();
-        event.error = base::makeError(LinkError::DeadlineExceeded,
-                                      "The control did not answer in time. Check the network and "
-                                      "the load of the control.");
-        return event;
-      }
-      if (!request.givenUp) {
-        next = std::min(next, request.deadline);
-      }
-    }
-    std::optional<Event> event = m_inner.wait(next);
-    if (event) {
-      const auto isIt = [&](const Sent& request) { return request.inner == event->request; };
-      if (const auto stray = std::find_if(m_strays.begin(), m_strays.end(), isIt);
-          stray != m_strays.end()) {
-        m_strays.erase(stray);
-        continue;
-      }
-      const auto request = std::find_if(m_requests.begin(), m_requests.end(), isIt);
-      if (request == m_requests.end()) {
-        continue;
-      }
-      const Sent answered = std::move(*request);
-      m_requests.erase(request);
-      if (answered.fate == Fate::AnswerLost && !answered.givenUp) {
-        // Nobody sees it: it is treated as one that never arrives, until its deadline.
-        Sent waiting = answered;
-        waiting.inner.reset();
-        waiting.fate = Fate::RequestLost;
-        m_requests.push_front(std::move(waiting));
-        continue;
-      }
-      if (answered.givenUp) {
-        continue;
-      }
-      event->request = answered.id;
-      event->sent = answered.sent;
-      if (m_random.uniform() < m_faults.stallProbability) {
-        // The client is stalled: the machine continues, and requests in transit arrive.
-        const Instant back = now() + drawn(m_faults.stallMax);
-        while (now() < back) {
-          m_inner.wait(std::min(back, now() + kStep));
-          if (onTime) {
-            onTime();
-          }
-        }
-      }
-      event->at = now();
+    deliverArrived(m_strays, next);
+    deliverArrived(m_requests, next);
+    if (std::optional<Event> event = giveUp(next)) {
       return event;
+    }
+    if (std::optional<Event> event = m_inner.wait(next)) {
+      if (std::optional<Event> heard = hear(std::move(*event))) {
+        return heard;
+      }
+      continue;
     }
     if (now() >= until) {
       return std::nullopt;
+    }
+  }
+}
+
+void FaultyLink::deliverArrived(std::deque<Sent>& requests, Instant& next) {
+  for (auto request = requests.begin(); request != requests.end();) {
+    if (!request->inner && request->fate == Fate::RequestLost && request->givenUp) {
+      request = requests.erase(request);
+      continue;
+    }
+    if (!request->inner && request->fate != Fate::RequestLost) {
+      if (request->arrives <= now()) {
+        deliver(*request);
+      } else {
+        next = std::min(next, request->arrives);
+      }
+    }
+    ++request;
+  }
+}
+
+std::optional<Event> FaultyLink::giveUp(Instant& next) {
+  for (Sent& request : m_requests) {
+    if (!request.givenUp && request.deadline <= now()) {
+      request.givenUp = true;
+      Event event;
+      event.kind = EventKind::RequestFailed;
+      event.request = request.id;
+      event.sent = request.sent;
+      event.at = now();
+      event.error = base::makeError(LinkError::DeadlineExceeded,
+                                    "The control did not answer in time. Check the network and the "
+                                    "load of the control.");
+      return event;
+    }
+    if (!request.givenUp) {
+      next = std::min(next, request.deadline);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Event> FaultyLink::hear(Event event) {
+  const auto isIt = [&](const Sent& request) { return request.inner == event.request; };
+  if (const auto stray = std::find_if(m_strays.begin(), m_strays.end(), isIt);
+      stray != m_strays.end()) {
+    m_strays.erase(stray);
+    return std::nullopt;
+  }
+  const auto request = std::find_if(m_requests.begin(), m_requests.end(), isIt);
+  if (request == m_requests.end()) {
+    return std::nullopt;
+  }
+  Sent answered = std::move(*request);
+  m_requests.erase(request);
+  if (answered.givenUp) {
+    return std::nullopt;
+  }
+  if (answered.fate == Fate::AnswerLost) {
+    // Nobody sees it: it is treated as one that never arrives, until its deadline.
+    answered.inner.reset();
+    answered.fate = Fate::RequestLost;
+    m_requests.push_front(std::move(answered));
+    return std::nullopt;
+  }
+  event.request = answered.id;
+  event.sent = answered.sent;
+  if (m_random.uniform() < m_faults.stallProbability) {
+    stallClient();
+  }
+  event.at = now();
+  return event;
+}
+
+void FaultyLink::stallClient() {
+  // The machine continues, and requests in transit arrive.
+  const Instant back = now() + drawn(m_faults.stallMax);
+  while (now() < back) {
+    m_inner.wait(std::min(back, now() + kStep));
+    if (onTime) {
+      onTime();
     }
   }
 }

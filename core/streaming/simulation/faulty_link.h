@@ -94,6 +94,14 @@ class FaultyLink final : public opcua::Link, public opcua::Control {
   base::RequestId submit(Sent request, base::Duration deadline);
   void breakConnection();
   void deliver(Sent& request);
+  /// Hands over what has arrived at the machine. @param next  moved to the next arrival
+  void deliverArrived(std::deque<Sent>& requests, base::Instant& next);
+  /// A request whose deadline has passed, as a failure. @param next  moved to the next deadline
+  [[nodiscard]] std::optional<opcua::Event> giveUp(base::Instant& next);
+  /// What the client hears of an answer; nothing: the answer is lost, or too late.
+  [[nodiscard]] std::optional<opcua::Event> hear(opcua::Event event);
+  /// The client does nothing for a while.
+  void stallClient();
   [[nodiscard]] base::Error lost() const;
   [[nodiscard]] base::Duration drawn(base::Duration max);
 
