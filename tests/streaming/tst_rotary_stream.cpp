@@ -236,10 +236,10 @@ class TestRotaryStream : public QObject {
     const QString turn = "G1 X1 C1 F600\nX2 C2\n";
     QTest::newRow("rotary axis not chosen") << "XYZ"
                                             << "window"
-                                            << "dmu75-5axis" << turn << chosen << "Choose XYZC.";
+                                            << "dmu75-5axis" << turn << chosen << "Select XYZC.";
     QTest::newRow("one of two not chosen") << "XYZA"
                                            << "window"
-                                           << "dmu75-5axis" << turn << chosen << "Choose XYZAC.";
+                                           << "dmu75-5axis" << turn << chosen << "Select XYZAC.";
     QTest::newRow("linear axis not chosen") << "XC"
                                             << "window"
                                             << "dmu75-5axis"

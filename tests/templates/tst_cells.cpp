@@ -260,7 +260,7 @@ class TestCells : public QObject {
     const auto refused = templates::planCells(parameters);
     QVERIFY(!refused);
     QCOMPARE(refused.error().message,
-             std::string("N = 12 needs R-parameters up to R123, and the control has 100: N = 9 is "
+             std::string("N = 12 needs R-parameters up to R123, but the control has 100: N = 9 is "
                          "the largest that fits, or set MD28050 to 124."));
     parameters.pointsPerLoop = 2'000'000'000;
     QVERIFY(!templates::planCells(parameters));
