@@ -173,6 +173,16 @@ class TestNcInterpreter : public QObject {
     row("gotos", "R1=R1+1\nX=R1\nIF R1<2 GOTOS\nM30", "1,0,0 2,0,0");
     row("repeat label", "X1\nAA: X=IC(1)\nX=IC(10)\nREPEAT AA P=2\nM30",
         "1,0,0 2,0,0 12,0,0 13,0,0 23,0,0 24,0,0 34,0,0");
+    row("repeat between labels", "AA: X=IC(1)\nBB: Y=IC(1)\nX=IC(10)\nREPEAT AA BB P=2\nX0\nM30",
+        "1,0,0 1,1,0 11,1,0 12,1,0 12,2,0 13,2,0 13,3,0 0,3,0");
+    row("repeatb", "AA: X=IC(1)\nY1\nREPEATB AA P3\nY2\nM30",
+        "1,0,0 1,1,0 2,1,0 3,1,0 4,1,0 4,2,0");
+    row("label in a variable", "DEF STRING[8] TT=\"BB\"\nGOTOF TT\nX1\nBB: X2\nM30", "2,0,0");
+    row("text compared", "DEF STRING[8] TT\nTT=\"A\"<<1\nIF TT==\"A1\"\nX1\nENDIF\nM30", "1,0,0");
+    row("arc without an end", "G2 I5 J0 AR=90\nM30", "5,5,0");
+    row("scale", "X10 Y10\nSCALE X2\nX6\nY1\nASCALE X0.5\nX3\nM30", "10,10,0 12,10,0 12,1,0 3,1,0");
+    row("mirror", "MIRROR X0\nX5 Y1\nM30", "-5,1,0");
+    row("turned about Y", "ROT Y90\nX1\nM30", "0,0,-1");
     row("ac and ic", "G91 X5 Y5\nX=AC(1) Y=IC(2)\nG90 X2 Y=IC(-1)\nM30", "5,5,0 1,7,0 2,6,0");
     row("inches", "G70 X1\nG71 X1\nM30", "25.4,0,0 1,0,0");
     row("trans", "X1 Y1\nTRANS X100 Y2\nX1 Y1\nATRANS X50 Y2\nX1 Y1\nTRANS\nX1\nM30",
@@ -261,6 +271,10 @@ class TestNcInterpreter : public QObject {
     QVERIFY(std::abs(angle.sweepRad - pi / 2.0) < 1e-9);
     const auto zx = arcOf("G18 G2 X10 Z0 I5 K0\nM30");
     QVERIFY(zx.axis.y == -1.0 && std::abs(zx.sweepRad - pi) < 1e-12);
+    const auto mirrored = arcOf("MIRROR X0\nG2 X10 Y0 I5 J0\nM30");
+    QVERIFY((mirrored.centreMm == base::Vec3{-5, 0, 0}));
+    QVERIFY(mirrored.axis.z == 1.0 && std::abs(mirrored.sweepRad - pi) < 1e-12);
+    QVERIFY(arcOf("SCALE X2\nG2 X10 Y0 I5 J0\nM30").sweepRad == 0.0);
     const auto through = arcOf("CIP X10 Y0 I1=5 J1=5\nM30");
     QVERIFY(base::distance(through.centreMm, {5, 0, 0}) < 1e-12);
     QVERIFY(std::abs(through.sweepRad - pi) < 1e-12 && through.axis.z < 0.0);
