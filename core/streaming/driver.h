@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The only loop that performs a method's accesses on a link. It adds what a method does not
-/// know: the operator's stop, the online correction, reads for the display where the stream has
-/// slack, and the end of the program on the control. The same driver runs real and simulated.
+/// The only loop that performs a method's accesses on a link. It adds what a method does not know:
+/// the operator's stop, the online correction, reads for the display when the stream has slack, and
+/// the end of the program on the control. The same driver is used for real and simulated runs.
 /// @threadsafety runs on the thread that calls `run`; the sink is called on that thread.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace rivulet::streaming {
 
-/// Where a run reports to while it lasts. @threadsafety called on the streaming thread only
+/// Receives the reports of a run in progress. @threadsafety called on the streaming thread only
 class RunSink {
  public:
   virtual ~RunSink() = default;
@@ -29,16 +29,17 @@ class RunSink {
   virtual void note(const trace::Note& note) = 0;
 };
 
-/// Where orders to a run come from. @threadsafety asked on the streaming thread only
+/// Source of the operator's requests to a run. @threadsafety asked on the streaming thread only
 class RunOrders {
  public:
   virtual ~RunOrders() = default;
   /// True from the moment the operator wants the run to stop. @param now the link's time
   [[nodiscard]] virtual bool stopRequested(base::Instant now) = 0;
-  /// True while the machine is to wait in front of its next window (method window only).
+  /// True while the machine is to wait before its next window (method window only).
   [[nodiscard]] virtual bool holdRequested(base::Instant /*now*/) { return false; }
-  /// Online correction wanted now, mm, X Y Z. What is beyond the limit of the template is cut off;
-  /// what is no number leaves the axis as it is. Asked only where the template has one.
+  /// Online correction requested now, mm, X Y Z. It is clamped to the limit of the template; a
+  /// value that is not a number leaves the axis unchanged. Called only if the template has a
+  /// correction.
   [[nodiscard]] virtual base::Vec3 correctionMm(base::Instant /*now*/) { return {}; }
 };
 
@@ -65,7 +66,7 @@ class Driver {
   [[nodiscard]] StreamEnd run();
 
   [[nodiscard]] const Counters& counters() const { return m_counters; }
-  /// Pauses seen while it ran: measured from feed samples or inferred from handshake edges.
+  /// Pauses seen during the run: measured from feed samples or inferred from handshake edges.
   [[nodiscard]] const std::vector<trace::Pause>& pauses() const { return m_pauses; }
 
  private:
@@ -78,7 +79,7 @@ class Driver {
 
   void submitMethod();
   void submitMonitor();
-  /// @return true if a correction is on its way
+  /// @return true if a correction has been sent
   bool submitCorrection();
   void noteCorrection(bool now);
   void handle(const opcua::Event& event);
@@ -90,16 +91,16 @@ class Driver {
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
   [[nodiscard]] bool hasSlackFor(int nodes) const;
-  /// Of one read of so many variables.
+  /// Of one read of this many variables.
   [[nodiscard]] base::Duration expectedRead(int nodes) const;
-  /// The 99th percentile of the accesses of late.
+  /// The 99th percentile of recent accesses.
   [[nodiscard]] std::optional<base::Duration> slowAccess() const;
   [[nodiscard]] bool wantsStatus() const;
   void publish(std::optional<trace::LiveSample> sample = std::nullopt);
   void publishPause(const trace::Pause& pause);
   void inferPauses();
   void settleInferred(bool all);
-  /// The stream cannot go on: tell the control to end its program and wait for that.
+  /// The stream cannot continue: command the control to end its program, and wait for that.
   void abandon(base::Error error);
   void submitStop();
 

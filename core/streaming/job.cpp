@@ -163,7 +163,7 @@ class Job {
     return {};
   }
 
-  /// Tries the forms of access on cells the run is going to overwrite anyway.
+  /// Tries the forms of access on cells that the run will overwrite anyway.
   Result<void> chooseAccess() {
     if (m_settings.access == AccessChoice::Fixed || m_cells.slotCount() == 0) {
       return {};
@@ -210,7 +210,8 @@ class Job {
     m_recorder.writer->points(m_flight.points);
   }
 
-  /// The flexible program onto the control, selected, started, and waiting for us.
+  /// Transfers the flexible program, has it selected and started, and waits until it waits for the
+  /// client.
   Result<void> arm() {
     const Result<std::string> text = templates::generateTemplate(m_settings.parameters);
     if (!text) {
@@ -231,7 +232,7 @@ class Job {
                                              transfer->written ? "written" : "already there",
                                              transfer->compared ? "compared" : "not compared",
                                              transfer->selected ? "selected" : "to be selected")});
-    // A number left from an earlier run must not pass for the program's own.
+    // A number left from an earlier run must not be mistaken for the program's own.
     std::vector<opcua::Assignment> clear;
     for (const int cell : m_cells.cleared) {
       clear.push_back({opcua::rParameter(cell), 0.0});
@@ -297,7 +298,7 @@ class Job {
         "Cycle start was not pressed in time. Start again when the machine is ready.");
   }
 
-  /// @param state  what the program with correction says, right behind its start
+  /// @param state  the state of a program with correction, right after its start
   static Result<void> mayCorrect(double state) {
     if (state == static_cast<double>(templates::WindowState::OverlayLeft)) {
       return base::fail(StreamError::OverlayLeft,
@@ -363,7 +364,7 @@ class Job {
     }
   }
 
-  /// How the program ended and how far it came, in its own words.
+  /// How the program ended and how far it came, according to its cells.
   void takeProgramEnd() {
     const std::optional<ProgramEnd> end =
         m_type.askEnd(m_link, m_cells, m_settings, m_flight.points.points);
@@ -377,7 +378,7 @@ class Job {
       m_report.counters.executed = *end->executed;
     }
     if (m_report.error.code) {
-      return;  // what came first is the cause
+      return;  // the first error is the cause
     }
     const bool isCompleted = m_report.outcome == Outcome::Completed;
     if (end->error.code && (end->isKnown || isCompleted)) {
@@ -421,7 +422,7 @@ class Job {
     publish(m_report.outcome == Outcome::Failed ? RunState::Aborted : RunState::Done, "");
   }
 
-  /// The control's own trace takes the place of what the client believes.
+  /// The control's own trace replaces the client's view.
   void judge() {
     if (!m_control.abilities().keepsTrace ||
         m_report.error.code == opcua::LinkError::ConnectionLost) {

@@ -18,7 +18,7 @@ namespace {
 
 /// A corner of just this angle must not depend on the last digit.
 constexpr double kRounding = 1e-9;
-/// A move counts as straight up along Z if it goes aside by no more than this.
+/// A move counts as straight up along Z if its sideways motion is no more than this.
 constexpr double kAsideMm = 1e-6;
 
 bool turns(base::Vec3 before, base::Vec3 at, base::Vec3 after) {
@@ -59,11 +59,11 @@ PausePlacement placePauses(std::span<const gcode::StreamPoint> points,
     std::size_t windows = 0;
     std::size_t begin = 0;  ///< of the last window
   };
-  // best[n]: of the first n points, cut behind the last of them.
+  // best[n]: of the first n points, cut after the last of them.
   std::vector<Best> best(points.size() + 1);
   const auto cost = [&best](std::size_t n) { return std::pair(best[n].inCut, best[n].windows); };
-  // Where the next window may begin: the cheapest is in front, and behind it only what is dearer,
-  // for the time when it is too far back.
+  // Candidates for the beginning of the next window: the cheapest comes first, then only more
+  // expensive ones, for the time when the first is too far back.
   std::deque<std::size_t> begins{0};
   for (std::size_t end = 1; end <= points.size(); ++end) {
     if (begins.front() + pointsPerWindow < end) {

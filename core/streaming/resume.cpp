@@ -37,7 +37,7 @@ constexpr double kReachedMm = 1e-3;
 /// A path that leaves the tool farther than this and comes back has passed it twice.
 constexpr double kSpotMm = 0.06;
 
-/// The places of all axes as a space in which a way between two points is a straight line.
+/// The positions of all axes as a space in which a move between two points is a straight line.
 double dot(const base::AxisPosition& a, const base::AxisPosition& b) {
   return base::dot(a.mm, b.mm) + a.deg[0] * b.deg[0] + a.deg[1] * b.deg[1] + a.deg[2] * b.deg[2];
 }
@@ -66,11 +66,11 @@ constexpr const char* kOverlayLeft =
     "The correction of the interrupted run is still active on the axes. Remove it at the control "
     "(press reset, wait, and check that $AA_OFF is 0), then resume.";
 
-/// What the client of the run had asked for last. After a regular end nothing of it lies over the
-/// axes; after a reset that depends on the control (MD36750) and on the moment.
+/// The last correction requested by the client of the run. After a regular end no overlay is left;
+/// after a reset this depends on the control (MD36750) and on the moment.
 struct LastCorrection {
   Vec3 mm;
-  bool isKnown = true;  ///< false: a value that was not obeyed, so an earlier one may lie there
+  bool isKnown = true;  ///< false: the value was not accepted, so an earlier one may be active
 };
 
 LastCorrection lastCorrection(const RunSettings& settings, const templates::CellMap& cells,
@@ -97,7 +97,7 @@ base::AxisPosition onlyRotary(base::AxisPosition place, const base::RotarySet& r
   return place;
 }
 
-/// Where the rotary axes of the run stand.
+/// Positions of the run's rotary axes.
 Result<base::RotaryDeg> anglesOf(opcua::Link& link, const RunSettings& settings) {
   const base::RotarySet wanted = settings.parameters.rotaryAxes;
   if (!base::any(wanted)) {
@@ -110,7 +110,7 @@ Result<base::RotaryDeg> anglesOf(opcua::Link& link, const RunSettings& settings)
   return readAngles(link, *axes, wanted, settings.requestDeadline);
 }
 
-/// A program that waits for our windows ends; nothing else is touched.
+/// Ends a program that waits for windows of this run; nothing else is changed.
 Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
                            const templates::CellMap& cells, const Checkpoint& last) {
   const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
@@ -211,7 +211,7 @@ std::optional<std::size_t> pointAhead(const std::vector<base::AxisPosition>& pat
 
 namespace {
 
-/// What the control says of a run that was left, and where the machine stands.
+/// What the control reports about the interrupted run, and the machine's position.
 struct Remains {
   double owner = 0.0;
   double latched = 0.0;
@@ -247,7 +247,7 @@ Result<Remains> readRemains(opcua::Link& link, const RunSettings& settings,
                  lastCorrection(settings, cells, std::span(*numbers).subspan(corrections))};
 }
 
-/// Finds the next point of a run that was left. Asks nothing.
+/// Finds the next point of the interrupted run. Makes no requests.
 class Resumption {
  public:
   /// @param points  of the whole program, as the run had them
@@ -258,7 +258,7 @@ class Resumption {
     m_uncorrected.mm = remains.tool.mm - remains.correction.mm;
   }
 
-  /// @param takenMax  windows the program may have taken and not executed
+  /// @param takenMax  windows that the program may have copied but not executed
   [[nodiscard]] Result<std::size_t> nextPoint(int takenMax) const {
     const bool isOurs = m_remains.owner == static_cast<double>(m_last.runNumber);
     if (!isOurs && !m_last.granted) {
@@ -286,7 +286,7 @@ class Resumption {
   }
 
  private:
-  /// Axes that are not streamed may stand anywhere.
+  /// Axes that are not streamed may be anywhere.
   [[nodiscard]] base::AxisPosition placeOf(std::size_t point) const {
     return onlyRotary({m_points[point].positionMm, m_points[point].rotaryDeg},
                       m_settings.parameters.rotaryAxes);
@@ -321,8 +321,8 @@ class Resumption {
     return first;
   }
 
-  /// Points before each window, and all of them at the end. The windows are cut again as they were
-  /// in the run that was left.
+  /// Points before each window, and all of them at the end. The windows are cut again as in the
+  /// interrupted run.
   [[nodiscard]] std::vector<std::size_t> windowEnds() const {
     const std::size_t first = std::min(m_last.firstPoint, m_points.size());
     const std::span<const gcode::StreamPoint> streamed = std::span(m_points).subspan(first);
@@ -337,7 +337,7 @@ class Resumption {
     return ends;
   }
 
-  /// Reset within windows that had been taken: the tool is on their path, or at its end.
+  /// Reset within copied windows: the tool is on their path, or at its end.
   [[nodiscard]] Result<std::size_t> withinWindows(std::size_t next, std::size_t end) const {
     std::vector<base::AxisPosition> path{placeBefore(next)};
     for (std::size_t i = next; i < end; ++i) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What a run is ordered to do, what is seen of it while it lasts, and what came out.
+/// The settings of a run, its state while it is in progress, and its result.
 /// @threadsafety plain values.
 #pragma once
 
@@ -43,17 +43,17 @@ enum class StreamError {
   ControlAlarm,              ///< the control ended the program with an alarm
   EndedEarly,                ///< the program on the control ended before all points were sent
   OtherClient,               ///< another client has the cells (method window)
-  Restarted,          ///< the program was started anew in the middle of a run (method window)
-  WindowDamaged,      ///< the control refused a window that did not fit its check number
-  ClientSilent,       ///< the control gave up waiting for the client (method window)
-  CannotResume,       ///< where the run was left cannot be told for certain
-  TransferRefused,    ///< no right to write part programs through the server
-  Cancelled,          ///< by whoever waits for it
-  NotCommissioned,    ///< method credit on a control that has not passed its test
-  AxesNotChosen,      ///< the program moves axes that are not among those to be streamed
-  AxisMissing,        ///< the control has no such axis
-  OverlayLeft,        ///< something is laid over the axes from before (online correction)
-  OverlayIntegrates,  ///< the control adds up what is laid over its axes (online correction)
+  Restarted,                 ///< the program was restarted during a run (method window)
+  WindowDamaged,             ///< the control rejected a window that did not match its check number
+  ClientSilent,              ///< the control stopped waiting for the client (method window)
+  CannotResume,              ///< it is not known for certain where the run was left
+  TransferRefused,           ///< no right to write part programs through the server
+  Cancelled,                 ///< by whoever waits for it
+  NotCommissioned,           ///< method credit on a control that has not passed its test
+  AxesNotChosen,             ///< the program moves axes that are not among those to be streamed
+  AxisMissing,               ///< the control has no such axis
+  OverlayLeft,               ///< an overlay is already active on the axes (online correction)
+  OverlayIntegrates,         ///< the control adds up overlaid values (online correction)
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -64,17 +64,17 @@ enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding };
 /// "idle", "armed", ...
 [[nodiscard]] std::string_view runStateName(RunState state);
 
-/// Where a run is taken up again. The list of points depends on where the tool stood before the
-/// first run: it must be the same list.
+/// Where a run is resumed. The list of points depends on the tool's position before the first run;
+/// it must be the same list.
 struct Resume {
   std::size_t point = 0;  ///< the first to be streamed, counted in that list
-  base::Vec3 startMm;     ///< where the tool stood before the first run
+  base::Vec3 startMm;     ///< the tool's position before the first run
   base::RotaryDeg startDeg{};
 };
 
-/// What has to be known of a run of method window or credit to take it up again (`resumeFrom`).
+/// What is needed to resume a run of method window or credit (`resumeFrom`).
 struct Checkpoint {
-  int runNumber = 0;           ///< what the control was asked to obey
+  int runNumber = 0;           ///< the number that the control was asked to obey
   std::size_t firstPoint = 0;  ///< of the first window, counted in the whole program
   base::Vec3 startMm;          ///< where the tool stood before the first run
   bool granted = false;        ///< the control is known to have obeyed this run
@@ -93,9 +93,9 @@ enum class PassedBy {
 /// Inverse of `passedByName`; nothing for an unknown name.
 [[nodiscard]] std::optional<PassedBy> passedByFromName(std::string_view name);
 
-/// How a run comes by its form of access.
+/// How the form of access of a run is chosen.
 enum class AccessChoice {
-  Fixed,  ///< `RunSettings::grouping` as it stands, untried
+  Fixed,  ///< `RunSettings::grouping` as set, not tested
   Best,   ///< the best that is proved on the control before anything moves
   Array,  ///< the best array form, or the run does not start
 };
@@ -106,29 +106,30 @@ struct RunSettings {
   PassedBy passedBy = PassedBy::Position;    ///< method position only
   double feedMmPerS = 10.0;                  ///< > 0
   opcua::Grouping grouping = opcua::Grouping::List;
-  /// Where it is not Fixed, the cells of the first window (or the slots, which must be contiguous)
-  /// are tried before the program on the control is started, and `grouping` becomes what was found.
+  /// If it is not Fixed, the forms are tested on the cells of the first window (or on the slots,
+  /// which must be contiguous) before the program on the control is started, and `grouping` is set
+  /// to the result.
   AccessChoice access = AccessChoice::Fixed;
   base::Duration requestDeadline = std::chrono::seconds{2};
   base::Duration startDeadline = std::chrono::minutes{5};       ///< for cycle start at the control
   base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
   base::Duration accessTime = std::chrono::microseconds{4300};  ///< estimate, for slack
-  /// What access to this control was measured to cost, of this version of its server; null: it was
-  /// not. Takes the place of `accessTime`, and of the 99th percentile of the live margin while the
-  /// run has too few accesses of its own.
+  /// The measured cost of access to this control with this version of its server; null: not
+  /// measured. Replaces `accessTime`, and the 99th percentile of the live margin as long as the run
+  /// has too few accesses of its own.
   std::shared_ptr<const Calibration> calibration;
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
-  /// Method credit: this control has passed the commissioning test. Nothing starts without.
+  /// Method credit: this control has passed the commissioning test. Without it nothing starts.
   bool isCommissioned = false;
-  /// Methods window and credit: by which the control tells this run from others, 1 to 999 999; 0:
-  /// made from the time and the program.
+  /// Methods window and credit: identifies this run for the control, 1 to 999 999; 0: derived from
+  /// the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
   TransferWay transfer = TransferWay::Link;
-  /// Method window: end windows where the path stands or turns. Method credit has no pauses there.
+  /// Method window: end windows where the path stops or turns. Method credit has no pauses there.
   bool placePauses = true;
-  bool monitor = true;  ///< read position and feed for the display where the stream has slack
+  bool monitor = true;  ///< read position and feed for the display when the stream has slack
 };
 
 struct Counters {
@@ -138,7 +139,7 @@ struct Counters {
   std::size_t total = 0;     ///< points of the program
 };
 
-/// What the accesses of a run cost. "Per node" is the access time of [P1]: the duration of a
+/// The cost of the accesses of a run. "Per node" is the access time of [P1]: the duration of a
 /// request divided by the number of its variables.
 struct AccessStatistics {
   std::size_t requests = 0;
@@ -149,21 +150,21 @@ struct AccessStatistics {
 
 /// Online correction, X Y Z. Axes without one are 0.
 struct Correction {
-  base::Vec3 askedMm;      ///< what the run was ordered, within the limit
-  base::Vec3 confirmedMm;  ///< what the control has confirmed to have in its cells
+  base::Vec3 askedMm;      ///< the requested value, within the limit
+  base::Vec3 confirmedMm;  ///< the value that the control has confirmed in its cells
 
   friend bool operator==(const Correction&, const Correction&) = default;
 };
 
-/// A moment of the run, for the display.
+/// A snapshot of the run, for the display.
 struct LiveUpdate {
   RunState state = RunState::Idle;
   base::Instant at{};
   Counters counters;
   std::optional<trace::LiveSample> sample;
-  std::optional<trace::Pause> pause;     ///< a pause that has just become known
+  std::optional<trace::Pause> pause;     ///< a newly detected pause
   std::optional<base::Duration> margin;  ///< time until the next point is needed minus p99
-  std::string waitingFor;                ///< English key of what the run waits for; may be empty
+  std::string waitingFor;  ///< English key of what the run is waiting for; may be empty
   std::optional<base::Duration> stopConfirmedAfter;
   std::optional<Correction> correction;  ///< nothing: the program has none
 };
@@ -197,11 +198,11 @@ struct RunReport {
   std::optional<Checkpoint> checkpoint;
   std::string programName;
   RunSettings settings;                    ///< with the grouping that was used
-  std::optional<AccessForms> accessForms;  ///< what was tried; nothing if nothing was
+  std::optional<AccessForms> accessForms;  ///< the forms that were tried; nothing if none were
   std::optional<ProgramTransfer> transfer;
-  std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it could not be had
+  std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it was not available
 
-  /// A run that was stopped is judged by the points up to the stop.
+  /// A stopped run is judged by the points up to the stop.
   [[nodiscard]] RunFinding finding() const;
   [[nodiscard]] bool isFaultless() const { return finding() == RunFinding::Faultless; }
 };

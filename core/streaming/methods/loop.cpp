@@ -26,8 +26,8 @@ std::optional<Action> LoopMethod::poll(base::Instant) {
     m_plan.addCell(m_plan.cells().run, LoopProtocol::kRun);
     return write(Phase::Run, 0);
   }
-  // Not before the last loop: a program that still waits for its start would take the stop for an
-  // end.
+  // Not before the last loop: a program that is still waiting for its start would take the stop as
+  // its end.
   if (!m_progress.stopWritten && (m_stopWanted || isInLastLoop())) {
     m_progress.stopWritten = true;
     m_plan.addCell(m_plan.cells().stop, LoopProtocol::kStop);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the methods of [P1] share: the first N points fill the slots, the run cell starts the loop,
-/// then the client watches the control and refills what has been passed. They differ in what they
-/// watch. @threadsafety one object, one thread.
+/// Common to the methods of [P1]: the first N points fill the slots, the run cell starts the loop,
+/// then the client watches the control and refills the slots that have been passed. The methods
+/// differ in what they watch. @threadsafety one object, one thread.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace rivulet::streaming {
 
-/// Beyond the shortest possible time, before a run counts as slower than planned.
+/// Time in addition to the shortest possible time before a run counts as slower than planned.
 inline constexpr base::Duration kLoopSlowerThanPlanned = std::chrono::milliseconds{250};
 
 class LoopMethod : public Method {
@@ -27,25 +27,26 @@ class LoopMethod : public Method {
   std::string_view adviceWhenStalled() const final;
 
  protected:
-  /// @param watched  what is read again and again
+  /// @param watched  the variables that are polled
   LoopMethod(MethodSetup&& setup, std::vector<opcua::Variable> watched)
       : m_plan(std::move(setup)), m_watched(std::move(watched)) {}
 
   /// The loop runs. @param sent  when the run cell was written
   virtual void begun(base::Instant sent, base::Instant now) = 0;
-  /// What has been read. Sets `m_refillDue` where a slot or window has been passed.
+  /// Handles a reading. Sets `m_refillDue` if a slot or window has been passed.
   virtual void observe(const Answer& answer, base::Instant now) = 0;
-  /// Adds the points that go where the control has just passed. @return how many are new
+  /// Adds the points for the slots that the control has just passed. @return how many are new
   virtual std::size_t addRefill() = 0;
-  /// True once the control is in the loop with the last point: the stop is read at its end.
+  /// True as soon as the control is in the loop with the last point, at whose end it reads the
+  /// stop.
   [[nodiscard]] virtual bool isInLastLoop() const = 0;
-  /// True once every point has been written.
+  /// True after every point has been written.
   [[nodiscard]] virtual bool hasSentAll() const = 0;
 
   SlotPlan m_plan;
   Progress m_progress;
   bool m_refillDue = false;
-  base::Instant m_nextAccess{};  ///< when the control can have passed more, at the earliest
+  base::Instant m_nextAccess{};  ///< earliest time at which the control can have passed more
 
  private:
   enum class Phase { Fill, Run, Watch, Refill, Stop };
@@ -58,8 +59,8 @@ class LoopMethod : public Method {
   bool m_stopWanted = false;
 };
 
-/// Methods position and signal seen from the job; a `MethodType` for each is made of its method and
-/// of the place of its pauses.
+/// Methods position and signal as seen by the job; the `MethodType` of each consists of its method
+/// and the place of its pauses.
 class LoopMethodType : public MethodType {
  public:
   [[nodiscard]] std::vector<std::size_t> pausesBefore(std::span<const gcode::StreamPoint> points,
@@ -67,7 +68,7 @@ class LoopMethodType : public MethodType {
                                                       bool place) const final;
 
  protected:
-  /// Points after which the axes stand within a loop as well; 0: only at its end.
+  /// Points after which the axes also stop within a loop; 0: only at its end.
   [[nodiscard]] virtual std::size_t pauseWithinLoop(std::size_t pointsPerLoop) const = 0;
 };
 

@@ -28,7 +28,7 @@ void SignalMethod::begun(base::Instant sent, base::Instant /*now*/) {
 }
 
 std::size_t SignalMethod::addRefill() {
-  // The window passed last is due again two windows later.
+  // The window just passed is due again two windows later.
   const std::size_t window = m_passed + 1;
   const std::size_t begin = windowBegin(window);
   const std::size_t end = begin + windowSize(window);
@@ -48,8 +48,9 @@ void SignalMethod::observe(const Answer& answer, base::Instant now) {
   const std::size_t expected = m_passed % 2;
   const bool inTurn = signal == static_cast<double>(expected);
   if (!inTurn) {
-    // Algorithm III does not ask whether the signals alternate: it refills what the cell names.
-    // A signal out of turn means that one was lost and a window has been executed twice.
+    // Algorithm III does not check whether the signals alternate: it refills the window that the
+    // cell names. A signal out of sequence means that one was lost and a window has been executed
+    // twice.
     ++m_progress.brokenSignals;
     ++m_passed;
   }
@@ -63,7 +64,7 @@ void SignalMethod::observe(const Answer& answer, base::Instant now) {
   const base::Duration travel = m_plan.travelTime(
       std::max<std::size_t>(windowBegin(m_passed), 1) - 1, windowBegin(m_passed + 1) - 1);
   m_nextAccess = answer.sent - m_plan.settings().accessTime * 2 + travel;
-  // The refill is due at once: no read for the display may go in front of it.
+  // The refill is due at once: no read for the display may go before it.
   m_progress.expected.set(Expectation::Access, now);
   m_progress.expected.set(Expectation::Progress, now + travel + kLoopSlowerThanPlanned);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Method 2 of [P1]: the program sets a signal cell when it has passed one of its two windows
-/// (0: the first ⌊N/2⌋ slots, 1: the rest); the client refills that window and answers 2. Kept as
-/// published, with its hazards: a late client lets the control run an old window again, and a
+/// Method 2 of [P1]: the program sets a signal cell when it has passed one of its two windows (0:
+/// the first ⌊N/2⌋ slots, 1: the rest); the client refills that window and answers 2. Kept as
+/// published, with its hazards: a late client makes the control execute an old window again, and a
 /// signal can be overwritten before it is seen.
 /// @source [P1] Algorithm III, with its slices read as meant: signal 0 refills the first ⌊N/2⌋
 /// slots, signal 1 the remaining N-⌊N/2⌋. @threadsafety one object, one thread.

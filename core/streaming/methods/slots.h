@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the methods share: the points in order, the slots they go to, and the loops of
-/// the flexible program. Beyond the last point a slot gets the last point again: the axes stand
-/// there already, so the block moves nothing. @threadsafety one object, one thread.
+/// Common to the methods: the points in order, their slots, and the loops of the flexible program.
+/// After the last point a slot gets the last point again: the axes are already there, so the block
+/// moves nothing. @threadsafety one object, one thread.
 #pragma once
 
 #include <algorithm>
@@ -62,13 +62,13 @@ class SlotPlan {
     return base::fromSeconds(std::max(0.0, length) / m_setup.settings.feedMmPerS);
   }
 
-  /// Shortest time from where the tool stands to the first point.
+  /// Shortest time from the tool's position to the first point.
   [[nodiscard]] base::Duration approachTime() const {
     return base::fromSeconds(wayTo(m_setup.startMm, m_setup.startDeg, 0) /
                              m_setup.settings.feedMmPerS);
   }
 
-  /// The last `count` writes go in front of all others.
+  /// The last `count` writes are moved before all others.
   void lastToFront(std::size_t count) {
     RIVULET_ASSERT(count <= m_writes.size());
     std::rotate(m_writes.begin(), m_writes.end() - static_cast<std::ptrdiff_t>(count),
@@ -117,7 +117,7 @@ class SlotPlan {
 
   MethodSetup m_setup;
   std::vector<std::vector<int>> m_cells;
-  std::vector<double> m_arcMm;  ///< way up to each point, see `base::wayAlongFeed`
+  std::vector<double> m_arcMm;  ///< path length up to each point, see `base::wayAlongFeed`
   std::vector<opcua::Assignment> m_writes;
 };
 

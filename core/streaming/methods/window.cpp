@@ -13,11 +13,12 @@ using base::Duration;
 using base::Instant;
 using templates::WindowProtocol;
 
-/// Between signs of life. The program gives up after 20 s without one, at the earliest.
+/// Interval of the heartbeat. Without one, the program ends after 20 s at the earliest.
 constexpr Duration kBeatInterval = std::chrono::seconds{1};
-/// Beyond the time planned, before all header cells are read to see why nothing goes on.
+/// Time in addition to the planned one before all header cells are read to find out why there is no
+/// progress.
 constexpr Duration kLookInterval = std::chrono::milliseconds{250};
-/// Stand-still between windows, the pre-run's work on a window, and scatter.
+/// Standstill between windows, the pre-run's work on a window, and scatter.
 constexpr Duration kSlowerThanPlanned = std::chrono::milliseconds{400};
 
 }  // namespace
@@ -129,7 +130,7 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
     m_plan.addCell(cells.run, m_runAsked);
     return write(Step::Run);
   }
-  // After a stop nothing is delivered any more: what could still be executed only gets less.
+  // After a stop nothing is delivered any more: so that no further points can be executed.
   if (!m_stopWanted) {
     if (std::optional<Action> action = pollContent()) {
       return action;
@@ -149,7 +150,7 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
 }
 
 bool WindowedMethod::answerLost(Instant) {
-  // Whether it was carried out or not: `poll` asks for the same again.
+  // Whether it was carried out or not: `poll` repeats the request.
   m_waiting = false;
   return true;
 }
@@ -200,23 +201,23 @@ void WindowedMethod::takeOwner(double owner, Instant now) {
   if (m_owned) {
     m_progress.granted = true;
     m_progress.lastProgress = now;
-    m_progress.expected.stop(Expectation::Progress);  // the client has to bring the first windows
+    m_progress.expected.stop(Expectation::Progress);  // the client has to deliver the first windows
   } else if (owner != 0.0) {
     m_trouble = Trouble::OtherClient;
   } else if (!m_progress.expected.isAhead(Expectation::Progress, now)) {
-    m_step = Step::Claim;  // it may have been overwritten on its way
+    m_step = Step::Claim;  // it may have been overwritten meanwhile
   }
 }
 
 void WindowedMethod::confirmNumber(Instant now) {
   if (m_delivered < m_filled) {
-    // What the control had not taken so far it takes at once, or after the window it is in.
+    // The control copies pending windows at once, or after its present window.
     expectTaken(now);
   }
   m_delivered = m_filled;
   m_renumber = false;
   if (m_filled == m_windowCount || m_filled >= m_latched + m_slots) {
-    // Until then there is nothing to be brought.
+    // Until then there is nothing to deliver.
     m_progress.expected.set(Expectation::Access,
                             m_timers.deadline(Timer::WindowEnds).value_or(Instant{}));
   }
@@ -229,7 +230,7 @@ void WindowedMethod::confirmRun(Instant now) {
   if (m_run == WindowProtocol::kHold) {
     m_progress.expected.stop(Expectation::Progress);
   } else {
-    // After a stop as well: the control goes on to the end of what it has taken.
+    // After a stop as well: the control continues to the end of the copied windows.
     expectTaken(now);
   }
 }
@@ -238,8 +239,8 @@ void WindowedMethod::observe(double latched, std::optional<double> executed, con
                              Instant now) {
   if (!(latched >= 0.0) || latched > static_cast<double>(m_delivered) ||
       latched < static_cast<double>(m_latched)) {
-    // The program on the control never says this to us: someone else has written the cell, or the
-    // program has been started again. The header says which.
+    // The program on the control never writes this value for this run: another client has written
+    // the cell, or the program has been restarted. The header shows which.
     m_timers.set(Timer::Look, now);
     if (m_progress.expected.isAhead(Expectation::Progress, now)) {
       m_progress.expected.set(Expectation::Progress, now);
@@ -247,8 +248,8 @@ void WindowedMethod::observe(double latched, std::optional<double> executed, con
     return;
   }
   const auto windows = static_cast<std::size_t>(latched);
-  // A window that is taken has everything before it executed, unless the control says what has been
-  // executed; what it cannot have meant is ignored.
+  // When a window is copied, everything before it has been executed, unless the control reports the
+  // executed windows itself; impossible values are ignored.
   std::size_t passed = windows == 0 ? 0 : windows - 1;
   if (executed) {
     const bool isMeant = *executed >= static_cast<double>(m_executed) && *executed <= latched;
@@ -268,7 +269,7 @@ void WindowedMethod::observe(double latched, std::optional<double> executed, con
   m_timers.set(Timer::WindowEnds, windowEnds);
   m_progress.expected.set(Expectation::Access, moreToBring ? now : windowEnds);
   if (moreToBring && m_delivered == m_latched) {
-    m_progress.expected.stop(Expectation::Progress);  // it is for the client to bring more
+    m_progress.expected.stop(Expectation::Progress);  // the client has to deliver more
   } else {
     expectTaken(now);
   }
@@ -286,7 +287,7 @@ void WindowedMethod::look(const Answer& answer, Instant now) {
     m_progress.expected.stop(Expectation::Access);
     return;
   }
-  // An earlier write that was late may have put back our number or our stop.
+  // A late earlier write may have restored an old number or stop.
   m_renumber = m_owned && answer.readings[Delivered].number != static_cast<double>(m_delivered);
   if (m_stopWanted && answer.readings[Run].number != WindowProtocol::kEnd) {
     m_run = WindowProtocol::kHold;
@@ -326,8 +327,8 @@ std::string_view WindowedMethod::adviceWhenStalled() const {
          "the hold or find the other writer, then resume.";
 }
 
-/// Coordinates, number of points, feed, check: what the control adds up is added up here, term by
-/// term in the same order.
+/// Coordinates, number of points, feed, check: the same sum as on the control, term by term in the
+/// same order.
 Action WindowMethod::bring(std::size_t window, std::size_t points) {
   const templates::CellMap& cells = m_plan.cells();
   const std::size_t begin = windowBegin(window);
@@ -353,7 +354,7 @@ Action WindowMethod::bring(std::size_t window, std::size_t points) {
   m_plan.addCell(cells.windowFeed(windowCell), feedMmPerMin);
   m_plan.addCell(cells.windowCheck(windowCell), check);
   if (opcua::isArray(m_plan.settings().grouping)) {
-    // Where they stand on the control: the window is one array.
+    // As on the control: the window is one array.
     m_plan.lastToFront(WindowProtocol::WindowCells);
   }
   return {Action::Kind::Write, {}, m_plan.writes(), points};

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Windows with numbers: the program on the control takes none that has not been delivered, so a
-/// client that is late makes the machine wait and never repeat. The client writes a window's
-/// content, waits for the answer, and only then writes its number; it writes into a window again
-/// only after the control has said that it holds a copy. Every request says the same when it is
-/// made twice, so an answer that is lost costs time and nothing else.
+/// Windows with numbers: the program on the control copies only delivered windows, so a late client
+/// makes the machine wait and never repeat. The client writes a window's content, waits for the
+/// answer, and only then writes its number. It writes into a window again only after the control
+/// has confirmed that it has a copy. Every request has the same effect if it is made twice, so a
+/// lost answer costs only time.
 ///
-/// Against writes that come from elsewhere (another client, a request of an earlier connection
-/// that arrives late) each window carries a check number made of the run's number, its own number
-/// and its content; the program refuses what does not fit.
+/// Against writes from elsewhere (another client, a late request of an earlier connection), each
+/// window carries a check number derived from the run's number, its own number and its content. The
+/// program rejects a window that does not match.
 ///
 /// Methods window, credit and file are this client. They differ in how the content of a window is
-/// brought, and in what the control says of its motion.
+/// delivered, and in what the control reports about its motion.
 /// @threadsafety one object, one thread.
 #pragma once
 
@@ -38,16 +38,16 @@ class WindowedMethod : public Method {
   std::string_view adviceWhenStalled() const final;
 
  protected:
-  /// @param saysExecuted  the program says which windows have been executed
+  /// @param saysExecuted  the program reports which windows have been executed
   WindowedMethod(MethodSetup&& setup, bool saysExecuted);
 
-  /// Brings the content of a window. @param points  of this window
+  /// Delivers the content of a window. @param points  of this window
   [[nodiscard]] virtual Action bring(std::size_t window, std::size_t points) = 0;
-  /// Windows whose place may be filled again, counted from the first.
+  /// Number of windows, from the first, whose place may be filled again.
   [[nodiscard]] virtual std::size_t freed() const { return m_latched; }
-  /// Shortest time until what the control has taken is executed, counted from its last sign.
+  /// Shortest time until all copied windows are executed, counted from the last sign of progress.
   [[nodiscard]] virtual base::Duration takenTime() const;
-  /// The same if the machine goes as slowly as the program may make it.
+  /// The same if the machine moves as slowly as the program can make it.
   [[nodiscard]] virtual base::Duration takenTimeMax() const { return takenTime(); }
   /// STOPREs passed.
   [[nodiscard]] virtual std::size_t stopsPassed() const { return m_executed; }
@@ -65,7 +65,7 @@ class WindowedMethod : public Method {
   enum class Trouble { None, OtherClient, Restarted, Ended };
   enum class Timer {
     Beat,        ///< the next sign of life
-    Look,        ///< all header cells are read again to see why nothing goes on
+    Look,        ///< all header cells are read again to find out why there is no progress
     WindowEnds,  ///< the window in motion, at the earliest
     Count,
   };
@@ -78,15 +78,15 @@ class WindowedMethod : public Method {
   void takeOwner(double owner, base::Instant now);
   void confirmNumber(base::Instant now);
   void confirmRun(base::Instant now);
-  /// @param executed  as the control says; nothing where it does not
+  /// @param executed  as reported by the control; nothing if it does not report it
   void observe(double latched, std::optional<double> executed, const Answer& answer,
                base::Instant now);
   void look(const Answer& answer, base::Instant now);
-  /// The next access, once the control obeys this run; nothing: the stream has nothing to bring.
+  /// The next access after the control has accepted this run; nothing: there is nothing to deliver.
   [[nodiscard]] std::optional<Action> pollContent();
-  /// From now on the control is expected to go on to the end of what it has taken.
+  /// From now on the control is expected to continue to the end of the copied windows.
   void expectTaken(base::Instant now);
-  /// Until when the axes have enough, and whether the client has something to bring.
+  /// Until when the axes have points, and whether the client has something to deliver.
   void estimateNeed();
   /// The value the run cell should have now.
   [[nodiscard]] int runWanted() const;
@@ -102,19 +102,19 @@ class WindowedMethod : public Method {
   bool m_waiting = false;
   bool m_stopWanted = false;
   bool m_holdWanted = false;
-  bool m_renumber = false;  ///< the number on the control is not ours: it is written again
-  bool m_owned = false;     ///< the control has granted us its cells
+  bool m_renumber = false;  ///< the number on the control is not this run's: it is written again
+  bool m_owned = false;     ///< the control has granted its cells to this run
   int m_run = templates::WindowProtocol::kHold;       ///< value of the run cell, as confirmed
   int m_runAsked = templates::WindowProtocol::kHold;  ///< value in the write that is outstanding
   std::size_t m_filled = 0;                           ///< windows whose content is confirmed
   std::size_t m_delivered = 0;                        ///< windows whose number is confirmed
-  base::Instant m_takenAt{};                          ///< when the control was seen to come further
+  base::Instant m_takenAt{};  ///< when the control was last seen to progress
   base::TimerTable<Timer> m_timers;
   double m_beat = 0.0;
   Progress m_progress;
 };
 
-/// The control copies each window; one that is copied has everything before it executed.
+/// The control copies each window; when one is copied, everything before it has been executed.
 class WindowMethod : public WindowedMethod {
  public:
   explicit WindowMethod(MethodSetup setup) : WindowMethod(std::move(setup), false) {}
@@ -127,8 +127,8 @@ class WindowMethod : public WindowedMethod {
   [[nodiscard]] Action bring(std::size_t window, std::size_t points) final;
 };
 
-/// The control copies windows while those before are in motion, so what has been executed is read
-/// from a cell of its own.
+/// The control copies windows while earlier ones are in motion, so the number of executed windows
+/// is read from a separate cell.
 class CreditMethod final : public WindowMethod {
  public:
   explicit CreditMethod(MethodSetup setup) : WindowMethod(std::move(setup), true) {}
@@ -139,7 +139,7 @@ class CreditMethod final : public WindowMethod {
   [[nodiscard]] std::size_t stopsPassed() const override { return 0; }
 };
 
-/// A window is a subprogram that is transferred. The control executes it where it lies, so its
+/// A window is a subprogram that is transferred. The control executes it without a copy, so its
 /// place is free only after it has been executed.
 class FileMethod final : public WindowedMethod {
  public:
@@ -153,7 +153,7 @@ class FileMethod final : public WindowedMethod {
   std::string m_text;
 };
 
-/// What the methods with windows are for a job: runs have numbers, and the program says how far it
+/// The methods with windows as seen by a job: runs have numbers, and the program reports how far it
 /// came.
 class WindowMethodType : public MethodType {
  public:
