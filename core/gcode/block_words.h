@@ -14,7 +14,7 @@
 
 #include "gcode/arc.h"
 #include "gcode/fact_counter.h"
-#include "gcode/lexer.h"
+#include "nc/syntax/lexer.h"
 
 namespace rivulet::gcode {
 
@@ -29,9 +29,8 @@ struct RareWords {
   std::map<std::string, NamedWord, std::less<>> named;
   std::map<int, double> arguments;  ///< of G65: #1 and on
   std::string frame;                ///< TRANS, ROT, ...
-  std::string call;                 ///< a subprogram by name
-  std::string callArguments;
-  std::optional<Token> statement;
+  std::optional<nc::Token> call;    ///< a subprogram by name, or L and its number
+  std::optional<nc::Token> statement;
   bool macroCall = false;
   bool call98 = false;
   bool returns = false;
@@ -45,7 +44,7 @@ struct RareWords {
   bool threePointArc = false;
   bool bSpline = false;
   int workOffsetKey = -1;  ///< G54.1, G154: which offset says P
-  const Token* workOffsetToken = nullptr;
+  const nc::Token* workOffsetToken = nullptr;
 };
 
 struct BlockWords {
@@ -71,16 +70,16 @@ struct BlockWords {
   int distanceKey = -1;
   int planeKey = -1;
   int unitsKey = -1;
-  unsigned repeated = 0;             ///< bit per letter seen
-  int motionColumn = 0;              ///< of the first axis, centre or radius word
-  const Token* parameter = nullptr;  ///< the last of P, Q, L and U
+  unsigned repeated = 0;                 ///< bit per letter seen
+  int motionColumn = 0;                  ///< of the first axis, centre or radius word
+  const nc::Token* parameter = nullptr;  ///< the last of P, Q, L and U
   std::optional<double> p;
   std::optional<double> q;
   std::optional<double> l;
-  const Token* radiusToken = nullptr;
-  const Token* machineToken = nullptr;
-  std::array<const Token*, base::kAxisCount> centreTokens{};
-  std::array<const Token*, base::kAxisCount> axisTokens{};
+  const nc::Token* radiusToken = nullptr;
+  const nc::Token* machineToken = nullptr;
+  std::array<const nc::Token*, base::kAxisCount> centreTokens{};
+  std::array<const nc::Token*, base::kAxisCount> axisTokens{};
   std::optional<RareWords> rare;
 
   [[nodiscard]] bool movesLinear() const { return axes.given[0] || axes.given[1] || axes.given[2]; }

@@ -62,10 +62,11 @@ enum class DiagnosticCode {
 
 struct Diagnostic {
   Severity severity = Severity::Error;
-  base::LineNumber line;
-  int column = 1;  ///< from 1, in bytes
+  base::LineNumber line;  ///< of `file`
+  int column = 1;         ///< from 1, in bytes
   DiagnosticCode code = DiagnosticCode::UnknownWord;
   std::string argument;
+  std::string file = {};  ///< the called file it stands in; empty: the program itself
 };
 
 /// Stable name for files and `--json`, e.g. "unknown-g-code".

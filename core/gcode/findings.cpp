@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "gcode/program.h"
@@ -13,7 +14,8 @@
 namespace rivulet::gcode {
 
 void Findings::report(Severity severity, int column, DiagnosticCode code, std::string argument) {
-  Diagnostic found{severity, m_line, column, code, std::move(argument)};
+  const std::string file = m_file == nullptr ? std::string() : *m_file;
+  Diagnostic found{severity, m_line, column, code, std::move(argument), file};
   if (severity == Severity::Error && !m_accepted.empty()) {
     std::string name = acceptableName(found);
     if (!name.empty() &&
@@ -23,7 +25,7 @@ void Findings::report(Severity severity, int column, DiagnosticCode code, std::s
         return;
       }
       m_acceptedSeen.push_back(name);
-      found = {Severity::Warning, m_line, column, DiagnosticCode::Accepted, std::move(name)};
+      found = {Severity::Warning, m_line, column, DiagnosticCode::Accepted, std::move(name), file};
     }
   }
   m_hasErrors |= found.severity == Severity::Error;
@@ -38,14 +40,14 @@ void Findings::report(Severity severity, int column, DiagnosticCode code, std::s
 }
 
 void Findings::reportProgram(Severity severity, DiagnosticCode code, std::string argument) {
-  m_list.push_back({severity, base::LineNumber{1}, 1, code, std::move(argument)});
+  m_list.push_back({severity, base::LineNumber{1}, 1, code, std::move(argument), {}});
 }
 
-void Findings::error(const Token& token, DiagnosticCode code) {
+void Findings::error(const nc::Token& token, DiagnosticCode code) {
   error(token, code, std::string(token.text));
 }
 
-void Findings::error(const Token& token, DiagnosticCode code, std::string argument) {
+void Findings::error(const nc::Token& token, DiagnosticCode code, std::string argument) {
   constexpr std::size_t kLongest = 120;
   if (argument.size() > kLongest) {
     argument.resize(kLongest);
@@ -58,7 +60,7 @@ void Findings::error(const Token& token, DiagnosticCode code, std::string argume
   report(Severity::Error, token.column, code, std::move(argument));
 }
 
-void Findings::ignore(Severity severity, const Token& token, std::string argument) {
+void Findings::ignore(Severity severity, const nc::Token& token, std::string argument) {
   if (std::find(m_ignoredNames.begin(), m_ignoredNames.end(), argument) != m_ignoredNames.end()) {
     return;
   }
@@ -68,14 +70,14 @@ void Findings::ignore(Severity severity, const Token& token, std::string argumen
   report(severity, token.column, DiagnosticCode::IgnoredCode, std::move(argument));
 }
 
-void Findings::ignoreG(std::size_t key, const Token& token) {
+void Findings::ignoreG(std::size_t key, const nc::Token& token) {
   if (!m_ignoredG.test(key)) {
     m_ignoredG.set(key);
     report(Severity::Note, token.column, DiagnosticCode::IgnoredCode, wordText(token));
   }
 }
 
-void Findings::ignoreM(Severity severity, std::size_t number, const Token& token) {
+void Findings::ignoreM(Severity severity, std::size_t number, const nc::Token& token) {
   auto& seen = severity == Severity::Note ? m_ignoredM : m_warnedM;
   if (!seen.test(number)) {
     seen.set(number);
@@ -83,7 +85,7 @@ void Findings::ignoreM(Severity severity, std::size_t number, const Token& token
   }
 }
 
-void Findings::ignoreLetter(const Token& token) {
+void Findings::ignoreLetter(const nc::Token& token) {
   const auto letter = static_cast<std::size_t>(token.address - 'A');
   if (!m_ignoredLetters.test(letter)) {
     m_ignoredLetters.set(letter);
@@ -95,16 +97,20 @@ void Findings::ignoreLetter(const Token& token) {
 std::vector<Diagnostic> Findings::take() {
   // Within a block the findings about the motion come after those about its words.
   std::stable_sort(m_list.begin(), m_list.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
   });
   if (m_suppressed > 0) {
-    m_list.push_back({m_suppressedWorst, m_suppressedLine, 1, DiagnosticCode::MoreFindings,
-                      fmt::format("{}", m_suppressed)});
+    m_list.push_back({m_suppressedWorst,
+                      m_suppressedLine,
+                      1,
+                      DiagnosticCode::MoreFindings,
+                      fmt::format("{}", m_suppressed),
+                      {}});
   }
   return std::move(m_list);
 }
 
-std::string Findings::wordText(const Token& token) {
+std::string Findings::wordText(const nc::Token& token) {
   return fmt::format("{}{}", token.address, token.value);
 }
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "gcode/diagnostic.h"
-#include "gcode/lexer.h"
+#include "nc/syntax/lexer.h"
 
 namespace rivulet::gcode {
 
@@ -22,22 +22,27 @@ class Findings {
   /// @param accepted  names as in `acceptableName`; outlives the object
   explicit Findings(const std::vector<std::string>& accepted) : m_accepted(accepted) {}
 
-  void setLine(base::LineNumber line) { m_line = line; }
+  /// Where the findings to come belong. @param file  the called file, empty for the program
+  ///        itself; outlives the object
+  void setPlace(base::LineNumber line, const std::string& file) {
+    m_line = line;
+    m_file = &file;
+  }
 
   void report(Severity severity, int column, DiagnosticCode code, std::string argument);
   /// A finding about the whole program, listed however many others there are. It stands at the
   /// first line.
   void reportProgram(Severity severity, DiagnosticCode code, std::string argument);
   /// With the token's text, cut where it is long.
-  void error(const Token& token, DiagnosticCode code);
-  void error(const Token& token, DiagnosticCode code, std::string argument);
+  void error(const nc::Token& token, DiagnosticCode code);
+  void error(const nc::Token& token, DiagnosticCode code, std::string argument);
   /// A word without effect on the path is noted at its first place only: a program with M3 S500
   /// in every block has one such finding, not a thousand that hide the others.
-  void ignore(Severity severity, const Token& token, std::string argument);
+  void ignore(Severity severity, const nc::Token& token, std::string argument);
   /// The same by number, for the words of which there are millions.
-  void ignoreG(std::size_t key, const Token& token);
-  void ignoreM(Severity severity, std::size_t number, const Token& token);
-  void ignoreLetter(const Token& token);
+  void ignoreG(std::size_t key, const nc::Token& token);
+  void ignoreM(Severity severity, std::size_t number, const nc::Token& token);
+  void ignoreLetter(const nc::Token& token);
 
   /// True if an error was found that stands in the way of the path.
   [[nodiscard]] bool hasErrors() const { return m_hasErrors; }
@@ -45,12 +50,13 @@ class Findings {
   [[nodiscard]] std::vector<Diagnostic> take();
 
   /// "G01" and "g 1" are G1 to the reader of a finding.
-  [[nodiscard]] static std::string wordText(const Token& token);
+  [[nodiscard]] static std::string wordText(const nc::Token& token);
 
  private:
   const std::vector<std::string>& m_accepted;
   std::vector<Diagnostic> m_list;
   base::LineNumber m_line;
+  const std::string* m_file = nullptr;
   bool m_hasErrors = false;
   std::bitset<10000> m_ignoredG;
   std::bitset<10000> m_ignoredM;

@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -17,17 +19,21 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "gcode/block_words.h"
-#include "gcode/calculator.h"
 #include "gcode/findings.h"
-#include "gcode/flow.h"
 #include "gcode/path_builder.h"
-#include "gcode/vocabulary.h"
+#include "nc/flow/cursor.h"
+#include "nc/modal/vocabulary.h"
 
 namespace rivulet::gcode {
 
 namespace {
 
 using base::Vec3;
+using nc::Block;
+using nc::GEffect;
+using nc::NameEffect;
+using nc::Token;
+using nc::TokenKind;
 
 enum class Motion : unsigned char {
   None,
@@ -61,16 +67,66 @@ int argumentOf(char letter) {
   return kNumbers[static_cast<std::size_t>(letter - 'A')];
 }
 
+/// The variables of the program, and of the control's own those that follow from the path.
+class ProgramVariables final : public nc::Variables {
+ public:
+  using PositionOf = std::function<std::optional<double>(char axis, bool inWorkpiece)>;
+  ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf)
+      : Variables(semantics), m_positionOf(std::move(positionOf)) {}
+
+  [[nodiscard]] nc::Expected<nc::Value> system(std::string_view name,
+                                               std::span<const nc::Value> indices) const override {
+    const std::string axis = indices.size() == 1 ? nc::textOf(indices[0]) : std::string();
+    if (axis.size() == 1 && (name == "$AA_IW" || name == "$P_EP" || name == "$AA_IM")) {
+      if (const std::optional<double> known = m_positionOf(axis[0], name == "$AA_IM")) {
+        return *known;
+      }
+    }
+    return nc::fail(nc::FaultCode::OnlyOnControl,
+                    axis.empty() ? std::string(name) : fmt::format("{}[{}]", name, axis));
+  }
+
+  /// #<_x>
+  [[nodiscard]] nc::Expected<nc::Value> variable(std::string_view name,
+                                                 std::span<const int> indices) const override {
+    nc::Expected<nc::Value> value = Variables::variable(name, indices);
+    if (!value && name.size() == 4 && name.substr(0, 2) == "<_") {
+      if (const std::optional<double> known = m_positionOf(name[2], false)) {
+        return *known;
+      }
+    }
+    return value;
+  }
+
+  /// #5420 and on: the position.
+  [[nodiscard]] nc::Expected<double> numbered(int number) const override {
+    constexpr int kFirst = 5420;
+    if (number >= kFirst && number < kFirst + static_cast<int>(base::kAxisCount)) {
+      const char axis = base::kAxisNames[static_cast<std::size_t>(number - kFirst)];
+      if (const std::optional<double> known = m_positionOf(axis, false)) {
+        return *known;
+      }
+    }
+    return Variables::numbered(number);
+  }
+
+ private:
+  PositionOf m_positionOf;
+};
+
 class Interpreter {
  public:
-  Interpreter(std::string_view text, const LoadOptions& options, DialectGuess guess)
+  Interpreter(std::string_view text, const LoadOptions& options, nc::DialectGuess guess)
       : m_text(text),
         m_options(options),
         m_dialect(guess.dialect),
-        m_g(gTable(guess.dialect)),
+        m_g(nc::gTable(guess.dialect)),
         m_findings(options.accepted),
-        m_calculator(guess.dialect, [this](std::string_view name) { return systemValue(name); }),
-        m_flow(text, guess.dialect, m_calculator, options),
+        m_variables(
+            nc::notationOf(guess.dialect).hasNames ? nc::sinumerikSemantics() : nc::hashSemantics(),
+            [this](char axis, bool inWorkpiece) { return positionOf(axis, inWorkpiece); }),
+        m_cursorOptions{options.repeatedLinesMax, options.subprogram},
+        m_flow(text, guess.dialect, m_variables, m_cursorOptions),
         m_path(options, m_out.trajectory, m_out.statistics) {
     if (guess.dialect == Dialect::Iso && !guess.turningCycle.empty()) {
       m_isLathe = true;
@@ -91,7 +147,11 @@ class Interpreter {
     }
     Block block;
     std::size_t untilProgress = kProgressBlocks;
-    while (!m_ended && m_flow.next(block)) {
+    while (!m_ended) {
+      const nc::Cursor::Step step = m_flow.next(block);
+      if (step == nc::Cursor::Step::End) {
+        break;
+      }
       if (--untilProgress == 0) {
         untilProgress = kProgressBlocks;
         if (!goesOn(lineFeeds)) {
@@ -99,11 +159,18 @@ class Interpreter {
           break;
         }
       }
-      if (block.tokens.empty()) {
+      if (step == nc::Cursor::Step::Block && block.tokens.empty()) {
         continue;
       }
       m_line = m_flow.line();
-      m_findings.setLine(m_line);
+      const nc::Place place = m_flow.place();
+      m_findings.setPlace(place.line, m_flow.fileName(place.file));
+      if (step == nc::Cursor::Step::Report) {
+        Token statement;
+        statement.column = place.column;
+        settle(m_flow.outcome(), statement);
+        continue;
+      }
       interpretBlock(block);
       if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
         m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
@@ -123,28 +190,41 @@ class Interpreter {
     return !m_options.progress || m_options.progress(std::min(1.0, share));
   }
 
-  // --- values that only the interpreter knows ----------------------------------------------
+  /// In the unit of the file; nothing: no motion has said it yet.
+  [[nodiscard]] std::optional<double> positionOf(char axisName, bool inWorkpiece) const {
+    if (axisName < 'X' || axisName > 'Z') {
+      return std::nullopt;
+    }
+    const Vec3 position = inWorkpiece ? m_path.frame().toWorkpiece(programmed()) : programmed();
+    const double value = position[static_cast<std::size_t>(axisName - 'X')] / m_lengthFactor;
+    return std::isnan(value) ? std::nullopt : std::optional(value);
+  }
 
-  [[nodiscard]] std::optional<double> systemValue(std::string_view name) const {
-    const auto known = [](double value) {
-      return std::isnan(value) ? std::nullopt : std::optional(value);
-    };
-    const Vec3 position = programmed();
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      const char letter = base::kAxisNames[axis];
-      const double inFile = position[axis] / m_lengthFactor;
-      if (name == fmt::format("$AA_IW[{}]", letter) || name == fmt::format("$P_EP[{}]", letter) ||
-          name == fmt::format("#<_{}>", letter) || name == fmt::format("#{}", 5420 + axis)) {
-        return known(inFile);
-      }
-      if (name == fmt::format("$AA_IM[{}]", letter)) {
-        return known(m_path.frame().toWorkpiece(position)[axis] / m_lengthFactor);
-      }
+  /// What cannot be computed, or where the program goes on.
+  void report(const Token& token, const nc::Fault& fault) {
+    m_findings.error(
+        token,
+        nc::isAboutOrder(fault.code) ? DiagnosticCode::FlowFault : DiagnosticCode::ExpressionFault,
+        nc::describe(fault));
+  }
+
+  [[nodiscard]] std::optional<double> numberOf(const Token& token,
+                                               const nc::Expected<nc::CalculatedValue>& value) {
+    const nc::Expected<double> number =
+        value ? m_variables.number(value->value) : nc::fail(value.error());
+    if (!number) {
+      report(token, number.error());
     }
-    if (name == "$PI") {
-      return std::acos(-1.0);
+    return number ? std::optional(*number) : std::nullopt;
+  }
+
+  void assign(const Token& token) {
+    const nc::Expected<nc::Assignment>& assignment = m_flow.assignment(token);
+    const nc::Expected<void> done =
+        assignment ? m_variables.assign(*assignment) : nc::fail(assignment.error());
+    if (!done) {
+      report(token, done.error());
     }
-    return std::nullopt;
   }
 
   // --- one block -------------------------------------------------------------------------
@@ -248,23 +328,20 @@ class Interpreter {
       m_findings.ignore(Severity::Note, token, std::string(token.text));
       return;
     }
-    const std::size_t close = token.text.find(']');
-    const std::size_t open = token.text.find('[');
-    const std::size_t equals = token.text.find('=', std::min(close, token.text.size()));
-    if (open > close || equals == std::string_view::npos) {
+    const nc::Expected<nc::Assignment>& group = m_flow.assignment(token);
+    if (!group || group->target.operands.size() != 1) {
       m_findings.error(token, DiagnosticCode::UnknownWord);
       return;
     }
-    const std::optional<double> group =
-        m_calculator.evaluate(token.text.substr(open + 1, close - open - 1));
-    const std::optional<double> number =
-        group ? m_calculator.evaluate(token.text.substr(equals + 1)) : std::nullopt;
+    const nc::Expected<double> index = m_variables.number(group->target.operands.front());
+    const nc::Expected<double> number =
+        index ? m_variables.number(*group->initial.values.front()) : index;
     if (!number) {
-      m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
+      report(token, number.error());
       return;
     }
-    const std::optional<int> key = gOfGroup(static_cast<int>(std::clamp(*group, 0.0, 1000.0)),
-                                            static_cast<int>(std::clamp(*number, 0.0, 1000.0)));
+    const std::optional<int> key = nc::gOfGroup(static_cast<int>(std::clamp(*index, 0.0, 1000.0)),
+                                                static_cast<int>(std::clamp(*number, 0.0, 1000.0)));
     if (!key) {
       m_findings.error(token, DiagnosticCode::UnsupportedGCode);
       return;
@@ -283,12 +360,9 @@ class Interpreter {
           token.text.substr(open + 1, token.text.size() - open - 2));
       event(PathEvent::Kind::NamedTool, static_cast<double>(m_out.trajectory.toolNames.size() - 1));
       m_findings.ignore(Severity::Note, token, "T");
-    } else if (token.address == 0 &&
-               m_calculator.find(base::toUpper(tokenName(token))) != nullptr) {
-      if (!m_calculator.assign(token.text)) {
-        m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
-      }
-    } else if (nameEffect(m_dialect, base::toUpper(tokenName(token))) == NameEffect::None) {
+    } else if (token.address == 0 && m_variables.find(base::toUpper(tokenName(token))) != nullptr) {
+      assign(token);
+    } else if (nc::nameEffect(m_dialect, base::toUpper(tokenName(token))) == NameEffect::None) {
       m_findings.ignore(Severity::Note, token, base::toUpper(tokenName(token)));
     } else {
       m_findings.error(token, DiagnosticCode::UnknownWord);
@@ -298,37 +372,22 @@ class Interpreter {
   // --- calculated words ---------------------------------------------------------------------
 
   void readCalculated(const Token& token, BlockWords& words) {
-    std::string_view value = base::trim(Calculator::valuePart(token.text));
+    const nc::Expected<nc::CalculatedValue>& value = m_flow.value(token);
     Token computed = token;
     computed.kind = TokenKind::Word;
     computed.hasPoint = true;
-    bool isAbsolute = false;
-    if (m_dialect == Dialect::Sinumerik) {
-      // X=IC(5), C=DC(90): how the value is meant stands in front of it.
-      const std::size_t open = value.find('(');
-      if (open != std::string_view::npos && value.back() == ')') {
-        const std::string how = base::toUpper(base::trim(value.substr(0, open)));
-        const bool absolute = how == "AC" || how == "DC" || how == "ACP" || how == "ACN";
-        if (absolute || how == "IC") {
-          value = value.substr(open + 1, value.size() - open - 2);
-          isAbsolute = absolute;
-          computed.isIncrement = !absolute;
-        }
-      }
-    }
-    const std::optional<double> result = m_calculator.evaluate(value);
-    if (!result) {
-      m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
-      if (axisOf(token.address) >= kProgrammedAxisCount) {
-        return;
-      }
+    const auto reference = value ? value->reference : nc::Word::Reference::Modal;
+    computed.isIncrement = reference == nc::Word::Reference::Incremental;
+    const std::optional<double> result = numberOf(token, value);
+    if (!result && axisOf(token.address) >= kProgrammedAxisCount) {
+      return;
     }
     // The block still moves; where to is not known.
     computed.value = result.value_or(std::nan(""));
     // The words of a block are looked at again when it is executed: the token must live on.
     m_calculated.push_back(computed);
     readWord(m_calculated.back(), words);
-    if (isAbsolute) {
+    if (reference == nc::Word::Reference::Absolute) {
       markAbsolute(token.address, words);
     }
   }
@@ -342,8 +401,8 @@ class Interpreter {
         open == std::string_view::npos || close == std::string_view::npos || close < open
             ? std::string()
             : base::toUpper(base::trim(token.text.substr(open + 1, close - open - 1)));
-    const Variable* const variable = m_calculator.find(index);
-    const std::string axis = variable == nullptr ? index : variable->text;
+    const nc::Variable* const variable = m_variables.find(index);
+    const std::string axis = variable == nullptr ? index : nc::textOf(variable->values.front());
     if (axis.size() != 1 || axisOf(axis[0]) >= kProgrammedAxisCount ||
         equals == std::string_view::npos) {
       m_findings.error(token, DiagnosticCode::UnsupportedExpression);
@@ -370,29 +429,38 @@ class Interpreter {
       return;
     }
     const std::string name = base::toUpper(tokenName(token));
-    const bool isVariable = m_calculator.find(name) != nullptr;
+    const bool isVariable = m_variables.find(name) != nullptr;
     if (name == "AX" && m_dialect == Dialect::Sinumerik) {
       readIndexedAxis(token, words);
       return;
     }
+    if (token.address == 'T') {
+      // T="MILL_"<<R1: which tool it is does not touch the path.
+      m_findings.ignore(Severity::Note, token, "T");
+      return;
+    }
     if (!isVariable && !name.empty()) {
-      switch (nameEffect(m_dialect, name)) {
-        case NameEffect::Value: {
-          const std::optional<double> value =
-              m_calculator.evaluate(Calculator::valuePart(token.text));
-          if (!value) {
-            m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
-            return;
+      switch (nc::nameEffect(m_dialect, name)) {
+        case NameEffect::Address: {
+          const nc::Expected<nc::CalculatedValue>& parsed = m_flow.value(token);
+          const std::optional<double> value = numberOf(token, parsed);
+          if (value && name == "CR") {
+            Token radius = token;
+            radius.value = *value;
+            m_calculated.push_back(radius);
+            setRadius(m_calculated.back(), words);
+          } else if (value) {
+            words.rareWords().named[name] = {*value,
+                                             parsed->reference == nc::Word::Reference::Incremental};
+            noteColumn(token, words);
           }
-          words.rareWords().named[name] = {*value, false};
-          noteColumn(token, words);
           return;
         }
         case NameEffect::None:
           m_findings.ignore(Severity::Note, token, name);
           return;
         case NameEffect::Mode:
-        case NameEffect::Statement:
+        case NameEffect::TakesBlock:
           m_findings.error(token, DiagnosticCode::UnsupportedGCode, name);
           return;
         default:
@@ -404,9 +472,7 @@ class Interpreter {
       m_findings.error(token, DiagnosticCode::UnknownWord);
       return;
     }
-    if (!m_calculator.assign(token.text)) {
-      m_findings.error(token, DiagnosticCode::ExpressionFault, m_calculator.problem());
-    }
+    assign(token);
   }
 
   // --- words ----------------------------------------------------------------------------------
@@ -500,7 +566,7 @@ class Interpreter {
         break;
       case 'L':
         if (m_dialect == Dialect::Sinumerik) {
-          words.rareWords().call = fmt::format("L{:.0f}", token.value);
+          words.rareWords().call = token;
         } else {
           words.l = token.value;
           words.parameter = &token;
@@ -726,7 +792,7 @@ class Interpreter {
         m_motion = Motion::Unsupported;
         m_facts.forget();
         break;
-      case GEffect::Statement:
+      case GEffect::TakesBlock:
         m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
         words.taken = true;
         m_facts.otherMotion();
@@ -862,11 +928,11 @@ class Interpreter {
       readKlartextCycle(token);
       return;
     }
-    if (token.kind == TokenKind::NamedValue && m_calculator.find(name) != nullptr) {
+    if (token.kind == TokenKind::NamedValue && m_variables.find(name) != nullptr) {
       readAssignment(token, words);
       return;
     }
-    switch (nameEffect(m_dialect, name)) {
+    switch (nc::nameEffect(m_dialect, name)) {
       case NameEffect::None:
         m_findings.ignore(Severity::Note, token, name);
         break;
@@ -880,7 +946,7 @@ class Interpreter {
       case NameEffect::Mode:
         m_findings.error(token, DiagnosticCode::UnsupportedGCode, name);
         break;
-      case NameEffect::Statement:
+      case NameEffect::TakesBlock:
         m_findings.error(token, DiagnosticCode::UnsupportedGCode, name);
         words.taken = true;
         m_facts.forget();
@@ -911,7 +977,7 @@ class Interpreter {
         m_tipWord = name == "TRAORI" ? "TRAORI" : "";
         m_findings.ignore(Severity::Note, token, name);
         break;
-      case NameEffect::Value:
+      case NameEffect::Address:
         if (token.kind != TokenKind::NamedValue) {
           m_findings.error(token, DiagnosticCode::UnknownWord);
         } else if (name == "CR") {
@@ -922,7 +988,7 @@ class Interpreter {
         }
         break;
       case NameEffect::Unknown:
-        readUnknownName(token, name, words);
+        readUnknownName(token, words);
         break;
     }
   }
@@ -933,30 +999,25 @@ class Interpreter {
     while (!rest.empty()) {
       rest.remove_prefix(1);
       const std::size_t end = std::min(rest.find_first_of(",)"), rest.size());
-      if (Variable* const variable =
-              m_calculator.find(base::toUpper(base::trim(rest.substr(0, end))))) {
-        variable->values.assign(variable->values.size(), std::nan(""));
+      nc::Expression variable;
+      variable.op = nc::Op::Variable;
+      variable.name = base::toUpper(base::trim(rest.substr(0, end)));
+      if (m_variables.find(variable.name) != nullptr) {
+        (void)m_variables.assign(variable, std::nan(""));
       }
       rest.remove_prefix(end);
     }
   }
 
   /// On a SINUMERIK a name alone, or with arguments, calls a subprogram.
-  void readUnknownName(const Token& token, const std::string& name, BlockWords& words) {
+  void readUnknownName(const Token& token, BlockWords& words) {
     if (m_dialect != Dialect::Sinumerik || token.kind == TokenKind::NamedValue) {
       m_findings.error(token, token.kind == TokenKind::Name
                                   ? DiagnosticCode::UnknownWord
                                   : DiagnosticCode::UnsupportedExpression);
       return;
     }
-    RareWords& rare = words.rareWords();
-    rare.call = name;
-    m_callToken = token;
-    const std::size_t open = token.text.find('(');
-    rare.callArguments =
-        open == std::string_view::npos
-            ? std::string()
-            : std::string(token.text.substr(open + 1, token.text.size() - open - 2));
+    words.rareWords().call = token;
   }
 
   void readCycle(const Token& token, const std::string& name, BlockWords& words) {
@@ -1046,7 +1107,7 @@ class Interpreter {
 
   [[nodiscard]] bool usesParameter(const BlockWords& words) const {
     return words.rare && (words.rare->call98 || words.rare->workOffsetToken != nullptr ||
-                          !words.rare->call.empty() || words.rare->returns);
+                          words.rare->call || words.rare->returns);
   }
 
   void setModes(const BlockWords& words) {
@@ -1138,11 +1199,10 @@ class Interpreter {
   void executeFlow(BlockWords& words) {
     const RareWords rare = std::move(*words.rare);
     if (rare.statement) {
-      settle(m_flow.execute(rare.statement->text), *rare.statement);
+      settle(m_flow.execute(*rare.statement), *rare.statement);
     }
-    if (!rare.call.empty()) {
-      const int times = static_cast<int>(std::clamp(words.p.value_or(1.0), 0.0, 1e6));
-      settle(m_flow.call(rare.call, rare.callArguments, times), m_callToken);
+    if (rare.call) {
+      callByName(*rare.call, static_cast<int>(std::clamp(words.p.value_or(1.0), 0.0, 1e6)));
     }
     if ((rare.call98 || rare.macroCall) && !words.p) {
       m_findings.report(Severity::Error, 1, DiagnosticCode::NumberMissing, "P");
@@ -1155,12 +1215,10 @@ class Interpreter {
         times = number / kNumbers;
         number %= kNumbers;
       }
-      std::map<int, double> arguments = rare.arguments;
-      if (rare.macroCall && arguments.empty()) {
-        arguments.emplace(0, 0.0);
-      }
       Token token;
-      settle(m_flow.callNumber(number, times, std::move(arguments)), token);
+      settle(m_flow.callNumber(number, times,
+                               rare.macroCall ? std::optional(rare.arguments) : std::nullopt),
+             token);
     }
     if (rare.returns && !m_flow.leaveSubprogram()) {
       flushSpline();
@@ -1168,27 +1226,32 @@ class Interpreter {
     }
   }
 
-  void settle(const Flow::Outcome& outcome, const Token& token) {
-    if (outcome.kind == Flow::Outcome::Kind::ModalCall) {
-      if (!outcome.argument.empty()) {
-        m_findings.error(token, DiagnosticCode::CycleNotRun, outcome.argument);
+  /// PART(1,2), PART P3 and L123.
+  void callByName(const Token& token, int times) {
+    const std::string numbered =
+        token.address == 'L' ? fmt::format("L{:.0f}", token.value) : std::string();
+    settle(m_flow.call(numbered.empty() ? token.text : numbered, token.column, times), token);
+  }
+
+  void settle(const nc::Outcome& outcome, const Token& token) {
+    if (const auto* const fault = std::get_if<nc::Fault>(&outcome)) {
+      m_facts.incomplete();
+      report(token, *fault);
+    } else if (const auto* const missing = std::get_if<nc::SubprogramMissing>(&outcome)) {
+      m_findings.error(token, DiagnosticCode::SubprogramMissing, missing->name);
+    } else if (const auto* const unsupported = std::get_if<nc::Unsupported>(&outcome)) {
+      m_facts.incomplete();
+      m_findings.error(token, DiagnosticCode::UnsupportedExpression, unsupported->word);
+    } else if (const auto* const ignored = std::get_if<nc::Ignored>(&outcome)) {
+      if (!ignored->word.empty()) {
+        m_findings.ignore(Severity::Note, token, ignored->word);
+      }
+    } else if (const auto* const modal = std::get_if<nc::ModalCall>(&outcome)) {
+      if (!modal->name.empty()) {
+        m_findings.error(token, DiagnosticCode::CycleNotRun, modal->name);
         m_facts.otherMotion();
       }
-      return;
     }
-    if (outcome.kind == Flow::Outcome::Kind::Ignored) {
-      m_findings.ignore(Severity::Note, token, outcome.argument);
-      return;
-    }
-    if (outcome.kind != Flow::Outcome::Kind::Fault) {
-      return;
-    }
-    if (outcome.code == DiagnosticCode::ExpressionFault ||
-        outcome.code == DiagnosticCode::FlowFault ||
-        outcome.code == DiagnosticCode::UnsupportedExpression) {
-      m_facts.incomplete();
-    }
-    m_findings.error(token, outcome.code, outcome.argument);
   }
 
   /// X, F, S, P and U of a dwell are times; what else it names would be lost.
@@ -2021,9 +2084,10 @@ class Interpreter {
 
   void finish() {
     flushSpline();
-    if (m_flow.stopped()) {
-      m_findings.setLine(m_flow.stoppedLine());
-      m_findings.report(Severity::Error, 1, m_flow.stopped()->code, m_flow.stopped()->argument);
+    if (const std::optional<base::LineNumber> line = m_flow.endlessLoop()) {
+      m_findings.setPlace(*line, m_flow.fileName(0));
+      m_findings.report(Severity::Error, 1, DiagnosticCode::EndlessLoop,
+                        fmt::format("{}", m_options.repeatedLinesMax));
       m_facts.incomplete();
     }
     Statistics& statistics = m_out.statistics;
@@ -2054,7 +2118,7 @@ class Interpreter {
       if (block.tokens.empty() || block.tokens.front().kind == TokenKind::Tape) {
         continue;
       }
-      m_findings.setLine(block.line);
+      m_findings.setPlace(block.line, m_flow.fileName(0));
       m_findings.report(Severity::Warning, block.tokens.front().column,
                         DiagnosticCode::TextAfterProgramEnd, {});
       return;
@@ -2064,11 +2128,12 @@ class Interpreter {
   std::string_view m_text;
   const LoadOptions& m_options;
   Dialect m_dialect;
-  const GTable& m_g;
+  const nc::GTable& m_g;
   Interpretation m_out;
   Findings m_findings;
-  Calculator m_calculator;
-  Flow m_flow;
+  ProgramVariables m_variables;
+  nc::CursorOptions m_cursorOptions;
+  nc::Cursor m_flow;
   PathBuilder m_path;
   FactCounter m_facts;
 
@@ -2119,7 +2184,6 @@ class Interpreter {
   bool m_ended = false;
   bool m_tailReported = false;
   Token m_feedToken;
-  Token m_callToken;
   std::deque<Token> m_calculated;      ///< of the present block
   std::vector<Token> m_furtherTokens;  ///< U, V, W of the present block
 
@@ -2137,7 +2201,7 @@ class Interpreter {
 Interpretation interpret(std::string_view text, const LoadOptions& options,
                          std::string_view fileName) {
   RIVULET_ASSERT(options.chordToleranceMm > 0.0);
-  DialectGuess guess = detectDialect(text, fileName);
+  nc::DialectGuess guess = detectDialect(text, fileName);
   if (options.dialect) {
     guess.dialect = *options.dialect;
     guess.evidence.clear();

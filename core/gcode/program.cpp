@@ -26,8 +26,8 @@ namespace {
 constexpr std::uintmax_t kSubprogramBytesMax = std::uintmax_t{16} * 1024 * 1024;
 
 /// NAME.SPF beside the program, whatever the case of its letters.
-std::optional<std::string> subprogramIn(const std::filesystem::path& folder,
-                                        std::string_view name) {
+std::optional<nc::LoadedText> subprogramIn(const std::filesystem::path& folder,
+                                           std::string_view name) {
   static constexpr std::array<std::string_view, 8> kEndings{"",    ".SPF", ".MPF", ".SUB",
                                                             ".NC", ".NGC", ".TAP", ".CNC"};
   // O<name> of RS-274/NGC is name.ngc.
@@ -55,7 +55,7 @@ std::optional<std::string> subprogramIn(const std::filesystem::path& folder,
     std::ostringstream text;
     text << stream.rdbuf();
     if (stream) {
-      return std::move(text).str();
+      return nc::LoadedText{std::move(text).str(), entry->path().filename().string()};
     }
   }
   return std::nullopt;

@@ -17,12 +17,19 @@
 
 #include "base/result.h"
 #include "gcode/diagnostic.h"
-#include "gcode/dialect.h"
 #include "gcode/error.h"
 #include "gcode/facts.h"
 #include "gcode/trajectory.h"
+#include "nc/flow/cursor.h"
+#include "nc/syntax/dialect.h"
 
 namespace rivulet::gcode {
+
+using nc::detectDialect;
+using nc::Dialect;
+using nc::dialectName;
+using nc::dialectOfName;
+using nc::kDialects;
 
 /// Findings kept of one program.
 inline constexpr std::size_t kDiagnosticsMax = 1000;
@@ -46,7 +53,7 @@ struct LoadOptions {
   std::size_t repeatedLinesMax = kRepeatedLinesMax;
   /// The text of a subprogram by its name (upper case, no ending), nothing if there is none.
   /// `loadProgram` looks in the folder of the file if this is empty.
-  std::function<std::optional<std::string>(std::string_view name)> subprogram;
+  std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogram;
   /// Told now and then how much has been read, 0 to 1. False: give up (GcodeError::Cancelled).
   std::function<bool(double share)> progress;
 };

@@ -141,6 +141,20 @@ std::string_view clauseOf(FaultCode code) {
       return "the parameter {} is given by reference and needs a variable of its own type";
     case IndexFromMainRun:
       return "a synchronized action reads R or an array by an index of the main run: use $R";
+    case ThenExpected:
+      return "behind a condition stands GOTO or THEN";
+    case WhileMalformed:
+      return "WHILE is written WHILE [condition] DO1";
+    case ONameMissing:
+      return "an O word needs a number or <name>";
+    case OWordUnknown:
+      return "{} is not known";
+    case NotInLoop:
+      return "{} is in no loop";
+    case NotCalled:
+      return "{} has no call";
+    case SubprogramInside:
+      return "a subprogram is defined inside {}";
   }
   base::contractViolated("every fault has a clause", __FILE__, __LINE__);
 }

@@ -56,7 +56,14 @@ enum class FaultCode : std::uint8_t {
   NotClosed,    ///< argument: IF, WHILE, ...
   NoBeginning,  ///< argument: ENDIF, ENDWHILE, ...
   StructuresTooDeep,
-  ActionNumber,  ///< of a synchronized action
+  ThenExpected,  ///< behind a condition of ISO
+  WhileMalformed,
+  ONameMissing,
+  OWordUnknown,      ///< argument: the O word
+  NotInLoop,         ///< argument: the O word
+  NotCalled,         ///< argument: the O word
+  SubprogramInside,  ///< argument: the subprogram another one is defined in
+  ActionNumber,      ///< of a synchronized action
   ActionMalformed,
   ActionTarget,
   // Flow.
@@ -111,6 +118,11 @@ using Expected = tl::expected<T, Fault>;
 }
 [[nodiscard]] inline tl::unexpected<Fault> fail(Fault fault) {
   return tl::unexpected<Fault>(std::move(fault));
+}
+
+/// True if the fault is about which block comes next, not about a value.
+[[nodiscard]] constexpr bool isAboutOrder(FaultCode code) {
+  return code >= FaultCode::NoTarget && code <= FaultCode::CallsTooDeep;
 }
 
 /// One English clause without full stop: "a bracket is not closed".

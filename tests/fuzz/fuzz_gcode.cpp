@@ -61,7 +61,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.chordToleranceMm = (choice & 0x40U) != 0 ? 1.0 : 0.01;
   options.repeatedLinesMax = 2000;
   options.subprogram = [](std::string_view name) {
-    return name.size() % 2 == 0 ? std::optional<std::string>("G91 G0 X1\nM17\n") : std::nullopt;
+    return name.size() % 2 == 0 ? std::optional(nc::LoadedText{"G91 G0 X1\nM17\n", "part.spf"})
+                                : std::nullopt;
   };
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   const gcode::Interpretation result = gcode::interpret(text, options);

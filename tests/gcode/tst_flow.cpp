@@ -79,9 +79,52 @@ class TestFlow : public QObject {
         "%_N_MAIN_MPF\nDEF REAL A=1\nPART\nG0 X=A\nM30\n%_N_PART_SPF\nDEF REAL A=5\n"
         "G0 X=A\nM17",
         "5 1");
+    // Siemens, NC programming, "Subprogram with parameter passing": VAR hands the variable itself.
+    add("by reference",
+        "%_N_MAIN_MPF\nDEF REAL VALUE1=1\nSUBB(VALUE1)\nG0 X=VALUE1\nM30\n%_N_SUBB_SPF\n"
+        "PROC SUBB(VAR REAL RESULT)\nRESULT=5\nM17",
+        "5");
+    add("by value",
+        "%_N_MAIN_MPF\nDEF REAL VALUE1=1\nSUBB(VALUE1)\nG0 X=VALUE1\nM30\n%_N_SUBB_SPF\n"
+        "PROC SUBB(REAL RESULT)\nRESULT=5\nM17",
+        "1");
+    add("element by reference",
+        "%_N_MAIN_MPF\nDEF REAL F[3]=SET(1,2,3)\nSUBB(F[1])\nG0 X=F[0]\nX=F[1]\nM30\n"
+        "%_N_SUBB_SPF\nPROC SUBB(VAR REAL RESULT)\nRESULT=5\nM17",
+        "1 5");
+    add("array by reference",
+        "%_N_MAIN_MPF\nDEF REAL F[3]=SET(1,2,3)\nSUBB(F)\nG0 X=F[2]\nM30\n%_N_SUBB_SPF\n"
+        "PROC SUBB(VAR REAL AA[])\nAA[2]=AA[1]+AA[2]\nM17",
+        "5");
+    add("array by value",
+        "%_N_MAIN_MPF\nDEF REAL F[3]=SET(1,2,3)\nSUBB(F)\nG0 X=F[2]\nM30\n%_N_SUBB_SPF\n"
+        "PROC SUBB(REAL AA[3])\nG0 X=AA[0]\nAA[2]=9\nM17",
+        "1 3");
+    add("reference handed on",
+        "%_N_MAIN_MPF\nDEF REAL V\nOUTER(V)\nG0 X=V\nM30\n%_N_OUTER_SPF\n"
+        "PROC OUTER(VAR REAL AA)\nINNER(AA)\nM17\n%_N_INNER_SPF\nPROC INNER(VAR REAL BB)\nBB=7\n"
+        "M17",
+        "7");
+    add("reference needs a variable",
+        "%_N_MAIN_MPF\nSUBB(3)\nG0 X1\nM30\n%_N_SUBB_SPF\nPROC SUBB(VAR REAL AA)\nM17",
+        "1 ! 2:1 error expression-fault the parameter AA is given by reference and needs a "
+        "variable");
+    add("FOR with a bound that is not known", "DEF INT I\nG0 X0\nFOR I=1 TO R1\nX5\nENDFOR\nX9",
+        "0 5 9 ! 3:1 error expression-fault R1 is read before the program sets it: only the "
+        "control "
+        "knows it");
+    add("WHILE with a condition that is not known",
+        "G0 X0\nMSG(\"a\")\nWHILE R1<5\nX5\nENDWHILE\nX9",
+        "0 5 9 ! 3:1 error expression-fault R1 is read before the program sets it: only the "
+        "control "
+        "knows it");
+    add("jump into a loop",
+        "R1=0\nG0 X0\nGOTOF INSIDE\nWHILE R1<2\nX5\nINSIDE: R1=R1+1\nENDWHILE\nX9", "0 5 9");
+    add("INT index is rounded", "DEF INT I=1.6\nG0 X=I", "2");
     add("missing subprogram", "MSG(\"a\")\nG0 X0\nPART(3)\nX1",
         "0 1 ! 3:1 error subprogram-missing PART");
-    add("ENDIF missing", "MSG(\"a\")\nIF 1==2\nG0 X1", " ! 2:1 error flow-fault ENDIF is missing");
+    add("ENDIF missing", "MSG(\"a\")\nIF 1==2\nG0 X1",
+        " ! 2:1 error flow-fault the IF that begins here is not closed");
     add("stray end", "MSG(\"a\")\nG0 X1\nENDLOOP",
         "1 ! 3:1 error flow-fault ENDLOOP has no beginning");
     // ISO
@@ -151,11 +194,37 @@ class TestFlow : public QObject {
   void linesOfSubprograms() {
     gcode::LoadOptions options;
     options.subprogram = [](std::string_view name) {
-      return name == "PART" ? std::optional<std::string>("\n\n\nG0 X1\nX2\nM17\n") : std::nullopt;
+      return name == "PART" ? std::optional(nc::LoadedText{"\n\n\nG0 X1\nX2\nM17\n", "part.spf"})
+                            : std::nullopt;
     };
     const auto result = gcode::interpret("MSG(\"a\")\nPART\nG0 X9\n", options);
     QCOMPARE(QByteArray::fromStdString(test::printPoints(result.trajectory)),
              QByteArray("2 R X1 Y? Z? | 2 R X2 Y? Z? | 3 R X9 Y? Z?"));
+  }
+
+  /// What is wrong in a called file is found there.
+  void findingsOfSubprograms() {
+    gcode::LoadOptions options;
+    options.subprogram = [](std::string_view name) {
+      return name == "PART" ? std::optional(nc::LoadedText{"\nG0 X1 E5\nM17\n", "part.spf"})
+                            : std::nullopt;
+    };
+    const auto result = gcode::interpret("MSG(\"a\")\nPART\nG0 X9 E6\n", options);
+    const auto found =
+        std::find_if(result.diagnostics.begin(), result.diagnostics.end(),
+                     [](const gcode::Diagnostic& diagnostic) {
+                       return diagnostic.code == gcode::DiagnosticCode::UnknownWord &&
+                              diagnostic.argument == "E5";
+                     });
+    QVERIFY(found != result.diagnostics.end());
+    QCOMPARE(found->file, std::string("part.spf"));
+    QCOMPARE(found->line.value, 2U);
+    QCOMPARE(found->column, 7);
+    QVERIFY(std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
+                        [](const gcode::Diagnostic& diagnostic) {
+                          return diagnostic.argument == "E6" && diagnostic.file.empty() &&
+                                 diagnostic.line.value == 3U;
+                        }));
   }
 
   void blockSkip() {

@@ -218,6 +218,8 @@ class TestInterpreter : public QObject {
         "CLRINT");
     add("DEF INT E\nDELETE(E,\"A.MPF\")\nG0 X=E",
         "2:1 note ignored-code DELETE | 3:4 error expression-fault a value it needs is not known");
+    add("DEF STRING[20] TAG\nR1=5\nTAG=\"A\"<<R1\nTAG=TAG<<\"B\"\nT=\"A\"<<R1",
+        "5:1 note ignored-code T");
     add("MSG(\"part \"<<R1<<\" done\")", "1:1 note ignored-code MSG");
     // The cycles of a lathe are no change of units.
     add("G20 G0 X1 Z0\nG71 P10 Q20 U0.5 W0.1 F0.2\nN10 G1 X2\nN20 Z-1\nG70 P10 Q20",
@@ -236,7 +238,7 @@ class TestInterpreter : public QObject {
         "1:4 error expression-fault R1 is read before the program sets it: only the control knows "
         "it");
     add("DEF REAL A", "");
-    add("IF A>1 GOTOF B", "1:1 error expression-fault A is no variable and no function");
+    add("IF A>1 GOTOF B", "1:1 error expression-fault A is not defined");
     add("IF 1>0 GOTOF B", "1:1 error flow-fault the target B is missing");
     add("STOPRE\nWHEN TRUE DO R1=1",
         "1:1 note ignored-code STOPRE | 2:1 error "

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "base/text.h"
 
 namespace rivulet::nc {
 
@@ -308,6 +309,16 @@ Expected<void> Variables::define(const Definition& definition) {
   Expected<Variable> variable = made(definition);
   if (!variable) {
     return fail(variable.error());
+  }
+  const std::optional<int> r = definition.name.starts_with('R')
+                                   ? base::parseInteger(definition.name.substr(1))
+                                   : std::nullopt;
+  if (r && definition.sizes.empty()) {
+    // DEF REAL R0=5, as some programs have it: the R-parameter gets the value.
+    const Expected<Value> value = definition.initial && definition.initial->values.front()
+                                      ? valueFor(Type::Real, *definition.initial->values.front())
+                                      : Expected<Value>(0.0);
+    return value ? setR(*r, std::get<double>(*value)) : fail(value.error());
   }
   auto owned = std::make_shared<Variable>(std::move(*variable));
   scope().names.insert_or_assign(definition.name, Binding{owned, {}, false});

@@ -3,6 +3,8 @@
 
 #include "nc/flow/flow.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -87,12 +89,8 @@ Expected<bool> Flow::execute(const Statement& statement) {
   if (const auto* definition = std::get_if<Definition>(&statement.what)) {
     return done(m_variables.define(*definition));
   }
-  if (const auto* branch = std::get_if<Branch>(&statement.what)) {
-    const Expected<bool> stays = branch->condition ? holds(branch->condition) : Expected<bool>(false);
-    if (stays && !*stays) {
-      goTo(branch->target);
-    }
-    return stays ? Expected<bool>(!*stays) : stays;
+  if (const auto* way = std::get_if<Branch>(&statement.what)) {
+    return branch(*way);
   }
   if (const auto* to = std::get_if<Jump>(&statement.what)) {
     return jump(*to);
@@ -106,14 +104,42 @@ Expected<bool> Flow::execute(const Statement& statement) {
   return false;
 }
 
+Expected<bool> Flow::branch(const Branch& branch) {
+  if (!branch.condition) {
+    if (level().unknown.erase(branch.target) > 0) {
+      return false;
+    }
+    goTo(branch.target);
+    return true;
+  }
+  level().unknown.erase(m_stepped);
+  const Expected<bool> stays = holds(branch.condition);
+  if (!stays) {
+    level().unknown.insert(m_stepped);
+    return stays;
+  }
+  if (!*stays) {
+    goTo(branch.target);
+  }
+  return !*stays;
+}
+
 Expected<bool> Flow::jump(const Jump& jump) {
   const Expected<bool> goes = holds(jump.condition);
   if (!goes || !*goes) {
     return goes;
   }
   const Tree& program = *level().program;
-  std::optional<std::size_t> target = program.find(jump.label, jump.direction, m_stepped);
-  if (!target) {
+  std::string label = jump.label;
+  if (jump.number) {
+    const Expected<double> number = m_variables.number(*jump.number);
+    if (!number) {
+      return fail(number.error());
+    }
+    label = fmt::format("N{:.0f}", *number);
+  }
+  std::optional<std::size_t> target = program.find(label, jump.direction, m_stepped);
+  if (!target && !jump.number) {
     // The label may be the text in a variable.
     const Expected<Value> text = m_variables.variable(jump.label, {});
     if (text && std::holds_alternative<std::string>(*text)) {
@@ -121,9 +147,8 @@ Expected<bool> Flow::jump(const Jump& jump) {
     }
   }
   if (!target) {
-    return jump.direction == JumpDirection::ForwardNoAlarm
-               ? Expected<bool>(false)
-               : fail(FaultCode::TargetMissing, jump.label);
+    return jump.direction == JumpDirection::ForwardNoAlarm ? Expected<bool>(false)
+                                                           : fail(FaultCode::TargetMissing, label);
   }
   goTo(*target);
   return true;
@@ -191,7 +216,7 @@ Expected<bool> Flow::call(const Call& call) {
     return fail(call.isPlainName ? FaultCode::NeitherNameNorProgram : FaultCode::SubprogramMissing,
                 name);
   }
-  Expected<Scope> scope = m_variables.passed(program->parameters, call.arguments);
+  Expected<std::optional<Scope>> scope = scopeOf(call, *program);
   if (!scope) {
     return fail(scope.error());
   }
@@ -202,11 +227,34 @@ Expected<bool> Flow::call(const Call& call) {
   return true;
 }
 
-void Flow::enter(std::shared_ptr<const Tree> program, Scope scope, int callsLeft) {
+Expected<std::optional<Scope>> Flow::scopeOf(const Call& call, const Tree& program) const {
+  if (call.sharesVariables) {
+    return std::optional<Scope>();
+  }
+  if (!call.isNumbered) {
+    Expected<Scope> passed = m_variables.passed(program.parameters, call.arguments);
+    return passed ? Expected<std::optional<Scope>>(std::move(*passed)) : fail(passed.error());
+  }
+  Scope scope;
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    if (call.arguments[i]) {
+      const Expected<double> value = m_variables.number(*call.arguments[i]);
+      if (!value) {
+        return fail(value.error());
+      }
+      scope.numbers[static_cast<int>(i + 1)] = *value;
+    }
+  }
+  return std::optional(std::move(scope));
+}
+
+void Flow::enter(std::shared_ptr<const Tree> program, std::optional<Scope> scope, int callsLeft) {
   Level entered;
   entered.program = std::move(program);
   entered.callsLeft = callsLeft;
-  m_variables.enter(scope);
+  if (scope) {
+    m_variables.enter(*scope);
+  }
   entered.scope = std::move(scope);
   m_levels.push_back(std::move(entered));
   m_moved = true;
@@ -218,7 +266,9 @@ bool Flow::leave() {
   }
   Level left = std::move(m_levels.back());
   m_levels.pop_back();
-  m_variables.leave();
+  if (left.scope) {
+    m_variables.leave();
+  }
   m_moved = true;
   if (left.callsLeft > 0) {
     enter(std::move(left.program), std::move(left.scope), left.callsLeft - 1);

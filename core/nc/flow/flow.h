@@ -10,6 +10,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,8 @@ class Flow {
   /// @param variables  must outlive the flow; it enters and leaves scopes there
   Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library);
 
+  /// Begins there instead of at the first statement.
+  void startAt(std::size_t statement) { level().next = statement; }
   /// The statement that is due; null at the end of a program's text.
   [[nodiscard]] const Statement* due() const;
   /// Steps over it, as is done before it is executed.
@@ -54,13 +58,17 @@ class Flow {
     std::size_t next = 0;
     std::map<std::size_t, int> repeats;  ///< REPEAT statements in progress, rounds left
     std::vector<Range> ranges;
-    int callsLeft = 0;  ///< rounds of this program still to come
-    Scope scope;        ///< as at the call
+    int callsLeft = 0;           ///< rounds of this program still to come
+    std::optional<Scope> scope;  ///< as at the call; nothing: shared with the caller
+    /// Branches whose condition is not known: their loops are run once.
+    std::set<std::size_t> unknown;
   };
 
   [[nodiscard]] Level& level() { return m_levels.back(); }
   void goTo(std::size_t target);
-  void enter(std::shared_ptr<const Tree> program, Scope scope, int callsLeft);
+  void enter(std::shared_ptr<const Tree> program, std::optional<Scope> scope, int callsLeft);
+  [[nodiscard]] Expected<bool> branch(const Branch& branch);
+  [[nodiscard]] Expected<std::optional<Scope>> scopeOf(const Call& call, const Tree& program) const;
   [[nodiscard]] Expected<bool> holds(const std::optional<Expression>& condition) const;
   [[nodiscard]] Expected<int> rounds(const std::optional<Expression>& times) const;
   [[nodiscard]] Expected<bool> jump(const Jump& jump);

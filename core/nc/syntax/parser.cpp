@@ -102,9 +102,22 @@ std::string programName(std::string_view text) {
 
 /// Reads one line after another; control structures are closed by back-patching. A function that
 /// returns false has added a `Faulty` statement, or the rest of the line is not to be read.
-class Parser {
+class Parser final : public SteeringParser {
  public:
   Parser(Tree& tree, std::uint16_t file) : m_tree(tree), m_file(file) {}
+
+  void steer(std::string_view text, Place place) override {
+    m_line = place.line;
+    m_file = place.file;
+    m_firstOfBlock = true;
+    m_words.words.clear();
+    m_text = withoutComment(text);
+    Reader reader(m_text, sinumerikNotation(), place);
+    m_in = &reader;
+    m_readsMainRun = false;
+    while (!reader.isAtEnd() && word()) {
+    }
+  }
 
   void line(std::string_view raw) {
     ++m_line;
@@ -138,15 +151,15 @@ class Parser {
     }
   }
 
-  void finish() {
+  void finish() override {
     for (const Open& open : m_open) {
       m_line = open.line;
       m_firstOfBlock = true;
       m_readsMainRun = false;
-      emit(Faulty{{FaultCode::NotClosed, std::string(nameOf(open.kind)), {open.line, m_file, 1}}});
       if (open.branch) {
         patch(*open.branch);
       }
+      emit(Faulty{{FaultCode::NotClosed, std::string(nameOf(open.kind)), {open.line, m_file, 1}}});
     }
   }
 
@@ -158,6 +171,7 @@ class Parser {
     std::size_t begin = 0;              ///< where the loop goes on
     std::optional<Expression> counter;  ///< For
     base::LineNumber line;
+    bool isFaulty = false;  ///< its condition could not be read: its body is no loop
   };
 
   static std::string_view nameOf(Structure kind) {
@@ -477,8 +491,14 @@ class Parser {
     if (m_open.size() == kNestingMax) {
       return fault(FaultCode::StructuresTooDeep);
     }
-    m_open.push_back({kind, branch, begin, std::move(counter), m_line});
+    m_open.push_back({kind, branch, begin, std::move(counter), m_line, false});
     return true;
+  }
+
+  /// What closes a structure must find it, also where its condition cannot be read.
+  bool openFaulty(Structure kind) {
+    m_open.push_back({kind, std::nullopt, 0, std::nullopt, m_line, true});
+    return false;
   }
 
   /// Closes the innermost structure, which must be of this kind.
@@ -504,17 +524,22 @@ class Parser {
         return false;
       }
       const std::size_t jump = emit(Branch{});
-      patch(*ended->branch);
+      if (ended->branch) {
+        patch(*ended->branch);
+      }
       return open(Structure::If, jump, 0);
     }
     if (word == "ENDIF") {
       const std::optional<Open> ended = close(Structure::If, word);
-      return ended && (patch(*ended->branch), true);
+      if (ended && ended->branch) {
+        patch(*ended->branch);
+      }
+      return ended.has_value();
     }
     if (word == "WHILE") {
       std::optional<Expression> condition = expression();
       if (!condition) {
-        return false;
+        return openFaulty(Structure::While);
       }
       const std::size_t begin = emit(Branch{std::move(condition), 0});
       return open(Structure::While, begin, begin);
@@ -532,6 +557,9 @@ class Parser {
       const std::optional<Open> ended = close(kind, word);
       if (!ended) {
         return false;
+      }
+      if (ended->isFaulty) {
+        return true;
       }
       if (ended->counter) {
         emit(Assignment{*ended->counter,
@@ -558,9 +586,10 @@ class Parser {
   }
 
   bool ifWord() {
+    const std::string text = base::toUpper(m_in->rest());
     std::optional<Expression> condition = expression();
     if (!condition) {
-      return false;
+      return text.find("GOTO") == std::string::npos && openFaulty(Structure::If);
     }
     const std::string word = m_in->name();
     if (const std::optional<JumpDirection> direction = jumpDirection(word)) {
@@ -577,18 +606,19 @@ class Parser {
   bool forWord() {
     std::optional<Expression> counter = got(m_in->target());
     if (!counter) {
-      return false;
+      return openFaulty(Structure::For);
     }
     std::optional<Expression> first = expect('=') ? expression() : std::nullopt;
     if (!first) {
-      return false;
+      return openFaulty(Structure::For);
     }
     if (!m_in->takeWord("TO")) {
-      return fault(FaultCode::ForMalformed);
+      fault(FaultCode::ForMalformed);
+      return openFaulty(Structure::For);
     }
     std::optional<Expression> last = expression();
     if (!last) {
-      return false;
+      return openFaulty(Structure::For);
     }
     Definition limit;
     limit.name = fmt::format("FOR {}", here());
@@ -678,7 +708,7 @@ class Parser {
       }
       m_in->take(':');
     }
-    emit(Jump{std::move(condition), direction, std::move(label)});
+    emit(Jump{std::move(condition), direction, std::move(label), std::nullopt});
     return true;
   }
 
@@ -881,6 +911,10 @@ Tree parseSinumerik(std::string_view text, std::uint16_t file) {
   }
   parser.finish();
   return tree;
+}
+
+std::unique_ptr<SteeringParser> sinumerikSteering(Tree& tree) {
+  return std::make_unique<Parser>(tree, std::uint16_t{0});
 }
 
 }  // namespace rivulet::nc

@@ -61,7 +61,8 @@ enum class JumpDirection : std::uint8_t {
 struct Jump {
   std::optional<Expression> condition;
   JumpDirection direction = JumpDirection::ForwardThenBackward;
-  std::string label;  ///< upper case, or "N10" for a block number
+  std::string label;                 ///< upper case, or "N10" for a block number
+  std::optional<Expression> number;  ///< a block number that is calculated
 };
 /// To statement `target` if the condition does not hold (no condition: always).
 struct Branch {
@@ -83,6 +84,8 @@ struct Call {
   std::optional<Expression> computed;  ///< CALL with a text that is not known before
   std::optional<Expression> times;
   std::vector<std::optional<Expression>> arguments;
+  bool isNumbered = false;       ///< the arguments become #1 and on
+  bool sharesVariables = false;  ///< M98: the # variables are those of the caller
 };
 
 /// When a synchronized action is executed.

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 enum class Dialect : unsigned char {
   Sinumerik,   ///< Siemens 840D, 828D, ONE
@@ -39,4 +39,4 @@ struct DialectGuess {
 /// @threadsafety pure.
 [[nodiscard]] DialectGuess detectDialect(std::string_view text, std::string_view fileName = {});
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

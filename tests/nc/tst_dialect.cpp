@@ -3,21 +3,21 @@
 
 #include <QtTest>
 
-#include "gcode/dialect.h"
+#include "nc/syntax/dialect.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
-using gcode::Dialect;
+using nc::Dialect;
 
 class TestDialect : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void namesAreTheirOwn() {
-    for (const Dialect dialect : gcode::kDialects) {
-      QVERIFY(gcode::dialectOfName(gcode::dialectName(dialect)) == dialect);
+    for (const Dialect dialect : nc::kDialects) {
+      QVERIFY(nc::dialectOfName(nc::dialectName(dialect)) == dialect);
     }
-    QVERIFY(!gcode::dialectOfName("fortran"));
+    QVERIFY(!nc::dialectOfName("fortran"));
   }
 
   void detects_data() {
@@ -47,7 +47,7 @@ class TestDialect : public QObject {
     QFETCH(const QByteArray, text);
     QFETCH(const int, expected);
     QFETCH(const QByteArray, evidence);
-    const gcode::DialectGuess guess = gcode::detectDialect(text.toStdString());
+    const nc::DialectGuess guess = nc::detectDialect(text.toStdString());
     QCOMPARE(static_cast<int>(guess.dialect), expected);
     QCOMPARE(QByteArray::fromStdString(guess.evidence), evidence);
   }
@@ -55,7 +55,7 @@ class TestDialect : public QObject {
   /// What the name of the file says holds until the text says otherwise.
   void fileNameDecides() {
     const auto of = [](std::string_view text, std::string_view file) {
-      return gcode::detectDialect(text, file);
+      return nc::detectDialect(text, file);
     };
     QVERIFY(of("G0 X1\n", "PART.MPF").dialect == Dialect::Sinumerik);
     QCOMPARE(of("G0 X1\n", "part.spf").evidence, std::string(".SPF"));

@@ -11,12 +11,12 @@
 #include <string_view>
 #include <vector>
 
-#include "gcode/lexer.h"
+#include "nc/syntax/lexer.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 /// Appends the tokens of one line. @param continues  the line before ended with "~"; set for the
 /// next one
 void readKlartext(std::string_view line, bool& continues, std::vector<Token>& tokens);
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "gcode/klartext.h"
+#include "nc/syntax/klartext.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "base/text.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 namespace {
 
@@ -295,4 +295,4 @@ void readKlartext(std::string_view line, bool& continues, std::vector<Token>& to
   LineReader(line, tokens).read();
 }
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "gcode/vocabulary.h"
+#include "nc/modal/vocabulary.h"
 
 #include <algorithm>
 #include <initializer_list>
 #include <span>
 #include <unordered_map>
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 namespace {
 
@@ -77,8 +77,8 @@ constexpr std::array kCommonG{
     GEntry{520, GEffect::LocalOffset},
     GEntry{920, GEffect::SetPosition},
     GEntry{921, GEffect::ResetPosition},
-    GEntry{922, GEffect::Statement},
-    GEntry{923, GEffect::Statement},
+    GEntry{922, GEffect::TakesBlock},
+    GEntry{923, GEffect::TakesBlock},
     // High-speed modes: how exactly, not where.
     GEntry{50, GEffect::None},
     GEntry{51, GEffect::None},
@@ -118,25 +118,25 @@ constexpr std::array kCommonG{
     GEntry{870, GEffect::Cycle},
     GEntry{880, GEffect::Cycle},
     GEntry{890, GEffect::Cycle},
-    GEntry{100, GEffect::Statement},
-    GEntry{110, GEffect::Statement},
-    GEntry{250, GEffect::Statement},
-    GEntry{260, GEffect::Statement},
-    GEntry{270, GEffect::Statement},
-    GEntry{280, GEffect::Statement},
-    GEntry{281, GEffect::Statement},
-    GEntry{290, GEffect::Statement},
-    GEntry{300, GEffect::Statement},
-    GEntry{301, GEffect::Statement},
-    GEntry{500, GEffect::Statement},
-    GEntry{510, GEffect::Statement},
-    GEntry{511, GEffect::Statement},
+    GEntry{100, GEffect::TakesBlock},
+    GEntry{110, GEffect::TakesBlock},
+    GEntry{250, GEffect::TakesBlock},
+    GEntry{260, GEffect::TakesBlock},
+    GEntry{270, GEffect::TakesBlock},
+    GEntry{280, GEffect::TakesBlock},
+    GEntry{281, GEffect::TakesBlock},
+    GEntry{290, GEffect::TakesBlock},
+    GEntry{300, GEffect::TakesBlock},
+    GEntry{301, GEffect::TakesBlock},
+    GEntry{500, GEffect::TakesBlock},
+    GEntry{510, GEffect::TakesBlock},
+    GEntry{511, GEffect::TakesBlock},
     GEntry{501, GEffect::None},
     GEntry{650, GEffect::MacroCall},
-    GEntry{660, GEffect::Statement},
+    GEntry{660, GEffect::TakesBlock},
     GEntry{670, GEffect::None},
-    GEntry{680, GEffect::Statement},
-    GEntry{682, GEffect::Statement},
+    GEntry{680, GEffect::TakesBlock},
+    GEntry{682, GEffect::TakesBlock},
 };
 
 constexpr std::array kSinumerikG{
@@ -186,14 +186,14 @@ constexpr std::array kSinumerikG{
     GEntry{630, GEffect::MotionMode},
     GEntry{3310, GEffect::MotionMode},
     GEntry{3320, GEffect::MotionMode},
-    GEntry{740, GEffect::Statement},
-    GEntry{750, GEffect::Statement},
+    GEntry{740, GEffect::TakesBlock},
+    GEntry{750, GEffect::TakesBlock},
     GEntry{50, GEffect::Mode},
     GEntry{51, GEffect::Unknown},
     GEntry{70, GEffect::Mode},
     GEntry{80, GEffect::Unknown},
-    GEntry{580, GEffect::Statement},  // axial programmable offsets
-    GEntry{590, GEffect::Statement},
+    GEntry{580, GEffect::TakesBlock},  // axial programmable offsets
+    GEntry{590, GEffect::TakesBlock},
     GEntry{150, GEffect::None},
     GEntry{160, GEffect::Mode},
 };
@@ -280,7 +280,7 @@ NameTable makeNames() {
                          "INVCW", "INVCCW", "ASPLINE", "CSPLINE", "POLY", "PO",  "DISR", "DISCL",
                          "DISRP", "OSCILL", "POS",     "POSA",    "POSP", "G290"});
   // Frames of other kinds, and transformations that change what X, Y, Z mean.
-  add(NameEffect::Statement,
+  add(NameEffect::TakesBlock,
       {"ROTS",     "AROTS",    "TRANSMIT", "TRACYL", "TRAANG",  "TRACON",  "TRAFOON", "TOFRAME",
        "TOFRAMEX", "TOFRAMEY", "TOFRAMEZ", "TOROT",  "TOROTOF", "PAROT",   "PAROTOF", "MEAS",
        "MEAW",     "MEASA",    "MEAWA",    "COUPON", "EGON",    "TRAILON", "FXS"});
@@ -300,8 +300,8 @@ NameTable makeNames() {
   add(NameEffect::MachineMove, {"SUPA"});
   add(NameEffect::Diameter, {"DIAMON", "DIAMOF", "DIAM90"});
   add(NameEffect::Transformation, {"TRAORI", "TRAFOOF"});
-  add(NameEffect::Value, {"CR", "AR", "AP", "RP", "RPL", "TURN", "I1", "J1", "K1", "A3", "B3", "C3",
-                          "A2", "B2", "C2", "PW", "SD", "PL"});
+  add(NameEffect::Address, {"CR", "AR", "AP", "RP", "RPL", "TURN", "I1", "J1", "K1", "A3", "B3",
+                            "C3", "A2", "B2", "C2", "PW", "SD", "PL"});
   return table;
 }
 
@@ -345,10 +345,10 @@ std::optional<int> gOfGroup(int group, int number) {
 
 NameEffect nameEffect(Dialect dialect, std::string_view name) {
   if (dialect == Dialect::Heidenhain) {
-    static const NameTable plain{{"CT", NameEffect::Motion}, {"AP", NameEffect::Value},
-                                 {"RP", NameEffect::Value},  {"A3", NameEffect::Value},
-                                 {"B3", NameEffect::Value},  {"C3", NameEffect::Value},
-                                 {"BLK", NameEffect::None},  {"TOOL", NameEffect::None}};
+    static const NameTable plain{{"CT", NameEffect::Motion},  {"AP", NameEffect::Address},
+                                 {"RP", NameEffect::Address}, {"A3", NameEffect::Address},
+                                 {"B3", NameEffect::Address}, {"C3", NameEffect::Address},
+                                 {"BLK", NameEffect::None},   {"TOOL", NameEffect::None}};
     const auto found = plain.find(name);
     return found == plain.end() ? NameEffect::Unknown : found->second;
   }
@@ -357,4 +357,4 @@ NameEffect nameEffect(Dialect dialect, std::string_view name) {
   return found == names.end() ? NameEffect::Unknown : found->second;
 }
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

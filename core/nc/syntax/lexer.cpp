@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "gcode/lexer.h"
+#include "nc/syntax/lexer.h"
 
 #include <fast_float/fast_float.h>
 
@@ -11,9 +11,9 @@
 #include <cstring>
 
 #include "base/text.h"
-#include "gcode/klartext.h"
+#include "nc/syntax/klartext.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 namespace {
 
@@ -366,7 +366,15 @@ class LineReader {
         add(TokenKind::NumberMalformed, open, m_end, address);
         return;
       }
-      ++m_at;
+      const char* const end = ++m_at;
+      skipBlanks();
+      if (peek() == '<') {
+        // "A"<<R1: a text that is put together.
+        m_at = open;
+        addCalculation(TokenKind::Assignment, from, address);
+        return;
+      }
+      m_at = end;
       add(kind == TokenKind::IndexedWord ? kind : TokenKind::TextWord, from, m_at, address);
       return;
     }
@@ -576,9 +584,9 @@ bool Lexer::next(Block& block) {
   return true;
 }
 
-void Lexer::seek(Place place) {
-  m_position = place.at;
-  m_line = place.line;
+void Lexer::seek(Position position) {
+  m_position = position.at;
+  m_line = position.line;
   m_lineFeed = nullptr;
 }
 
@@ -610,4 +618,4 @@ std::optional<std::string_view> Lexer::nextLine() {
   return std::string_view(begin, static_cast<std::size_t>(end - begin));
 }
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

@@ -6,23 +6,23 @@
 #include <string>
 
 #include "base/text.h"
-#include "gcode/lexer.h"
+#include "nc/syntax/lexer.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
-using gcode::TokenKind;
+using nc::TokenKind;
 
 namespace {
 
 /// "1: X10 X@1=10 | 2: …": per line its tokens as kind, text and, for words, the value read.
 std::string tokens(std::string_view text) {
-  gcode::Lexer lexer(text, gcode::detectDialect(text).dialect);
-  gcode::Block block;
+  nc::Lexer lexer(text, nc::detectDialect(text).dialect);
+  nc::Block block;
   std::string out;
   while (lexer.next(block)) {
     out += out.empty() ? "" : " | ";
     out += std::to_string(block.line.value) + ":";
-    for (const gcode::Token& token : block.tokens) {
+    for (const nc::Token& token : block.tokens) {
       out += ' ';
       const std::string at = "@" + std::to_string(token.column);
       const std::string value = base::formatNumber(token.value);
@@ -31,7 +31,7 @@ std::string tokens(std::string_view text) {
           out += token.address + value + at;
           break;
         case TokenKind::NamedValue:
-          out += std::string(gcode::tokenName(token)) + "=" + value + at;
+          out += std::string(nc::tokenName(token)) + "=" + value + at;
           break;
         case TokenKind::IndexedWord:
           out += "indexed<" + std::string(token.text) + ">" + at;
@@ -43,7 +43,7 @@ std::string tokens(std::string_view text) {
           out += "name<" + std::string(token.text) + ">" + at;
           break;
         case TokenKind::Call:
-          out += "call<" + std::string(gcode::tokenName(token)) + ">" + at;
+          out += "call<" + std::string(nc::tokenName(token)) + ">" + at;
           break;
         case TokenKind::Label:
           out += "label<" + std::string(token.text) + ">" + at;
@@ -115,6 +115,8 @@ class TestLexer : public QObject {
     add("label", "START: X1", "1: label<START:>@1 X1@8");
     add("tool name", "T=\"MILL 10\" D1", "1: text<T=\"MILL 10\">@1 D1@13");
     add("indexed", "M1=3 S2=500 M30", "1: indexed<M1=3>@1 indexed<S2=500>@6 M30@13");
+    add("text put together", "TAG=\"A\"<<R1 X=1\nTAG=R1 << \"B\" Z1",
+        "1: assignment<TAG=\"A\"<<R1>@1 X1@13 | 2: assignment<TAG=R1 << \"B\">@1 Z1@15");
     add("indexed by a value", "STOPRE\nM[1]=3 S[R1]=R2*2 Z1",
         "1: name<STOPRE>@1 | 2: indexed<M[1]=3>@1 indexed<S[R1]=R2*2>@8 Z1@19");
     add("R assignment", "R1=5 R2=R1+2", "1: assignment<R1=5>@1 assignment<R2=R1+2>@6");
@@ -166,10 +168,10 @@ class TestLexer : public QObject {
         "%\nO12 (a)\n/N5 G1 X=R1+[2*3] Y-.5 CR=-2 T=\"A\" MSG(\"b\") M1=3 ;c\r\nIF X GOTO\rX1,2\n";
     for (std::size_t size = 0; size <= text.size(); ++size) {
       const std::string cut = text.substr(0, size);  // its own buffer: a sanitizer sees overruns
-      gcode::Lexer lexer(cut);
-      gcode::Block block;
+      nc::Lexer lexer(cut);
+      nc::Block block;
       while (lexer.next(block)) {
-        for (const gcode::Token& token : block.tokens) {
+        for (const nc::Token& token : block.tokens) {
           QVERIFY(token.text.data() >= cut.data());
           QVERIFY(token.text.data() + token.text.size() <= cut.data() + cut.size());
           QVERIFY(token.column >= 1);
@@ -186,8 +188,8 @@ class TestLexer : public QObject {
   }
 
   void reusesTheBuffer() {
-    gcode::Lexer lexer("X1 Y2 Z3\nX4\n");
-    gcode::Block block;
+    nc::Lexer lexer("X1 Y2 Z3\nX4\n");
+    nc::Block block;
     QVERIFY(lexer.next(block));
     const auto capacity = block.tokens.capacity();
     QVERIFY(lexer.next(block));

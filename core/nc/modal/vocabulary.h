@@ -10,9 +10,9 @@
 #include <optional>
 #include <string_view>
 
-#include "gcode/dialect.h"
+#include "nc/syntax/dialect.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 /// What a G function does to the path, as far as Rivulet is concerned.
 enum class GEffect : unsigned char {
@@ -43,7 +43,7 @@ enum class GEffect : unsigned char {
   Mode,           ///< not supported; the block still moves
   MotionMode,     ///< not supported; replaces G0 to G3
   Cycle,          ///< a canned cycle: its motions are missing; replaces G0 to G3
-  Statement,      ///< not supported; takes the axis words of its block for itself
+  TakesBlock,     ///< not supported; takes the axis words of its block for itself
 };
 
 /// `key` of a G function: ten times its number, so that G91.1 has one.
@@ -61,7 +61,7 @@ enum class NameEffect : unsigned char {
   Query,           ///< no effect on the path; sets variables to what only the control knows
   End,             ///< returns or ends the program
   Mode,            ///< not supported; the block still moves
-  Statement,       ///< not supported; takes the rest of its block
+  TakesBlock,      ///< not supported; takes the rest of its block
   Cycle,           ///< a cycle of the control: its motions are missing
   Frame,           ///< TRANS, ROT, SCALE, MIRROR and their additive forms
   Motion,          ///< CIP, CT: modal, as G2
@@ -69,10 +69,10 @@ enum class NameEffect : unsigned char {
   MachineMove,     ///< SUPA
   Diameter,        ///< DIAMON, DIAMOF, DIAM90
   Transformation,  ///< TRAORI, TRAFOOF: X, Y, Z stay those of the tool's tip
-  Value,           ///< an address of its own: CR=, AR=, AP=, RP=, TURN=, I1=, A3=, PW=
+  Address,         ///< an address of its own: CR=, AR=, AP=, RP=, TURN=, I1=, A3=, PW=
 };
 
 /// @param name  upper case
 [[nodiscard]] NameEffect nameEffect(Dialect dialect, std::string_view name);
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

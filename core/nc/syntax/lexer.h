@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "base/id.h"
-#include "gcode/dialect.h"
+#include "nc/syntax/dialect.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 enum class TokenKind : unsigned char {
   Word,         ///< a letter and a number: G1, X-2.5, X 10, X=10
@@ -56,12 +56,6 @@ struct Block {
 /// cannot be part of a name.
 [[nodiscard]] std::string_view tokenName(const Token& token);
 
-/// A place between two lines of the text.
-struct Place {
-  const char* at = nullptr;
-  std::uint32_t line = 0;  ///< lines before it
-};
-
 class Lexer {
  public:
   /// @param text must outlive the lexer and the tokens; LF, CRLF and CR end a line
@@ -72,10 +66,15 @@ class Lexer {
   /// Steps over the next line. @return its text without the line end; nothing at the end
   [[nodiscard]] std::optional<std::string_view> nextLine();
 
+  /// A position between two lines of the text.
+  struct Position {
+    const char* at = nullptr;
+    std::uint32_t line = 0;  ///< lines before it
+  };
   /// Where the next line begins.
-  [[nodiscard]] Place place() const { return {m_position, m_line}; }
-  /// @param place  of this text
-  void seek(Place place);
+  [[nodiscard]] Position position() const { return {m_position, m_line}; }
+  /// @param position  of this text
+  void seek(Position position);
 
   /// Lines read so far. A line end at the very end of the text does not start another line.
   [[nodiscard]] std::size_t lines() const { return m_line; }
@@ -89,4 +88,4 @@ class Lexer {
   bool m_continues = false;  ///< Heidenhain: the next line belongs to this one
 };
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "gcode/dialect.h"
+#include "nc/syntax/dialect.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include "base/contract.h"
 #include "base/text.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
 
 namespace {
 
@@ -271,4 +271,4 @@ DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
   return {static_cast<Dialect>(index), std::move(shown), std::string(turningCycle)};
 }
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/flow/cursor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/text.h"
+
+namespace rivulet::nc {
+
+namespace {
+
+/// What follows the address: "=R1+2", "[#1+2]", "-#<depth>".
+Expected<CalculatedValue> parseValue(std::string_view word, const Notation& notation, Place place) {
+  std::size_t begin = 0;
+  while (begin < word.size() &&
+         (base::isNameLetter(word[begin]) || (begin > 0 && base::isDigit(word[begin])))) {
+    ++begin;
+  }
+  while (begin < word.size() && base::isBlank(word[begin])) {
+    ++begin;
+  }
+  begin =
+      begin < word.size() && word[begin] == '=' ? begin + 1 : std::min<std::size_t>(1, word.size());
+  place.column += static_cast<int>(begin);
+  struct Mode {
+    std::string_view word;
+    Word::Reference reference;
+  };
+  static constexpr std::array kModes{
+      Mode{"AC", Word::Reference::Absolute}, Mode{"DC", Word::Reference::Absolute},
+      Mode{"ACP", Word::Reference::Absolute}, Mode{"ACN", Word::Reference::Absolute},
+      Mode{"IC", Word::Reference::Incremental}};
+  CalculatedValue made;
+  Reader reader(word.substr(begin), notation, place);
+  const auto* const mode = std::find_if(kModes.begin(), kModes.end(), [&](const Mode& each) {
+    return notation.hasNames && reader.takeWord(each.word);
+  });
+  made.reference = mode == kModes.end() ? Word::Reference::Modal : mode->reference;
+  Expected<Expression> value = reader.expression();
+  if (!value) {
+    return fail(std::move(value.error()));
+  }
+  if (!reader.isAtEnd()) {
+    return fail(FaultCode::RestNotUnderstood, std::string(base::trim(reader.rest())),
+                reader.place());
+  }
+  made.value = std::move(*value);
+  return made;
+}
+
+}  // namespace
+
+Cursor::Cursor(std::string_view text, Dialect dialect, Variables& variables,
+               const CursorOptions& options)
+    : m_dialect(dialect), m_variables(variables), m_options(options), m_lexer(text, dialect) {
+  m_sources.emplace_back().text = text;
+}
+
+void Cursor::grow() {
+  if (m_flow) {
+    return;
+  }
+  Source& file = m_sources.front();
+  file.programs = readPrograms(file.text, m_dialect, 0);
+  file.executed.assign(file.programs.lines.size(), 0);
+  m_flow.emplace(file.programs.first, m_variables,
+                 [this](const std::string& name) { return find(name); });
+  // The words of the present block have been read.
+  const std::vector<Statement>& statements = file.programs.first->statements;
+  const auto next =
+      std::find_if(statements.begin(), statements.end(), [this](const Statement& each) {
+        return each.place.line > m_place.line ||
+               (each.place.line == m_place.line && !std::holds_alternative<Words>(each.what));
+      });
+  m_flow->startAt(static_cast<std::size_t>(next - statements.begin()));
+}
+
+std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
+  const auto in = [&name](const Source& source) -> std::shared_ptr<const Tree> {
+    const auto found = source.programs.named.find(name);
+    return found == source.programs.named.end() ? nullptr : found->second;
+  };
+  for (const std::size_t file : {std::size_t{m_place.file}, std::size_t{0}}) {
+    if (std::shared_ptr<const Tree> found = in(m_sources[file])) {
+      return found;
+    }
+  }
+  auto loaded = m_loaded.find(name);
+  if (loaded == m_loaded.end()) {
+    std::optional<LoadedText> text = m_options.load ? m_options.load(name) : std::nullopt;
+    if (!text) {
+      return nullptr;
+    }
+    Source& source = m_sources.emplace_back();
+    source.own = std::move(text->text);
+    source.text = source.own;
+    source.fileName = std::move(text->fileName);
+    loaded = m_loaded.emplace(name, m_sources.size() - 1).first;
+    source.programs =
+        readPrograms(source.text, m_dialect, static_cast<std::uint16_t>(loaded->second));
+    source.executed.assign(source.programs.lines.size(), 0);
+  }
+  // A file of its own begins with the subprogram of its name, or is all of it.
+  const Source& source = m_sources[loaded->second];
+  std::shared_ptr<const Tree> named = in(source);
+  return named ? named : source.programs.first;
+}
+
+std::size_t Cursor::fileLines() {
+  if (m_flow) {
+    return m_sources.front().programs.lines.size();
+  }
+  while (m_lexer.nextLine()) {
+  }
+  return m_lexer.position().line;
+}
+
+void Cursor::setPlace(const Place& place) {
+  if (place.file == m_place.file && place.line <= m_place.line) {
+    m_jumpedFrom = m_line;
+  }
+  m_place = place;
+  if (place.file == 0) {
+    m_line = place.line;
+  }
+}
+
+/// A line executed for the second time keeps its tokens.
+void Cursor::readLine(Block& block) {
+  Source& source = m_sources[m_place.file];
+  const std::size_t line = m_place.line.value - 1;
+  if (const auto found = source.again.find(line); found != source.again.end()) {
+    block.tokens = found->second;
+  } else {
+    Lexer lexer(source.text, m_dialect);
+    lexer.seek(source.programs.lines[line]);
+    (void)lexer.next(block);
+    if (source.executed[line] != 0) {
+      source.again.emplace(line, block.tokens);
+    }
+    source.executed[line] = 1;
+  }
+  block.line = m_line;
+}
+
+Cursor::Step Cursor::next(Block& block) {
+  if (!m_flow) {
+    if (!m_lexer.next(block)) {
+      return Step::End;
+    }
+    ++m_executed;
+    m_line = block.line;
+    m_place = {block.line, 0, 1};
+    return Step::Block;
+  }
+  for (;;) {
+    const Statement* const statement = m_flow->due();
+    if (statement == nullptr) {
+      if (!m_flow->leave()) {
+        return Step::End;
+      }
+      continue;
+    }
+    m_flow->step();
+    setPlace(statement->place);
+    if (++m_executed > m_sources.front().programs.lines.size() + m_options.repeatedLinesMax) {
+      m_endless = m_jumpedFrom;
+      return Step::End;
+    }
+    if (std::holds_alternative<Words>(statement->what)) {
+      readLine(block);
+      return Step::Block;
+    }
+    m_outcome = std::monostate{};
+    if (const auto* const faulty = std::get_if<Faulty>(&statement->what)) {
+      m_outcome = faulty->fault;
+    } else if (std::holds_alternative<Return>(statement->what)) {
+      if (!m_flow->leave()) {
+        m_outcome = Fault{FaultCode::NotCalled, "RETURN", statement->place};
+      }
+    } else if (Expected<bool> done = m_flow->execute(*statement); !done) {
+      m_outcome = outcomeOf(std::move(done.error()));
+    }
+    if (!std::holds_alternative<std::monostate>(m_outcome)) {
+      return Step::Report;
+    }
+  }
+}
+
+Outcome Cursor::outcomeOf(Fault fault) {
+  if (fault.code == FaultCode::SubprogramMissing ||
+      fault.code == FaultCode::NeitherNameNorProgram) {
+    return SubprogramMissing{std::move(fault.argument)};
+  }
+  return fault;
+}
+
+Outcome Cursor::execute(const Token& statement) {
+  Reader reader(statement.text, notationOf(m_dialect),
+                {m_place.line, m_place.file, statement.column});
+  const std::string word = reader.name();
+  if (isSteering(statement.text, m_dialect)) {
+    // A tree holds it already; what neither jumps nor repeats needs none.
+    if (word == "DEF" && !m_flow) {
+      const Expected<std::vector<Definition>> definitions = reader.definitions();
+      if (!definitions) {
+        return definitions.error();
+      }
+      for (const Definition& definition : *definitions) {
+        if (const Expected<void> done = m_variables.define(definition); !done) {
+          return done.error();
+        }
+      }
+    } else if (word != "PROC" && word != "EXTERN") {
+      grow();
+    }
+    return std::monostate{};
+  }
+  if (m_dialect == Dialect::Sinumerik && word == "MCALL") {
+    return ModalCall{reader.name()};
+  }
+  if (m_dialect == Dialect::Sinumerik && (word == "SETINT" || word == "DEFAULT")) {
+    return Ignored{word};
+  }
+  if (m_dialect == Dialect::Heidenhain && word == "CALL" && reader.takeWord("PGM")) {
+    return SubprogramMissing{std::string(base::trim(reader.rest()))};
+  }
+  return Unsupported{word};
+}
+
+const Expected<CalculatedValue>& Cursor::value(const Token& token) {
+  if (!m_flow) {
+    m_values.clear();  // each is needed once
+  }
+  const auto found = m_values.find(token.text.data());
+  return found != m_values.end()
+             ? found->second
+             : m_values
+                   .emplace(token.text.data(),
+                            parseValue(token.text, notationOf(m_dialect),
+                                       {m_place.line, m_place.file, token.column}))
+                   .first->second;
+}
+
+const Expected<Assignment>& Cursor::assignment(const Token& token) {
+  if (!m_flow) {
+    m_assignments.clear();
+  }
+  const auto found = m_assignments.find(token.text.data());
+  if (found != m_assignments.end()) {
+    return found->second;
+  }
+  Reader reader(token.text, notationOf(m_dialect), {m_place.line, m_place.file, token.column});
+  Expected<Assignment> parsed = reader.assignment();
+  if (parsed && !reader.isAtEnd()) {
+    parsed =
+        fail(FaultCode::RestNotUnderstood, std::string(base::trim(reader.rest())), reader.place());
+  }
+  return m_assignments.emplace(token.text.data(), std::move(parsed)).first->second;
+}
+
+// --- calls --------------------------------------------------------------------------------------
+
+Outcome Cursor::call(Call call) {
+  grow();
+  Statement statement;
+  statement.place = m_place;
+  statement.what = std::move(call);
+  Expected<bool> done = m_flow->execute(statement);
+  return done ? Outcome() : outcomeOf(std::move(done.error()));
+}
+
+Outcome Cursor::call(std::string_view nameAndArguments, int column, int times) {
+  Reader reader(nameAndArguments, notationOf(m_dialect), {m_place.line, m_place.file, column});
+  Call made;
+  made.name = reader.name();
+  made.times = Expression::constant(times);
+  auto arguments = reader.arguments();
+  if (!arguments) {
+    return std::move(arguments.error());
+  }
+  made.arguments = std::move(*arguments);
+  return call(std::move(made));
+}
+
+Outcome Cursor::callNumber(int number, int times,
+                           const std::optional<std::map<int, double>>& numbers) {
+  Call made;
+  made.name = fmt::format("O{}", number);
+  made.times = Expression::constant(times);
+  made.isNumbered = numbers.has_value();
+  made.sharesVariables = !numbers.has_value();
+  for (const auto& [index, value] : numbers.value_or(std::map<int, double>{})) {
+    made.arguments.resize(static_cast<std::size_t>(index));
+    made.arguments.back() = Expression::constant(value);
+  }
+  return call(std::move(made));
+}
+
+}  // namespace rivulet::nc

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The blocks of a program file in the order of their execution. A program that neither jumps,
+/// repeats nor calls is read once from top to end by the lexer; at the first statement that does,
+/// the file is made into trees and the flow goes on there. @threadsafety one object, one thread.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "nc/eval/variables.h"
+#include "nc/flow/flow.h"
+#include "nc/syntax/programs.h"
+
+namespace rivulet::nc {
+
+/// A subprogram from elsewhere.
+struct LoadedText {
+  std::string text;
+  std::string fileName;  ///< for messages
+};
+
+struct CursorOptions {
+  /// Statements executed beyond the lines of the file before a program counts as endless.
+  std::size_t repeatedLinesMax = 5'000'000;
+  /// The text of a subprogram that is not in the file: by its name in upper case, "O100" for
+  /// numbers. Nothing: there is none. May be empty.
+  std::function<std::optional<LoadedText>(std::string_view name)> load;
+};
+
+/// Value of a `TokenKind::Expression`, and what AC(), IC() and the like say of it.
+struct CalculatedValue {
+  Expression value;
+  Word::Reference reference = Word::Reference::Modal;
+};
+
+/// What came of a statement or call that was not simply executed.
+struct SubprogramMissing {
+  std::string name;
+};
+struct ModalCall {
+  std::string name;  ///< MCALL: called behind each motion from now on; "": no more
+};
+struct Ignored {
+  std::string word;  ///< no effect on the path
+};
+struct Unsupported {
+  std::string word;
+};
+using Outcome =
+    std::variant<std::monostate, Fault, SubprogramMissing, ModalCall, Ignored, Unsupported>;
+
+class Cursor {
+ public:
+  enum class Step : std::uint8_t {
+    Block,   ///< the words of a block are to be executed
+    Report,  ///< a statement was not executed as written: see `outcome`
+    End,
+  };
+
+  /// @param text, variables, options  outlive the cursor
+  Cursor(std::string_view text, Dialect dialect, Variables& variables,
+         const CursorOptions& options);
+
+  [[nodiscard]] Step next(Block& block);
+  [[nodiscard]] const Outcome& outcome() const { return m_outcome; }
+  /// The next block of the program file behind its end, for a look at what is not executed.
+  /// @return false at the end, and where jumps or calls may have used what stands there
+  [[nodiscard]] bool nextBehindEnd(Block& block) { return !m_flow && m_lexer.next(block); }
+
+  /// Executes the statement of the block that `next` gave.
+  [[nodiscard]] Outcome execute(const Token& statement);
+  /// A subprogram that a word of the block calls: "PART(1,,A)", "PART".
+  [[nodiscard]] Outcome call(std::string_view nameAndArguments, int column, int times);
+  /// M98 shares the # variables of the caller; G65 has `numbers` as its own.
+  [[nodiscard]] Outcome callNumber(int number, int times,
+                                   const std::optional<std::map<int, double>>& numbers);
+  /// M17, RET, M99. @return false in the main program
+  [[nodiscard]] bool leaveSubprogram() { return m_flow && m_flow->leave(); }
+  [[nodiscard]] bool isInSubprogram() const { return m_flow && m_flow->depth() > 1; }
+
+  /// A value or assignment of the block, parsed once however often the block is executed.
+  [[nodiscard]] const Expected<CalculatedValue>& value(const Token& token);
+  [[nodiscard]] const Expected<Assignment>& assignment(const Token& token);
+
+  /// Where the present block or statement stands.
+  [[nodiscard]] Place place() const { return m_place; }
+  /// Name of a file of `place`; empty for the program file itself.
+  [[nodiscard]] const std::string& fileName(std::uint16_t file) const {
+    return m_sources[file].fileName;
+  }
+  /// The line of the program file in progress; in a subprogram of another file, the line that
+  /// called it.
+  [[nodiscard]] base::LineNumber line() const { return m_line; }
+  /// Statements executed, for the progress.
+  [[nodiscard]] std::size_t linesRead() const { return m_executed; }
+  /// The line that jumped back last, if the program did not come to an end.
+  [[nodiscard]] std::optional<base::LineNumber> endlessLoop() const { return m_endless; }
+  /// Lines of the program file.
+  [[nodiscard]] std::size_t fileLines();
+
+ private:
+  struct Source {
+    std::string own;  ///< of a file beside the program
+    std::string_view text;
+    std::string fileName;
+    Programs programs;
+    std::vector<char> executed;                       ///< by line: 1 once it was
+    std::map<std::size_t, std::vector<Token>> again;  ///< tokens of lines executed again
+  };
+
+  void grow();
+  [[nodiscard]] std::shared_ptr<const Tree> find(const std::string& name);
+  void readLine(Block& block);
+  void setPlace(const Place& place);
+  [[nodiscard]] Outcome call(Call call);
+  [[nodiscard]] static Outcome outcomeOf(Fault fault);
+
+  Dialect m_dialect;
+  Variables& m_variables;
+  const CursorOptions& m_options;
+  Lexer m_lexer;
+  std::deque<Source> m_sources;  ///< the program file first
+  std::map<std::string, std::size_t, std::less<>> m_loaded;
+  std::optional<Flow> m_flow;  ///< from the first statement on that needs it
+  Outcome m_outcome;
+  std::map<const char*, Expected<CalculatedValue>> m_values;
+  std::map<const char*, Expected<Assignment>> m_assignments;
+  Place m_place;
+  base::LineNumber m_line;
+  std::size_t m_executed = 0;
+  base::LineNumber m_jumpedFrom;
+  std::optional<base::LineNumber> m_endless;
+};
+
+}  // namespace rivulet::nc
