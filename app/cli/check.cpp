@@ -80,8 +80,9 @@ void print(const gcode::Program& program) {
   fmt::print("  feeds    {} mm/min\n", fmt::join(statistics.feedsMmPerMin, ", "));
   for (const gcode::Diagnostic& diagnostic : program.diagnostics) {
     const std::string name = gcode::acceptableName(diagnostic);
-    fmt::print("{}:{}:{}: {}: {}{}\n", program.name, diagnostic.line.value, diagnostic.column,
-               gcode::severityName(diagnostic.severity), gcode::describe(diagnostic),
+    fmt::print("{}:{}:{}: {}: {}{}\n", diagnostic.file.empty() ? program.name : diagnostic.file,
+               diagnostic.line.value, diagnostic.column, gcode::severityName(diagnostic.severity),
+               gcode::describe(diagnostic),
                name.empty() ? std::string() : fmt::format(" [--accept {}]", name));
   }
   fmt::print("{}\n", gcode::describe(program.readiness()));

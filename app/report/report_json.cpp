@@ -260,6 +260,9 @@ ordered_json programJson(const gcode::Program& program) {
                            {"code", gcode::diagnosticName(diagnostic.code)},
                            {"accept", gcode::acceptableName(diagnostic)},
                            {"message", gcode::describe(diagnostic)}});
+    if (!diagnostic.file.empty()) {
+      diagnostics.back()["file"] = diagnostic.file;
+    }
   }
   return {{"file", program.name},
           {"hash", program.hash},

@@ -20,7 +20,13 @@ DiagnosticModel::DiagnosticModel(QObject* parent)
                                 : QVariant();
                    }},
                   {[] { return tr("Line"); },
-                   [](const Diagnostic& finding) { return countText(finding.line.value); }, true},
+                   [](const Diagnostic& finding) {
+                     const QString line = countText(finding.line.value);
+                     return finding.file.empty()
+                                ? line
+                                : QString::fromStdString(finding.file) + QLatin1Char(':') + line;
+                   },
+                   true},
                   {[] { return tr("Column"); },
                    [](const Diagnostic& finding) { return QString::number(finding.column); }, true},
                   {[] { return tr("Finding"); }, diagnosticText}},

@@ -116,7 +116,8 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ProgramPanel::showFinding);
   const auto jump = [this] {
-    if (const gcode::Diagnostic* finding = currentFinding()) {
+    // The text of a called file is not shown.
+    if (const gcode::Diagnostic* finding = currentFinding(); finding && finding->file.empty()) {
       Q_EMIT lineChosen(finding->line.value);
     }
   };

@@ -46,7 +46,9 @@ void ProgramTextView::setProgram(std::shared_ptr<const ProgramView> view) {
   if (m_program) {
     const auto& diagnostics = m_program->program->diagnostics;
     for (std::size_t i = 0; i < diagnostics.size(); ++i) {
-      m_marks.push_back({diagnostics[i].line.value, diagnostics[i].severity, i});
+      if (diagnostics[i].file.empty()) {
+        m_marks.push_back({diagnostics[i].line.value, diagnostics[i].severity, i});
+      }
     }
     // The worst of a line first; the others of the line are not marked.
     std::stable_sort(m_marks.begin(), m_marks.end(), [](const Mark& a, const Mark& b) {
