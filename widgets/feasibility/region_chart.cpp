@@ -29,6 +29,7 @@ using feasibility::SweepAxis;
 
 namespace {
 
+constexpr double kPointsShownMin = 20.0;
 constexpr int kSteps = 96;
 constexpr double kGrabPx = 28.0;  // a fingertip
 constexpr double kLeftPx = 84.0;
@@ -208,6 +209,9 @@ RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
       m_rare(new QLineSeries(this)),
       m_probability(new QAreaSeries(m_half, m_rare)),
       m_overlay(new RegionOverlay(this)) {
+  if (m_axis == SweepAxis::PointsPerLoop) {
+    m_xMax = kPointsShownMin;  // shown before there is a model, too
+  }
   setFrameShape(QFrame::NoFrame);
   setRenderHint(QPainter::Antialiasing);
   setMinimumSize(320, 240);
@@ -542,7 +546,7 @@ void RegionChart::chooseRanges() {
       break;
     }
     case SweepAxis::PointsPerLoop:
-      m_xMax = std::max(20.0, base::niceCeil(2.0 * model.operatingPoint.pointsPerLoop));
+      m_xMax = std::max(kPointsShownMin, base::niceCeil(2.0 * model.operatingPoint.pointsPerLoop));
       break;
     case SweepAxis::Delta:
       m_xMax = base::niceCeil(std::max(2.0 * model.operatingPoint.deltaMm, 0.1));
