@@ -188,7 +188,7 @@ double Interpreter::unit() const {
   return m_inches ? kMmPerInch : 1.0;
 }
 
-std::optional<Alarm> Interpreter::modes(const BlockWords& words) {
+std::optional<Alarm> Interpreter::modes(const MotionWords& words) {
   m_mode = words.mode.value_or(m_mode);
   m_plane = words.plane.value_or(m_plane);
   m_absolute = words.absolute.value_or(m_absolute);
@@ -211,12 +211,12 @@ std::optional<Alarm> Interpreter::modes(const BlockWords& words) {
 }
 
 Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
-  const std::variant<BlockWords, Alarm> gathered =
+  const std::variant<MotionWords, Alarm> gathered =
       gather(words, [this](const nc::Expression& value) { return m_values.number(value); });
   if (const Alarm* alarm = std::get_if<Alarm>(&gathered)) {
     return *alarm;
   }
-  const BlockWords& block = std::get<BlockWords>(gathered);
+  const MotionWords& block = std::get<MotionWords>(gathered);
   if (std::optional<Alarm> alarm = modes(block)) {
     return *std::move(alarm);
   }
@@ -282,7 +282,7 @@ Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
   return motion;
 }
 
-std::variant<ArcPath, Alarm> Interpreter::arcOf(const BlockWords& words, base::Vec3 fromMm,
+std::variant<ArcPath, Alarm> Interpreter::arcOf(const MotionWords& words, base::Vec3 fromMm,
                                                 base::Vec3& toMm) const {
   const auto placed = [this](ArcPath arc) -> std::variant<ArcPath, Alarm> {
     if (!m_frame.keepsCircles()) {

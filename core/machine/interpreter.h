@@ -12,8 +12,8 @@
 
 #include "base/axes.h"
 #include "base/instant.h"
-#include "machine/block_words.h"
 #include "machine/main_run.h"
+#include "machine/motion_words.h"
 #include "machine/prepared.h"
 #include "machine/r_parameters.h"
 #include "nc/eval/variables.h"
@@ -68,9 +68,9 @@ class Interpreter {
 
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared move(const nc::Words& words, base::LineNumber line);
-  [[nodiscard]] std::optional<Alarm> modes(const BlockWords& words);
+  [[nodiscard]] std::optional<Alarm> modes(const MotionWords& words);
   /// In the programmed frame. @param toMm  found here if the block names no end but AR=
-  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const BlockWords& words, base::Vec3 fromMm,
+  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const MotionWords& words, base::Vec3 fromMm,
                                                    base::Vec3& toMm) const;
   [[nodiscard]] Prepared leave();
   [[nodiscard]] Prepared setFrame(const nc::FrameStatement& statement);

@@ -18,8 +18,8 @@
 #include <variant>
 
 #include "base/error.h"
-#include "machine/block_words.h"
 #include "machine/main_run.h"
+#include "machine/motion_words.h"
 #include "nc/eval/evaluate.h"
 #include "nc/syntax/parser.h"
 #include "templates/generator.h"
@@ -66,7 +66,7 @@ const nc::Expression* valueOf(const Words& words, std::string_view address) {
 }
 
 /// The words as far as they do not depend on values; nothing if the control would complain.
-std::variant<machine::BlockWords, machine::Alarm> modesOf(const Words& words) {
+std::variant<machine::MotionWords, machine::Alarm> modesOf(const Words& words) {
   return machine::gather(words, [](const nc::Expression& value) -> nc::Expected<double> {
     return value.op == nc::Op::Number ? value.number : 1.0;
   });
@@ -525,11 +525,11 @@ class Linter {
   void move(base::LineNumber line, const Words& words, const std::vector<int>& reads,
             State& state) {
     const auto modes = modesOf(words);
-    const auto* block = std::get_if<machine::BlockWords>(&modes);
+    const auto* block = std::get_if<machine::MotionWords>(&modes);
     if (block == nullptr) {
       return;
     }
-    const machine::BlockWords& motion = *block;
+    const machine::MotionWords& motion = *block;
     if (motion.mode) {
       state.mayRapid = *motion.mode == machine::PathMode::Rapid;
     }
@@ -654,7 +654,7 @@ class Linter {
   [[nodiscard]] static bool moves(const Statement& statement) {
     const auto* words = std::get_if<Words>(&statement.what);
     const auto modes = modesOf(words != nullptr ? *words : Words{});
-    const auto* block = std::get_if<machine::BlockWords>(&modes);
+    const auto* block = std::get_if<machine::MotionWords>(&modes);
     return block != nullptr && block->moves();
   }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "machine/block_words.h"
+#include "machine/motion_words.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 25> kIgnoredNames{
 /// What a G function sets: a function per code, a contradiction within a group is an alarm.
 struct GFunction {
   int number;
-  bool (*set)(BlockWords&);  ///< false: the group has been set in this block
+  bool (*set)(MotionWords&);  ///< false: the group has been set in this block
 };
 
 template <class Value>
@@ -40,36 +40,36 @@ bool once(std::optional<Value>& target, Value value) {
   return isFirst;
 }
 
-bool rounds(BlockWords& words, RoundingKind kind) {
+bool rounds(MotionWords& words, RoundingKind kind) {
   words.rounding = kind;
   return once(words.end, BlockEnd::Rounded);
 }
 
 constexpr std::array kGFunctions{
-    GFunction{0, [](BlockWords& w) { return once(w.mode, PathMode::Rapid); }},
-    GFunction{1, [](BlockWords& w) { return once(w.mode, PathMode::Line); }},
-    GFunction{2, [](BlockWords& w) { return once(w.mode, PathMode::Clockwise); }},
-    GFunction{3, [](BlockWords& w) { return once(w.mode, PathMode::CounterClockwise); }},
-    GFunction{9, [](BlockWords& w) { return w.exactStopOnce = true; }},
-    GFunction{17, [](BlockWords& w) { return once(w.plane, std::size_t{0}); }},
-    GFunction{18, [](BlockWords& w) { return once(w.plane, std::size_t{2}); }},
-    GFunction{19, [](BlockWords& w) { return once(w.plane, std::size_t{1}); }},
-    GFunction{60, [](BlockWords& w) { return once(w.end, BlockEnd::ExactStop); }},
-    GFunction{64, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
-    GFunction{641, [](BlockWords& w) { return rounds(w, RoundingKind::Distance); }},
-    GFunction{642, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
-    GFunction{643, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
-    GFunction{644, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
-    GFunction{645, [](BlockWords& w) { return rounds(w, RoundingKind::Deviation); }},
-    GFunction{70, [](BlockWords& w) { return once(w.inches, true); }},
-    GFunction{71, [](BlockWords& w) { return once(w.inches, false); }},
-    GFunction{90, [](BlockWords& w) { return once(w.absolute, true); }},
-    GFunction{91, [](BlockWords& w) { return once(w.absolute, false); }},
-    GFunction{700, [](BlockWords& w) { return once(w.inches, true); }},
-    GFunction{710, [](BlockWords& w) { return once(w.inches, false); }},
+    GFunction{0, [](MotionWords& w) { return once(w.mode, PathMode::Rapid); }},
+    GFunction{1, [](MotionWords& w) { return once(w.mode, PathMode::Line); }},
+    GFunction{2, [](MotionWords& w) { return once(w.mode, PathMode::Clockwise); }},
+    GFunction{3, [](MotionWords& w) { return once(w.mode, PathMode::CounterClockwise); }},
+    GFunction{9, [](MotionWords& w) { return w.exactStopOnce = true; }},
+    GFunction{17, [](MotionWords& w) { return once(w.plane, std::size_t{0}); }},
+    GFunction{18, [](MotionWords& w) { return once(w.plane, std::size_t{2}); }},
+    GFunction{19, [](MotionWords& w) { return once(w.plane, std::size_t{1}); }},
+    GFunction{60, [](MotionWords& w) { return once(w.end, BlockEnd::ExactStop); }},
+    GFunction{64, [](MotionWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{641, [](MotionWords& w) { return rounds(w, RoundingKind::Distance); }},
+    GFunction{642, [](MotionWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{643, [](MotionWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{644, [](MotionWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{645, [](MotionWords& w) { return rounds(w, RoundingKind::Deviation); }},
+    GFunction{70, [](MotionWords& w) { return once(w.inches, true); }},
+    GFunction{71, [](MotionWords& w) { return once(w.inches, false); }},
+    GFunction{90, [](MotionWords& w) { return once(w.absolute, true); }},
+    GFunction{91, [](MotionWords& w) { return once(w.absolute, false); }},
+    GFunction{700, [](MotionWords& w) { return once(w.inches, true); }},
+    GFunction{710, [](MotionWords& w) { return once(w.inches, false); }},
 };
 
-std::optional<Alarm> setG(BlockWords& words, double number) {
+std::optional<Alarm> setG(MotionWords& words, double number) {
   const auto found =
       std::find_if(kGFunctions.begin(), kGFunctions.end(),
                    [number](const GFunction& function) { return function.number == number; });
@@ -86,26 +86,26 @@ std::optional<Alarm> setG(BlockWords& words, double number) {
 }
 
 /// Where the value of an address goes; null: no address of this machine.
-std::optional<Coordinate>* targetOf(BlockWords& words, std::string_view address) {
-  using Target = std::optional<Coordinate>* (*)(BlockWords&);
+std::optional<Coordinate>* targetOf(MotionWords& words, std::string_view address) {
+  using Target = std::optional<Coordinate>* (*)(MotionWords&);
   static constexpr std::array<std::pair<std::string_view, Target>, 17> kTargets{{
-      {"X", [](BlockWords& w) { return &w.axes[0]; }},
-      {"Y", [](BlockWords& w) { return &w.axes[1]; }},
-      {"Z", [](BlockWords& w) { return &w.axes[2]; }},
-      {"A", [](BlockWords& w) { return &w.rotary[0]; }},
-      {"B", [](BlockWords& w) { return &w.rotary[1]; }},
-      {"C", [](BlockWords& w) { return &w.rotary[2]; }},
-      {"I", [](BlockWords& w) { return &w.centre[0]; }},
-      {"J", [](BlockWords& w) { return &w.centre[1]; }},
-      {"K", [](BlockWords& w) { return &w.centre[2]; }},
-      {"I1", [](BlockWords& w) { return &w.through[0]; }},
-      {"J1", [](BlockWords& w) { return &w.through[1]; }},
-      {"K1", [](BlockWords& w) { return &w.through[2]; }},
-      {"F", [](BlockWords& w) { return &w.feedMmPerMin; }},
-      {"CR", [](BlockWords& w) { return &w.radius; }},
-      {"AR", [](BlockWords& w) { return &w.openingAngle; }},
-      {"TURN", [](BlockWords& w) { return &w.fullTurns; }},
-      {"ADIS", [](BlockWords& w) { return &w.roundingMm; }},
+      {"X", [](MotionWords& w) { return &w.axes[0]; }},
+      {"Y", [](MotionWords& w) { return &w.axes[1]; }},
+      {"Z", [](MotionWords& w) { return &w.axes[2]; }},
+      {"A", [](MotionWords& w) { return &w.rotary[0]; }},
+      {"B", [](MotionWords& w) { return &w.rotary[1]; }},
+      {"C", [](MotionWords& w) { return &w.rotary[2]; }},
+      {"I", [](MotionWords& w) { return &w.centre[0]; }},
+      {"J", [](MotionWords& w) { return &w.centre[1]; }},
+      {"K", [](MotionWords& w) { return &w.centre[2]; }},
+      {"I1", [](MotionWords& w) { return &w.through[0]; }},
+      {"J1", [](MotionWords& w) { return &w.through[1]; }},
+      {"K1", [](MotionWords& w) { return &w.through[2]; }},
+      {"F", [](MotionWords& w) { return &w.feedMmPerMin; }},
+      {"CR", [](MotionWords& w) { return &w.radius; }},
+      {"AR", [](MotionWords& w) { return &w.openingAngle; }},
+      {"TURN", [](MotionWords& w) { return &w.fullTurns; }},
+      {"ADIS", [](MotionWords& w) { return &w.roundingMm; }},
   }};
   const auto found = std::find_if(kTargets.begin(), kTargets.end(),
                                   [address](const auto& entry) { return entry.first == address; });
@@ -126,10 +126,10 @@ bool isWithoutEffect(const nc::Words& words) {
                      [](const nc::Word& word) { return isIgnored(word.address); });
 }
 
-std::variant<BlockWords, Alarm> gather(
+std::variant<MotionWords, Alarm> gather(
     const nc::Words& words,
     const std::function<nc::Expected<double>(const nc::Expression&)>& valueOf) {
-  BlockWords made;
+  MotionWords made;
   for (const nc::Word& word : words.words) {
     const std::string& address = word.address;
     if (isIgnored(address)) {

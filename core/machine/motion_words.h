@@ -29,7 +29,7 @@ struct Coordinate {
 };
 
 /// Axis words, feed and modal G functions of one block.
-struct BlockWords {
+struct MotionWords {
   std::array<std::optional<Coordinate>, base::kAxisCount> axes;
   std::array<std::optional<Coordinate>, base::kRotaryAxisCount> rotary;  ///< A B C
   std::array<std::optional<Coordinate>, base::kAxisCount> centre;        ///< I J K
@@ -59,7 +59,7 @@ struct BlockWords {
 
 /// @param valueOf  computes the value of a word
 /// @return an alarm for a word this machine does not know, or that contradicts another
-[[nodiscard]] std::variant<BlockWords, Alarm> gather(
+[[nodiscard]] std::variant<MotionWords, Alarm> gather(
     const nc::Words& words,
     const std::function<nc::Expected<double>(const nc::Expression&)>& valueOf);
 
