@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The prediction of each method, called by `predict`. Each follows the client along the time line
+/// of the control in its own way. @threadsafety pure.
+#pragma once
+
+#include <vector>
+
+#include "feasibility/probability.h"
+
+namespace rivulet::feasibility {
+
+/// [P1] Algorithm II. @param operatingPoint  N >= 1, δ > 0
+[[nodiscard]] Prediction predictPosition(const std::vector<gcode::StreamPoint>& points,
+                                         const OperatingPoint& operatingPoint,
+                                         const StreamModel& model, base::Vec3 startMm);
+
+/// [P1] Algorithm III. @param operatingPoint  N >= 2
+[[nodiscard]] Prediction predictSignal(const std::vector<gcode::StreamPoint>& points,
+                                       const OperatingPoint& operatingPoint,
+                                       const StreamModel& model, base::Vec3 startMm);
+
+/// Windows cannot fail; mean times tell how long a run takes. Of method credit this is the slower
+/// end: it does not stand between windows. @param operatingPoint  N >= 1
+[[nodiscard]] Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
+                                        const OperatingPoint& operatingPoint,
+                                        const StreamModel& model, base::Vec3 startMm);
+
+}  // namespace rivulet::feasibility

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <algorithm>
+#include <span>
+
+#include "base/contract.h"
+#include "feasibility/client_turn.h"
+#include "feasibility/prediction/control_line.h"
+#include "feasibility/prediction/methods.h"
+
+namespace rivulet::feasibility {
+
+/// Two windows, mean times: the client brings window n+2 from the moment it sees that window n has
+/// been copied; the control copies a window when it stands and the window is there.
+Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
+                          const OperatingPoint& operatingPoint, const StreamModel& model,
+                          base::Vec3 startMm) {
+  RIVULET_ASSERT(operatingPoint.pointsPerLoop >= 1);
+  constexpr std::size_t kWindows = 2;
+  const Clockwork clock(model.control);
+  const auto perWindow = static_cast<std::size_t>(operatingPoint.pointsPerLoop);
+  const std::size_t count = (points.size() + perWindow - 1) / perWindow;
+  const double nodeMs = base::toMilliseconds(model.access.nodeMean);
+  const double pollMs = base::toMilliseconds(model.access.readOverhead) + nodeMs;
+  const ClientTurn turn = turnOf(operatingPoint.turn());
+  const double bringMs = 2.0 * base::toMilliseconds(model.access.writeOverhead) +
+                         (turn.content + turn.number) * nodeMs;
+  // Relatch, the decision, and the copy with its check: see the generator.
+  constexpr double kBlocksPerPoint = 1.4;
+  constexpr double kBlocks = 9.0;
+  const double readyMs =
+      clock.relatchMs +
+      clock.blockMs * (kBlocks + kBlocksPerPoint * static_cast<double>(perWindow));
+  // A pass of the waiting loop: relatch, its blocks, and a dwell of 20 ms.
+  const double passMs = clock.relatchMs + 10.0 * clock.blockMs + 20.0;
+  std::vector<double> broughtMs(count, 0.0);
+  std::vector<double> copiedMs(count, 0.0);
+  double endMs = 0.0;
+  double standingMs = 0.0;
+  double waitingMs = 0.0;
+  base::Vec3 fromMm = startMm;
+  for (std::size_t window = 0; window < count; ++window) {
+    if (window >= kWindows) {
+      broughtMs[window] =
+          std::max(broughtMs[window - 1], copiedMs[window - kWindows] + 1.5 * pollMs) + bringMs;
+    }
+    const double plannedMs =
+        window == 0 ? endMs : endMs + std::max(clock.standMs, clock.up(readyMs));
+    const double lateMs = broughtMs[window] - endMs;
+    const double waitMs = window > 0 && lateMs > 0.0
+                              ? std::max(0.0, lateMs + 0.5 * passMs + readyMs - (plannedMs - endMs))
+                              : 0.0;
+    const double beginMs = plannedMs + waitMs;
+    copiedMs[window] = std::max(endMs, beginMs - 2.0 * clock.blockMs);
+    if (window > 0) {
+      standingMs += beginMs - endMs;
+      waitingMs += waitMs;
+    }
+    const std::size_t begin = window * perWindow;
+    const std::size_t end = std::min(begin + perWindow, points.size());
+    const Stretch motion(std::span<const gcode::StreamPoint>(points).subspan(begin, end - begin),
+                         fromMm, operatingPoint.feedMmPerS, model);
+    fromMm = motion.endMm();
+    endMs = beginMs + motion.durationS() * 1e3;
+  }
+  Prediction prediction;
+  prediction.duration = base::fromMilliseconds(endMs + clock.relatchMs);
+  prediction.standing = base::fromMilliseconds(standingMs);
+  prediction.waiting = base::fromMilliseconds(waitingMs);
+  prediction.stops = count - 1;
+  return prediction;
+}
+
+}  // namespace rivulet::feasibility
