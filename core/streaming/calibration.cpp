@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -140,45 +142,34 @@ struct WeightedPoint {
 };
 
 /// Weighted least squares with neither figure below zero: no request takes less time for more
-/// cells. With only one x the line goes through the origin.
+/// cells. With only one x the line goes through the origin. @param points  x > 0
 Line lineOf(const std::vector<WeightedPoint>& points) {
-  double w = 0.0;
-  double wx = 0.0;
-  double wy = 0.0;
-  for (const WeightedPoint& point : points) {
-    w += point.weight;
-    wx += point.weight * point.x;
-    wy += point.weight * point.y;
+  const auto count = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixX2d sides(count,
+                         2);  // of each equation weight · (intercept + slope · x) = weight · y
+  Eigen::VectorXd values(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const WeightedPoint& point = points[static_cast<std::size_t>(i)];
+    const double weight = std::sqrt(point.weight);
+    sides.row(i) << weight, weight * point.x;
+    values[i] = weight * point.y;
   }
-  if (points.empty() || wx <= 0.0) {
+  /// The best factor of one column alone.
+  const auto along = [&](Eigen::Index column) {
+    return sides.col(column).dot(values) / sides.col(column).squaredNorm();
+  };
+  if (points.empty()) {
     return {};
   }
-  const double meanX = wx / w;
-  const double meanY = wy / w;
-  double xx = 0.0;
-  double xy = 0.0;
-  for (const WeightedPoint& point : points) {
-    xx += point.weight * (point.x - meanX) * (point.x - meanX);
-    xy += point.weight * (point.x - meanX) * (point.y - meanY);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixX2d> solver(sides);
+  if (solver.rank() < 2) {
+    return {0.0, along(1)};
   }
-  if (xx <= 0.0) {
-    return {0.0, meanY / meanX};
+  const Eigen::Vector2d line = solver.solve(values);
+  if (line[1] <= 0.0) {
+    return {std::max(along(0), 0.0), 0.0};
   }
-  const double slope = xy / xx;
-  if (slope <= 0.0) {
-    return {std::max(meanY, 0.0), 0.0};
-  }
-  const double intercept = meanY - slope * meanX;
-  if (intercept >= 0.0) {
-    return {intercept, slope};
-  }
-  double squares = 0.0;
-  double products = 0.0;
-  for (const WeightedPoint& point : points) {
-    squares += point.weight * point.x * point.x;
-    products += point.weight * point.x * point.y;
-  }
-  return {0.0, products / squares};
+  return line[0] >= 0.0 ? Line{line[0], line[1]} : Line{0.0, along(1)};
 }
 
 std::optional<AccessFit> fitOf(const std::vector<AccessSeries>& series, bool write,
