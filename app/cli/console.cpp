@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "log/log.h"
 #include "opcua/error.h"
 #include "report/report_json.h"
 
@@ -20,11 +21,19 @@ Exit exitFor(const base::Error& error) {
   return error.code.category() == anyLinkError.category() ? Exit::Connection : Exit::BadInput;
 }
 
+void startLog(const std::string& level, int argc, const char* const* argv) {
+  if (const auto done = log::setUp({"rivulet-cli", level, log::recordingsFolder()}); !done) {
+    log::logger().info(done.error().text());
+  }
+  log::logger().info("{}", fmt::join(argv, argv + argc, " "));
+}
+
 Exit reportError(const base::Error& error, bool asJson) {
   if (asJson) {
+    log::logger().info(error.text());
     printJson({{"error", report::errorJson(error)}});
   } else {
-    fmt::print(stderr, "rivulet-cli: {}\n", error.text());
+    log::logger().error(error.text());
   }
   return exitFor(error);
 }

@@ -23,6 +23,9 @@ void printJson(const nlohmann::ordered_json& json);
 
 /// Prints the error on standard error, or as {"error": …} with `asJson`.
 /// @return the exit code that belongs to the error
+/// Sets up the log and writes the command line into it.
+void startLog(const std::string& level, int argc, const char* const* argv);
+
 Exit reportError(const base::Error& error, bool asJson);
 
 /// The exit code for a failure: connection trouble is 3, everything else that was given 2.

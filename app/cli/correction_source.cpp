@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "log/log.h"
 #include "trace/control_trace.h"
 
 namespace rivulet::cli {
@@ -70,10 +71,10 @@ base::Vec3 CorrectionSource::valueMm() {
   }
   if (!m_hasTold && m_lines.firstUnknown() > 0) {
     m_hasTold = true;
-    fmt::print(stderr,
-               "rivulet-cli: {}: line {} is not a correction (X 0.01 Y -0.02, or the same as "
-               "JSON). It is ignored, and so are all others like it.\n",
-               m_name, m_lines.firstUnknown());
+    log::logger().warn(
+        "{}: line {} is not a correction (X 0.01 Y -0.02, or the same as JSON). It is ignored, and "
+        "so are all others like it.",
+        m_name, m_lines.firstUnknown());
   }
   return m_lines.valueMm();
 }

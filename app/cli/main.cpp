@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "experiments/catalogue.h"
+#include "log/log.h"
 #include "templates/cells.h"
 
 namespace {
@@ -377,7 +378,14 @@ int main(int argc, char** argv) {
                "rivulet-cli");
   app.set_version_flag("--version", RIVULET_VERSION);
   app.require_subcommand(1);
+  app.fallthrough();
   Exit exit = Exit::Done;
+  std::string logLevel;
+  app.add_option("--log-level", logLevel,
+                 "What is logged on standard error (default: warning) and in the log file "
+                 "(default: info)")
+      ->check(CLI::IsMember(rivulet::log::levelNames()));
+  app.parse_complete_callback([&] { rivulet::cli::startLog(logLevel, argc, argv); });
   addCheckCommand(app, exit);
   addPointsCommand(app, exit);
   addFeasibilityCommand(app, exit);

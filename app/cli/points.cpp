@@ -12,6 +12,8 @@
 #include "cli/commands.h"
 #include "gcode/program.h"
 #include "gcode/thinning.h"
+#include "log/log.h"
+#include "trace/file.h"
 
 namespace rivulet::cli {
 
@@ -67,8 +69,8 @@ void print(const gcode::Trajectory& trajectory, std::FILE* out) {
 gcode::Trajectory ResamplingOptions::resampled(gcode::Trajectory trajectory) const {
   if (thinMm > 0.0) {
     gcode::ThinnedTrajectory thinned = gcode::thin(trajectory, thinMm);
-    fmt::print(stderr, "{} points left out; the path moves by at most {:.6f} mm.\n",
-               thinned.leftOut, thinned.errorMmMax);
+    log::logger().warn("{} points left out; the path moves by at most {:.6f} mm.", thinned.leftOut,
+                       thinned.errorMmMax);
     trajectory = std::move(thinned.trajectory);
   }
   return splitMm > 0.0 ? gcode::split(trajectory, splitMm) : trajectory;
@@ -88,9 +90,11 @@ Exit points(const PointsOptions& options) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
         std::fopen(options.output.c_str(), "wb"), &std::fclose);
     if (!file) {
-      fmt::print(stderr, "The file {} cannot be written: check folder and permissions.\n",
-                 options.output);
-      return Exit::BadInput;
+      return reportError(
+          base::makeError(trace::TraceError::FileNotWritable,
+                          "The file cannot be written. Check the folder and its permissions.",
+                          options.output),
+          false);
     }
     print(trajectory, file.get());
   }

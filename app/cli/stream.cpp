@@ -15,6 +15,7 @@
 #include "cli/correction_source.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
+#include "log/log.h"
 #include "machine/config.h"
 #include "report/calibration_json.h"
 #include "report/machine_store.h"
@@ -231,7 +232,7 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
     fmt::print("The settings were outside the feasible region.\n");
   }
   if (report.error.code) {
-    fmt::print(stderr, "rivulet-cli: {}\n", report.error.text());
+    log::logger().error(report.error.text());
   }
 }
 

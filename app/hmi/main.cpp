@@ -3,9 +3,39 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <algorithm>
 
 #include "hmi/demo.h"
 #include "hmi/main_window.h"
+#include "log/log.h"
+
+namespace {
+
+/// What Qt has to say goes to the log as well.
+void logQtMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text) {
+  const spdlog::level::level_enum level = type == QtDebugMsg     ? spdlog::level::debug
+                                          : type == QtInfoMsg    ? spdlog::level::info
+                                          : type == QtWarningMsg ? spdlog::level::warn
+                                                                 : spdlog::level::err;
+  rivulet::log::logger().log(level, text.toStdString());
+}
+
+void startLog(const std::string& level) {
+  const std::vector<std::string> names = rivulet::log::levelNames();
+  const bool isLevel = std::find(names.begin(), names.end(), level) != names.end();
+  const auto done = rivulet::log::setUp(
+      {"rivulet", isLevel ? level : std::string(), rivulet::log::recordingsFolder()});
+  if (!isLevel && !level.empty()) {
+    rivulet::log::logger().warn("{} is no level: see --help.", level);
+  }
+  if (!done) {
+    rivulet::log::logger().warn(done.error().text());
+  }
+  qInstallMessageHandler(&logQtMessage);
+  rivulet::log::logger().info("rivulet " RIVULET_VERSION " started");
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
@@ -31,8 +61,15 @@ int main(int argc, char** argv) {
                                           QStringLiteral("LANGUAGE"));
   const QCommandLineOption themeOption(
       QStringLiteral("theme"), QStringLiteral("light, dark or system."), QStringLiteral("THEME"));
-  parser.addOptions({connectOption, openOption, demoOption, languageOption, themeOption});
+  const QCommandLineOption logOption(
+      QStringLiteral("log-level"),
+      QStringLiteral("What is logged on standard error (default: warning) and in the log file "
+                     "(default: info): trace, debug, info, warning, error, critical or off."),
+      QStringLiteral("LEVEL"));
+  parser.addOptions(
+      {logOption, connectOption, openOption, demoOption, languageOption, themeOption});
   parser.process(application);
+  startLog(parser.value(logOption).toStdString());
 
   rivulet::hmi::Settings settings = rivulet::hmi::loadSettings();
   const bool isDemo = parser.isSet(demoOption);

@@ -10,6 +10,7 @@
 #include <QString>
 
 #include "gcode/diagnostic.h"
+#include "log/log.h"
 
 namespace rivulet::hmi {
 
@@ -18,10 +19,10 @@ class Messages final : public QObject {
 
  public:
   using Severity = gcode::Severity;
-  using QObject::QObject;
+  explicit Messages(QObject* parent = nullptr);
 
-  /// In the log only.
-  void log(Severity severity, const QString& text) { Q_EMIT logged(severity, text); }
+  /// In the log only: on the page and, by `log::logger`, in the file.
+  void log(Severity severity, const QString& text);
   /// In the message area only: it answers what the operator has just done.
   void show(Severity severity, const QString& text) { Q_EMIT shown(severity, text); }
   /// In both.
@@ -33,9 +34,17 @@ class Messages final : public QObject {
   void clear() { Q_EMIT cleared(); }
 
  Q_SIGNALS:
+  /// Also what others have logged, from level `info` on.
   void logged(rivulet::gcode::Severity severity, const QString& text);
   void shown(rivulet::gcode::Severity severity, const QString& text);
   void cleared();
+
+ private:
+  /// On any thread.
+  void hear(const rivulet::log::Line& line);
+
+  bool m_isLogging = false;
+  rivulet::log::Listener m_listener;
 };
 
 }  // namespace rivulet::hmi

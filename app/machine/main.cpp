@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <string>
 
+#include "log/log.h"
 #include "machine/config.h"
 #include "machine/front/server.h"
 #include "machine/machine.h"
@@ -45,7 +46,7 @@ void installSignalHandlers() {
 }
 
 int complain(const rivulet::base::Error& error, int exitCode) {
-  fmt::print(stderr, "rivulet-machine: {}\n", error.text());
+  rivulet::log::logger().error(error.text());
   return exitCode;
 }
 
@@ -74,6 +75,11 @@ int main(int argc, char** argv) {
   app.add_option("--program", program,
                  "Part program that is stored and selected at the start, as by an operator");
   app.add_option("--seed", seed, "Seed of the machine's random numbers")->capture_default_str();
+  std::string logLevel;
+  app.add_option("--log-level", logLevel,
+                 "What is logged on standard error (default: warning) and in the log file "
+                 "(default: info)")
+      ->check(CLI::IsMember(rivulet::log::levelNames()));
   app.set_version_flag("--version", "rivulet-machine " RIVULET_VERSION);
   try {
     app.parse(argc, argv);
@@ -81,6 +87,11 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? kExitOk : kExitUsage;
   }
 
+  if (const auto done =
+          rivulet::log::setUp({"rivulet-machine", logLevel, rivulet::log::recordingsFolder()});
+      !done) {
+    rivulet::log::logger().info(done.error().text());
+  }
   const auto config = rivulet::machine::loadPreset(preset);
   if (!config) {
     return complain(config.error(), kExitUsage);
@@ -107,6 +118,8 @@ int main(int argc, char** argv) {
   }
   fmt::print("{}\n", (*server)->endpoint());
   std::fflush(stdout);
+  rivulet::log::logger().info("{} serves {} with seed {}", (*server)->endpoint(), preset, seed);
   (*server)->run(g_stop);
+  rivulet::log::logger().info("stopped");
   return kExitOk;
 }
