@@ -650,13 +650,57 @@ class Interpreter {
     noteColumn(token, words);
   }
 
-  /// Two different functions of one group in a block contradict each other.
-  void setModal(int& slot, int key, const Token& token) {
-    if (slot >= 0 && slot != key) {
-      m_findings.error(token, DiagnosticCode::ConflictingGCodes,
-                       fmt::format("G{} {}", slot / 10, Findings::wordText(token)));
-    }
-    slot = key;
+  /// What a G function does when it is read. `isNoted`: without effect on the path by itself;
+  /// `takesBlock`: the axis words of the block are its own.
+  struct GRow {
+    GEffect effect;
+    void (Interpreter::*read)(int key, const Token& token, BlockWords& words) = nullptr;
+    bool isNoted = false;
+    bool takesBlock = false;
+  };
+
+  [[nodiscard]] static const GRow& rowOf(GEffect effect) {
+    static constexpr std::array kRows{
+        GRow{GEffect::Unknown, &Interpreter::refuseG},
+        GRow{GEffect::Motion, &Interpreter::readModal},
+        GRow{GEffect::Distance, &Interpreter::readDistanceMode},
+        GRow{GEffect::CentreMode, &Interpreter::readCentreMode, true},
+        GRow{GEffect::Plane, &Interpreter::readModal},
+        GRow{GEffect::Units, &Interpreter::readUnits},
+        GRow{GEffect::FeedMode, &Interpreter::readFeedMode, true},
+        GRow{GEffect::Diameter, &Interpreter::readDiameter, true},
+        GRow{GEffect::Dwell, &Interpreter::readDwell, true},
+        GRow{GEffect::Pole, &Interpreter::readPole, false, true},
+        GRow{GEffect::PolarOn, &Interpreter::readPolar, true},
+        GRow{GEffect::PolarOff, &Interpreter::readPolar, true},
+        GRow{GEffect::Spline, &Interpreter::readSplineMode},
+        GRow{GEffect::None, &Interpreter::readNone, true},
+        GRow{GEffect::Tolerance, &Interpreter::readTolerance, true},
+        GRow{GEffect::ToolLength, &Interpreter::readToolLength, true},
+        GRow{GEffect::CycleOff, &Interpreter::readCycleOff, true},
+        GRow{GEffect::WorkOffset, &Interpreter::readWorkOffset},
+        GRow{GEffect::WorkOffsetP, &Interpreter::readWorkOffsetP},
+        GRow{GEffect::MachineMove, &Interpreter::readMachineMove},
+        GRow{GEffect::SetPosition, &Interpreter::readOffsetWord, false, true},
+        GRow{GEffect::ResetPosition, &Interpreter::readOffsetWord, false, true},
+        GRow{GEffect::LocalOffset, &Interpreter::readOffsetWord, false, true},
+        GRow{GEffect::MacroCall, &Interpreter::readMacroCall, false, true},
+        GRow{GEffect::Mode, &Interpreter::refuseG},
+        GRow{GEffect::MotionMode, &Interpreter::readForeignMotion},
+        GRow{GEffect::Cycle, &Interpreter::readForeignMotion},
+        GRow{GEffect::TakesBlock, &Interpreter::readForeignBlock, false, true},
+    };
+    static_assert(
+        [] {
+          for (std::size_t i = 0; i < kRows.size(); ++i) {
+            if (static_cast<std::size_t>(kRows[i].effect) != i) {
+              return false;
+            }
+          }
+          return true;
+        }(),
+        "a row is found by its effect");
+    return kRows[static_cast<std::size_t>(effect)];
   }
 
   void readG(const Token& token, BlockWords& words) {
@@ -667,141 +711,152 @@ class Interpreter {
       m_findings.error(token, DiagnosticCode::UnknownGCode, Findings::wordText(token));
       return;
     }
-    const auto index = static_cast<std::size_t>(key);
-    switch (m_g[index]) {
-      case GEffect::Motion:
-        setModal(words.motionKey, key, token);
-        break;
-      case GEffect::Distance:
-        if (m_isLathe) {
-          words.latheKey = key;
-        }
-        setModal(words.distanceKey, key, token);
-        readDistance(key == 910, words);
-        break;
-      case GEffect::CentreMode:
-        m_centreIsAbsolute = key == 901;
-        for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-          words.centreIsAbsolute[axis] = m_centreIsAbsolute;
-        }
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::Plane:
-        setModal(words.planeKey, key, token);
-        break;
-      case GEffect::Units:
-        if (m_isLathe && (key == 700 || key == 710)) {
-          readTurningCycle(token, words);
-          break;
-        }
-        setModal(words.unitsKey, key, token);
-        break;
-      case GEffect::FeedMode:
-        if (m_isLathe && key == 940) {
-          words.latheKey = key;
-        }
-        setFeedMode(key);
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::Diameter:
-        m_diameter = key == 70;
-        m_diameterIncrements = m_diameter;
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::Dwell:
-        words.dwell = true;
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::Pole:
-        words.rareWords().pole = true;
-        words.rare->poleKey = key;
-        words.taken = true;
-        break;
-      case GEffect::PolarOn:
-      case GEffect::PolarOff:
-        m_polar = m_g[index] == GEffect::PolarOn;
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::Spline:
-        words.rareWords().splineKey = key;
-        break;
-      case GEffect::ToolLength:
-        m_tipWord.clear();
-        m_facts.forget(2);
-        words.taken |= key == 431;  // G43.1 gives the offset itself, it is no move
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::CycleOff:
-        if (m_motion == Motion::Unsupported) {
-          m_motion = m_motionBeforeUnsupported;
-        }
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::None:
-        m_tipWord = key == 434 ? "G43.4" : m_tipWord;
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::Tolerance:
-        words.tolerance = true;
-        m_findings.ignoreG(index, token);
-        break;
-      case GEffect::WorkOffset:
-        selectWorkOffset(key, token);
-        break;
-      case GEffect::WorkOffsetP:
-        words.rareWords().workOffsetKey = key;
-        words.rare->workOffsetToken = &token;
-        break;
-      case GEffect::MachineMove:
-        words.machineMove = true;
-        words.machineToken = &token;
-        break;
-      case GEffect::SetPosition:
-        words.rareWords().setsPosition = true;
-        words.taken = true;
-        break;
-      case GEffect::ResetPosition:
-        words.rareWords().resetsPosition = true;
-        words.taken = true;
-        break;
-      case GEffect::LocalOffset:
-        words.rareWords().localOffset = true;
-        words.taken = true;
-        break;
-      case GEffect::MacroCall:
-        words.rareWords().macroCall = true;
-        words.taken = true;
-        break;
-      case GEffect::Mode:
-        m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
-        break;
-      case GEffect::MotionMode:
-      case GEffect::Cycle:
-        if (m_isLathe && (key == 720 || key == 730)) {
-          readTurningCycle(token, words);
-          break;
-        }
-        m_findings.error(token,
-                         m_g[index] == GEffect::Cycle ? DiagnosticCode::CycleNotRun
-                                                      : DiagnosticCode::UnsupportedGCode,
-                         Findings::wordText(token));
-        if (m_motion != Motion::Unsupported) {
-          m_motionBeforeUnsupported = m_motion;
-        }
-        flushSpline();
-        m_motion = Motion::Unsupported;
-        m_facts.forget();
-        break;
-      case GEffect::TakesBlock:
-        m_findings.error(token, DiagnosticCode::UnsupportedGCode, Findings::wordText(token));
-        words.taken = true;
-        m_facts.otherMotion();
-        m_facts.forget();
-        break;
-      case GEffect::Unknown:
-        m_findings.error(token, DiagnosticCode::UnknownGCode, Findings::wordText(token));
-        break;
+    if (m_isLathe && key >= 700 && key <= 730) {
+      readTurningCycle(token, words);
+      return;
     }
+    const GRow& row = rowOf(effectOf(key));
+    (this->*row.read)(key, token, words);
+    words.taken |= row.takesBlock;
+    if (row.isNoted) {
+      m_findings.ignoreG(static_cast<std::size_t>(key), token);
+    }
+  }
+
+  [[nodiscard]] GEffect effectOf(int key) const { return m_g[static_cast<std::size_t>(key)]; }
+
+  void refuseG(int key, const Token& token, BlockWords& /*words*/) {
+    m_findings.error(token,
+                     effectOf(key) == GEffect::Unknown ? DiagnosticCode::UnknownGCode
+                                                       : DiagnosticCode::UnsupportedGCode,
+                     Findings::wordText(token));
+  }
+
+  /// Two different functions of one group in a block contradict each other.
+  void setModal(int& slot, int key, const Token& token) {
+    if (slot >= 0 && slot != key) {
+      m_findings.error(token, DiagnosticCode::ConflictingGCodes,
+                       fmt::format("G{} {}", slot / 10, Findings::wordText(token)));
+    }
+    slot = key;
+  }
+
+  void readModal(int key, const Token& token, BlockWords& words) {
+    setModal(effectOf(key) == GEffect::Motion ? words.motionKey : words.planeKey, key, token);
+  }
+
+  void readDistanceMode(int key, const Token& token, BlockWords& words) {
+    words.latheKey = m_isLathe ? key : words.latheKey;
+    setModal(words.distanceKey, key, token);
+    readDistance(key == 910, words);
+  }
+
+  void readCentreMode(int key, const Token& /*token*/, BlockWords& words) {
+    m_centreIsAbsolute = key == 901;
+    words.centreIsAbsolute.fill(m_centreIsAbsolute);
+  }
+
+  void readUnits(int key, const Token& token, BlockWords& words) {
+    setModal(words.unitsKey, key, token);
+  }
+
+  void readFeedMode(int key, const Token& /*token*/, BlockWords& words) {
+    struct Mode {
+      int key;
+      FeedMode mode;
+    };
+    static constexpr std::array kModes{
+        Mode{930, FeedMode::InverseTime}, Mode{940, FeedMode::PerMinute},
+        Mode{9610, FeedMode::PerMinute}, Mode{950, FeedMode::PerRevolution},
+        Mode{9510, FeedMode::PerRevolution}};
+    words.latheKey = m_isLathe && key == 940 ? key : words.latheKey;
+    const auto* const found = std::find_if(kModes.begin(), kModes.end(),
+                                           [key](const Mode& mode) { return mode.key == key; });
+    m_feedMode = found == kModes.end() ? FeedMode::Unknown : found->mode;
+    m_feedMmPerS = 0.0;
+  }
+
+  void readDiameter(int key, const Token& /*token*/, BlockWords& /*words*/) {
+    m_diameter = key == 70;
+    m_diameterIncrements = m_diameter;
+  }
+
+  void readDwell(int /*key*/, const Token& /*token*/, BlockWords& words) { words.dwell = true; }
+
+  void readPole(int key, const Token& /*token*/, BlockWords& words) {
+    words.rareWords().pole = true;
+    words.rare->poleKey = key;
+  }
+
+  void readPolar(int key, const Token& /*token*/, BlockWords& /*words*/) {
+    m_polar = effectOf(key) == GEffect::PolarOn;
+  }
+
+  void readSplineMode(int key, const Token& /*token*/, BlockWords& words) {
+    words.rareWords().splineKey = key;
+  }
+
+  void readNone(int key, const Token& /*token*/, BlockWords& /*words*/) {
+    m_tipWord = key == 434 ? "G43.4" : m_tipWord;
+  }
+
+  void readTolerance(int /*key*/, const Token& /*token*/, BlockWords& words) {
+    words.tolerance = true;
+  }
+
+  void readToolLength(int key, const Token& /*token*/, BlockWords& words) {
+    m_tipWord.clear();
+    m_facts.forget(2);
+    words.taken |= key == 431;  // G43.1 gives the offset itself, it is no move
+  }
+
+  void readCycleOff(int /*key*/, const Token& /*token*/, BlockWords& /*words*/) {
+    m_motion = m_motion == Motion::Unsupported ? m_motionBeforeUnsupported : m_motion;
+  }
+
+  void readWorkOffset(int key, const Token& token, BlockWords& /*words*/) {
+    selectWorkOffset(key, token);
+  }
+
+  void readWorkOffsetP(int key, const Token& token, BlockWords& words) {
+    words.rareWords().workOffsetKey = key;
+    words.rare->workOffsetToken = &token;
+  }
+
+  void readMachineMove(int /*key*/, const Token& token, BlockWords& words) {
+    words.machineMove = true;
+    words.machineToken = &token;
+  }
+
+  void readOffsetWord(int key, const Token& /*token*/, BlockWords& words) {
+    RareWords& rare = words.rareWords();
+    rare.setsPosition |= effectOf(key) == GEffect::SetPosition;
+    rare.resetsPosition |= effectOf(key) == GEffect::ResetPosition;
+    rare.localOffset |= effectOf(key) == GEffect::LocalOffset;
+  }
+
+  void readMacroCall(int /*key*/, const Token& /*token*/, BlockWords& words) {
+    words.rareWords().macroCall = true;
+  }
+
+  /// A motion or cycle that is not made here; it stays until another motion is named.
+  void readForeignMotion(int key, const Token& token, BlockWords& /*words*/) {
+    m_findings.error(token,
+                     effectOf(key) == GEffect::Cycle ? DiagnosticCode::CycleNotRun
+                                                     : DiagnosticCode::UnsupportedGCode,
+                     Findings::wordText(token));
+    if (m_motion != Motion::Unsupported) {
+      m_motionBeforeUnsupported = m_motion;
+    }
+    flushSpline();
+    m_motion = Motion::Unsupported;
+    m_facts.forget();
+  }
+
+  void readForeignBlock(int key, const Token& token, BlockWords& words) {
+    refuseG(key, token, words);
+    m_facts.otherMotion();
+    m_facts.forget();
   }
 
   /// G70 to G73 of a lathe: the words of the block are the cycle's, and no state is changed.
@@ -822,26 +877,6 @@ class Interpreter {
         }
       }
     }
-  }
-
-  void setFeedMode(int key) {
-    switch (key) {
-      case 930:
-        m_feedMode = FeedMode::InverseTime;
-        break;
-      case 940:
-      case 9610:
-        m_feedMode = FeedMode::PerMinute;
-        break;
-      case 950:
-      case 9510:
-        m_feedMode = FeedMode::PerRevolution;
-        break;
-      default:
-        m_feedMode = FeedMode::Unknown;
-        break;
-    }
-    m_feedMmPerS = 0.0;
   }
 
   /// The streamed points carry no work offset: the one active at the control holds for all of
@@ -1111,22 +1146,12 @@ class Interpreter {
   }
 
   void setModes(const BlockWords& words) {
-    switch (words.unitsKey) {
-      case 200:
-      case 7000:
-        setUnits(base::kMmPerInch, base::kMmPerInch);
-        break;
-      case 700:
-        // G70 of a SINUMERIK speaks of lengths only: the feed stays in the control's unit, mm/min.
-        setUnits(base::kMmPerInch, m_dialect == Dialect::Sinumerik ? 1.0 : base::kMmPerInch);
-        break;
-      case 210:
-      case 710:
-      case 7100:
-        setUnits(1.0, 1.0);
-        break;
-      default:
-        break;
+    if (words.unitsKey >= 0) {
+      const bool inches = words.unitsKey == 200 || words.unitsKey == 700 || words.unitsKey == 7000;
+      const double factor = inches ? base::kMmPerInch : 1.0;
+      // G70 of a SINUMERIK speaks of lengths only: the feed stays in the control's unit, mm/min.
+      const bool lengthsOnly = words.unitsKey == 700 && m_dialect == Dialect::Sinumerik;
+      setUnits(factor, lengthsOnly ? 1.0 : factor);
     }
     if (words.planeKey >= 0) {
       m_planeFirstAxis = words.planeKey == 170 ? 0 : (words.planeKey == 180 ? 2 : 1);
