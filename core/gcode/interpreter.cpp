@@ -272,7 +272,11 @@ class Interpreter {
   void read(const Token& token, BlockWords& words) {
     switch (token.kind) {
       case TokenKind::Word:
-        readWord(token, words);
+        if (isVariable(token)) {
+          assign(token);
+        } else {
+          readWord(token, words);
+        }
         break;
       case TokenKind::Name:
       case TokenKind::NamedValue:
@@ -288,7 +292,11 @@ class Interpreter {
       case TokenKind::Label:
         break;
       case TokenKind::Expression:
-        readCalculated(token, words);
+        if (isVariable(token)) {
+          assign(token);
+        } else {
+          readCalculated(token, words);
+        }
         break;
       case TokenKind::Assignment:
         readAssignment(token, words);
@@ -320,6 +328,13 @@ class Interpreter {
         m_findings.error(token, DiagnosticCode::CommentNotClosed, {});
         break;
     }
+  }
+
+  /// I=5 is no centre where the program has defined a variable I.
+  [[nodiscard]] bool isVariable(const Token& token) const {
+    return m_dialect == Dialect::Sinumerik && token.text.size() > 2 &&
+           (token.text[1] == '=' || token.text[1] == ' ') &&
+           m_variables.find(std::string_view(&token.address, 1)) != nullptr;
   }
 
   /// M1=3, M[R1]=3 and S2=500 are the spindles'; G[6]=2 is a G function by group and number.
@@ -429,7 +444,7 @@ class Interpreter {
       return;
     }
     const std::string name = base::toUpper(tokenName(token));
-    const bool isVariable = m_variables.find(name) != nullptr;
+    const bool isDefined = m_variables.find(name) != nullptr;
     if (name == "AX" && m_dialect == Dialect::Sinumerik) {
       readIndexedAxis(token, words);
       return;
@@ -439,7 +454,7 @@ class Interpreter {
       m_findings.ignore(Severity::Note, token, "T");
       return;
     }
-    if (!isVariable && !name.empty()) {
+    if (!isDefined && !name.empty()) {
       switch (nc::nameEffect(m_dialect, name)) {
         case NameEffect::Address: {
           const nc::Expected<nc::CalculatedValue>& parsed = m_flow.value(token);

@@ -307,9 +307,10 @@ class LineReader {
       return;
     }
     if (isOneOf(c, "[#$<") && m_at != m_end) {
-      if (c == '[' && m_dialect == Dialect::Sinumerik && isOneOf(address, "RGMSTHD")) {
-        addCalculation(address == 'R' ? TokenKind::Assignment : TokenKind::IndexedWord, from,
-                       address);
+      if (c == '[' && m_dialect == Dialect::Sinumerik) {
+        // An index or, of any other letter, an array of that name.
+        addCalculation(isOneOf(address, "GMSTHD") ? TokenKind::IndexedWord : TokenKind::Assignment,
+                       from, address);
       } else {
         addBracketValue(from, address);
       }
