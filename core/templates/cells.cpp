@@ -17,7 +17,7 @@ namespace rivulet::templates {
 namespace {
 
 constexpr double kStepsPerMm = 1000.0;
-/// More points than R-parameters never fit: beyond this no arithmetic is done with N.
+/// More points than R-parameters never fit: above this, no arithmetic is done with N.
 constexpr int kPointsMax = 1'000'000;
 
 }  // namespace
@@ -43,7 +43,7 @@ std::optional<Layout> layoutFromName(std::string_view name) {
 std::vector<int> CellMap::slotCells(int slot) const {
   RIVULET_ASSERT(slot >= 0);
   RIVULET_ASSERT(slot < slotCount());
-  // Where a slot has room for all axes, an axis keeps its place whichever of them are chosen.
+  // If a slot has room for all axes, each axis keeps its place whichever axes are selected.
   const bool fixedPlaces = windows == 0 && slotStride >= static_cast<int>(base::kAxisCount);
   std::vector<int> cells;
   cells.reserve(base::kAxisCount + base::kRotaryAxisCount);

@@ -25,12 +25,12 @@ namespace rivulet::templates {
 enum class TemplateError {
   TooFewPointsPerLoop = 1,  ///< N < 1 (position, window) or < 2 (signal)
   DoesNotFit,               ///< N points do not fit the R-parameters of the control
-  NoAxis,                   ///< no axis chosen
+  NoAxis,                   ///< no axis selected
   BadCells,                 ///< base, stride or number of windows out of range
   FileNotWritable,
   RotaryNeedsWindow,  ///< rotary axes with a method of [P1], which moves X, Y and Z
   TooManyAxes,        ///< more than `base::kStreamedAxesMax`
-  BadAxes,            ///< letters that are no axes
+  BadAxes,            ///< letters that are not axes
   BadCorrection,      ///< limit of the online correction out of range, or no axis or method for it
 };
 
@@ -47,11 +47,11 @@ enum class Layout {
 
 /// Where method signal stops the pre-run. [P1] leaves it open; see docs/methods.md.
 enum class SignalStop {
-  EachSignal,   ///< STOPRE before each of the two signals (default: [P1]'s figures come out)
+  EachSignal,   ///< STOPRE before each of the two signals (default: reproduces [P1]'s figures)
   OncePerLoop,  ///< one STOPRE per loop: the pre-run overwrites the first signal; for study only
 };
 
-/// Largest limit of the online correction: beyond it is no correction but another path.
+/// Largest limit of the online correction: more would be another path, not a correction.
 inline constexpr double kCorrectionLimitMmMax = 1.0;
 
 /// Methods position and signal: their own settings.
@@ -65,20 +65,20 @@ struct WindowSettings {
   int windows = 2;     ///< k, 1 to 8
   int baseCell = 0;    ///< R number of the first cell
   int slotStride = 0;  ///< cells per point; 0: as many as axes. Not for method file
-  /// What a client may lay over the path of each linear axis, at most, in steps of 0.001 mm; 0: the
-  /// program has no online correction. Not for method file
+  /// Largest correction of each linear axis by a client, in steps of 0.001 mm; 0: the program has
+  /// no online correction. Not for method file
   double correctionLimitMm = 0.0;
 };
 
-/// Method credit, beside those of method window.
+/// Method credit, in addition to those of method window.
 struct CreditSettings {
-  /// Windows the program may have copied and not executed, the one in motion included, 1 to 8. As
-  /// many are still executed after a stop.
+  /// Windows that the program may have copied but not executed, including the one in motion, 1 to
+  /// 8. As many are still executed after a stop.
   int windowsAhead = 3;
   bool slowDown = true;  ///< lower the feed while nothing follows the window in motion
 };
 
-/// What a program is made from. A method reads its own settings and leaves the others alone, so
+/// The settings of a program. A method reads its own settings and does not change the others, so
 /// that they are kept when the user tries another method.
 struct TemplateParameters : LoopSettings, WindowSettings, CreditSettings {
   base::MethodKind method = base::MethodKind::Window;
@@ -119,38 +119,38 @@ struct WindowCells {
   [[nodiscard]] bool corrects() const { return correction != std::array{-1, -1, -1}; }
 };
 
-/// Cells of method file, beside those of the header.
+/// Cells of method file, in addition to those of the header.
 struct FileCells {
-  int files = 0;  ///< subprograms the program calls in turn; 0: another method
-  /// NC alone: the window the program asks for, then what its subprogram answered.
+  int files = 0;  ///< subprograms that the program calls in turn; 0: another method
+  /// NC only: the requested window, then the answer of its subprogram.
   int asked = 0;
 };
 
-/// R-parameter numbers by role. A method fills in its own; those of others keep their defaults and
-/// mean nothing.
+/// R-parameter numbers by role. A method sets its own; those of other methods keep their defaults
+/// and have no meaning.
 struct CellMap : LoopCells, WindowCells, FileCells {
-  int run = 1;     ///< client: lets the program go on; `LoopProtocol`, `WindowProtocol`
+  int run = 1;     ///< client: lets the program continue; `LoopProtocol`, `WindowProtocol`
   int layout = 4;  ///< NC at start: number of the template (`layoutNumber`)
   int firstSlot = 11;
   int slotStride = 10;
-  int pointSlots = 7;  ///< points there is room for; method file: none
+  int pointSlots = 7;  ///< number of point slots; method file: none
   int pointsPerLoop = 7;
   std::array<bool, base::kAxisCount> axes{true, true, true};
   base::RotarySet rotaryAxes{};
 
-  // What a run does before it knows more, and to end the program.
-  std::vector<int> cleared{1, 2};  ///< cells the client sets to 0 before cycle start
+  // Cells that a run uses before it knows the program's state, and to end the program.
+  std::vector<int> cleared{1, 2};  ///< cells that the client sets to 0 before cycle start
   int endCell = 2;                 ///< client: `endValue` in it ends the program
   int endValue = LoopProtocol::kStop;
-  /// Cells in a row which the client overwrites anyway: the forms of access may be tried on them.
-  /// The first and the last are not written. Nothing: the cells are not in a row.
+  /// Consecutive cells that the client overwrites anyway: the forms of access may be tried on them.
+  /// The first and the last are not written. Nothing: the cells are not consecutive.
   std::optional<CellRange> scratch;
 
-  /// Cells of one slot in the order X Y Z A B C, only the chosen axes.
+  /// Cells of one slot in the order X Y Z A B C, only the selected axes.
   /// @param slot from 0; methods window and credit: window · N + place in the window
   [[nodiscard]] std::vector<int> slotCells(int slot) const;
   [[nodiscard]] int slotCount() const { return pointSlots; }
-  /// Cells in front of a window's slots. @param window from 0, below `windows`
+  /// Cells before a window's slots. @param window  from 0, below `windows`
   [[nodiscard]] int windowCount(int window) const {
     return firstSlot - WindowProtocol::WindowCells + window * windowStride;
   }
@@ -167,15 +167,15 @@ struct CellMap : LoopCells, WindowCells, FileCells {
 /// Limit of the online correction in thousandths of a millimetre, as the program has it.
 [[nodiscard]] int correctionSteps(const WindowSettings& settings);
 
-/// Letters of the chosen axes, e.g. "XYZAC".
+/// Letters of the selected axes, e.g. "XYZAC".
 [[nodiscard]] std::string axisLetters(const TemplateParameters& parameters);
-/// Chooses the axes by their letters, in any order. @return BadAxes for anything but X Y Z A B C,
+/// Selects the axes by their letters, in any order. @return BadAxes for anything but X Y Z A B C,
 /// each once
 [[nodiscard]] base::Result<void> chooseAxes(TemplateParameters& parameters,
                                             std::string_view letters);
 
-/// Where everything lies. @return DoesNotFit (the message names the MD28050 value that would
-/// do), TooFewPointsPerLoop, NoAxis, TooManyAxes, RotaryNeedsWindow, BadCorrection
+/// Plans all cells. @return DoesNotFit (the message names the MD28050 value that would be enough),
+/// TooFewPointsPerLoop, NoAxis, TooManyAxes, RotaryNeedsWindow, BadCorrection
 [[nodiscard]] base::Result<CellMap> planCells(const TemplateParameters& parameters);
 
 /// Largest N that fits. 0 if none does.
@@ -184,7 +184,7 @@ struct CellMap : LoopCells, WindowCells, FileCells {
 /// Axes that are streamed, each with a cell in every slot.
 [[nodiscard]] int cellsPerPoint(const TemplateParameters& parameters);
 
-/// Cells of the longest request a client makes while it streams.
+/// Cells of the client's longest request during a run.
 [[nodiscard]] int longestWrite(const TemplateParameters& parameters);
 
 }  // namespace rivulet::templates

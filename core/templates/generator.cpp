@@ -42,7 +42,7 @@ std::string templateFileName(const TemplateParameters& parameters) {
   constexpr std::size_t kLongest = 24;
   std::string name = base::toUpper(
       fmt::format("RIVULET_{}_{}", base::methodName(parameters.method), parameters.pointsPerLoop));
-  // Letters tell variants apart, so that one never takes the place of another on the control.
+  // Letters distinguish variants, so that one never replaces another on the control.
   name += methodTemplate(parameters.method).nameSuffix(parameters);
   if (parameters.axes != TemplateParameters{}.axes || base::any(parameters.rotaryAxes)) {
     name += axisLetters(parameters);

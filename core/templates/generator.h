@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Writes the flexible program the control runs. SINUMERIK dialect. @threadsafety pure.
+/// Writes the flexible program for the control. SINUMERIK dialect. @threadsafety pure.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace rivulet::templates {
 
 /// NC text, LF line ends, ASCII. For the methods of [P1] the loop is Algorithm I; the signals of
 /// method 2 follow Algorithm III. For method window it waits for each window, copies it, checks the
-/// copy and moves from the copy; for method credit it does so while the windows before are still
-/// under way, without a stop. @return the errors of `planCells`
+/// copy and moves from the copy; for method credit it does so while earlier windows are still being
+/// executed, without a stop. @return the errors of `planCells`
 [[nodiscard]] base::Result<std::string> generateTemplate(const TemplateParameters& parameters);
 
 /// A window of method file.
@@ -27,18 +27,18 @@ struct WindowFile {
   std::vector<double> coordinates;  ///< point by point, in the order of the axes; mm, degrees
 };
 
-/// The subprogram that is this window. It moves nothing unless the program asks for this number
-/// and obeys this run, and unless it is whole; then it answers in the cell `asked`: minus twice its
-/// number, and one less if it is the last. Coordinates have six decimals. @param cells  of method
-/// file
+/// The subprogram of this window. It moves only if the program requests this number and obeys this
+/// run, and only if it is complete. Then it answers in the cell `asked`: minus twice its number,
+/// and one less if it is the last. Coordinates have six decimals. @param cells  of method file
 [[nodiscard]] std::string windowFileText(const CellMap& cells, const WindowFile& window);
 
 /// Name on the control of the subprogram for windows whose number from 0 is `file` modulo k.
 [[nodiscard]] std::string windowFileName(int file);
 
-/// What the program writes into its layout cell: a hash of its text (without this number), so that
-/// a client never drives another program. Two programs share one by chance with 1 in 16 million.
-/// @return 1 to 2^24 - 1, which a 32-bit real holds; 0 for settings that make no program
+/// The number that the program writes into its layout cell: a hash of its text (without this
+/// number), so that a client never drives another program. Two programs have the same number by
+/// chance in 1 of 16 million cases.
+/// @return 1 to 2^24 - 1, which a 32-bit real holds; 0 for invalid settings
 [[nodiscard]] int layoutNumber(const TemplateParameters& parameters);
 
 /// File name on the control, e.g. "RIVULET_SIGNAL_7.MPF": at most 24 characters before the dot.

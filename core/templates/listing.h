@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Text of a flexible program: its lines, and how axes and slots are written in it.
+/// Text of a flexible program: its lines, and the notation of axes and slots.
 /// @threadsafety plain values.
 #pragma once
 

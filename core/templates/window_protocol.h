@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The numbers on which program and client agree. They stand here and nowhere else: the generator
-/// writes them into the program, the client and the job write and read them as cells.
+/// The numbers on which program and client agree, defined only here: the generator writes them into
+/// the program, and the client and the job write and read them as cells.
 /// @threadsafety plain values.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace rivulet::templates {
 
 /// Methods window, credit and file.
 struct WindowProtocol {
-  /// Cells in front of the first window, counted from the first cell. `Layout` lies where the
-  /// methods of [P1] have it: each sees the other's number.
+  /// Cells before the first window, counted from the first cell. `Layout` is at the same place as
+  /// with the methods of [P1], so that each sees the other's number.
   enum Header {
     Run,
     Delivered,
@@ -26,7 +26,7 @@ struct WindowProtocol {
     Asked,  ///< method file; free with the others
     HeaderCells,
   };
-  /// Cells in front of the points of each window, counted from its first cell.
+  /// Cells before the points of each window, counted from its first cell.
   enum Window { Count, Feed, Check, WindowCells };
 
   /// Values of the run cell. Above `kRun` the program ends before the next window.
@@ -37,9 +37,9 @@ struct WindowProtocol {
   static constexpr int kWindowsMax = 8;
   static constexpr int kWindowsAheadMax = 8;
 
-  /// Factors of the check number of a window, so that no window passes for another: program and
-  /// client add up the number of the run and, each times its own factor, the number of the window,
-  /// its count, its feed and its coordinates.
+  /// Factors of the check number of a window, so that no window is mistaken for another: program
+  /// and client add up the number of the run and, each multiplied by its own factor, the number of
+  /// the window, its count, its feed and its coordinates.
   static constexpr double kCheckNumber = 7.31;
   static constexpr double kCheckCount = 13.7;
   static constexpr double kCheckFeed = 0.917;
@@ -49,20 +49,20 @@ struct WindowProtocol {
   /// Method credit: path override, in percent, while nothing follows the window in motion.
   static constexpr int kSlowPercent = 40;
 
-  /// Method file: what a subprogram answers in the cell `Asked`. @param window  from 1
+  /// Method file: the answer of a subprogram in the cell `Asked`. @param window  from 1
   [[nodiscard]] static constexpr long long fileAnswer(long long window, bool isLast) {
     return -2 * window - (isLast ? 1 : 0);
   }
 };
 
-/// What the program of methods window, credit and file says in its state cell.
+/// Values of the state cell of methods window, credit and file.
 enum class WindowState {
   Runs = 0,               ///< it waits or moves
   Done = 1,               ///< ended after the last window
-  Stopped = 2,            ///< ended because the client said so
-  Damaged = 3,            ///< ended: a window did not fit its check number; it was not executed
-  Abandoned = 4,          ///< ended: no window and no sign of life from the client for too long
-  OverlayLeft = 5,        ///< ended before it began: something was laid over the axes already
+  Stopped = 2,            ///< ended on request of the client
+  Damaged = 3,            ///< ended: a window did not match its check number; it was not executed
+  Abandoned = 4,          ///< ended: no window and no heartbeat from the client for too long
+  OverlayLeft = 5,        ///< ended before it began: an overlay was already active on the axes
   OverlayIntegrates = 6,  ///< ended before it began: the control adds up corrections (MD36750)
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// How control may pass through an NC program, and which values an expression may have: the ground
-/// the lint stands on. @threadsafety plain values; functions pure.
+/// Control flow of an NC program and possible values of expressions: the basis of the lint.
+/// @threadsafety plain values; functions pure.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace rivulet::templates {
 
-/// All values a variable may have at a place; unknown: any.
+/// All values that a variable may have at a place; unknown: any.
 struct ValueSet {
   bool isUnknown = false;
   std::vector<double> values;  ///< ascending
@@ -32,13 +32,13 @@ struct ValueSet {
 /// Variables that are followed, by name; all others are unknown.
 using Environment = std::map<std::string, ValueSet, std::less<>>;
 
-/// What an expression may come to.
+/// Possible results of an expression.
 struct Evaluation {
   ValueSet result;
-  std::vector<int> reads;        ///< R numbers it may ask for, ascending
-  bool hasUnknownIndex = false;  ///< an R number comes from what is not known
-  Environment whereTrue;         ///< values with which it may hold
-  Environment whereFalse;        ///< … with which it may not
+  std::vector<int> reads;        ///< R numbers it may read, ascending
+  bool hasUnknownIndex = false;  ///< an R number is computed from unknown values
+  Environment whereTrue;         ///< values for which it may be true
+  Environment whereFalse;        ///< values for which it may be false
   bool mayBeTrue = false;
   bool mayBeFalse = false;
 
@@ -50,10 +50,10 @@ struct Evaluation {
 /// Variables from which R numbers are computed, with all their values unknown until assigned.
 [[nodiscard]] std::vector<std::string> indexVariables(const nc::Tree& program);
 
-/// Where control goes from a statement. The index behind the last statement is the end of the text.
+/// Where control goes from a statement. The index after the last statement is the end of the text.
 struct Exits {
   std::optional<std::size_t> whenTrue;   ///< of the condition, or always
-  std::optional<std::size_t> whenFalse;  ///< only where there is a condition
+  std::optional<std::size_t> whenFalse;  ///< only if there is a condition
   const nc::Expression* condition = nullptr;
   bool ends = false;
   bool misses = false;  ///< its label does not exist

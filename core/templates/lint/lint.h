@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Reads a flexible program, generated or written by hand, as the control will, and says where it
-/// breaks the contract of its method: on every path, without running it. What an R-parameter holds
-/// is taken as unknown; a variable of the program from which R numbers are computed is followed
-/// through all values it can have. @threadsafety pure.
+/// Reads a flexible program, generated or written by hand, as the control does, and reports where
+/// it breaks the contract of its method: on every path, without running it. The values of
+/// R-parameters are taken as unknown; a variable from which R numbers are computed is followed
+/// through all its possible values. @threadsafety pure.
 #pragma once
 
 #include <string>
@@ -21,30 +21,30 @@ namespace rivulet::templates {
 
 enum class LintRule {
   Syntax = 1,             ///< the control would complain about the block
-  UnknownName,            ///< no word of the control, no variable, no label's jump
+  UnknownName,            ///< not a word of the control, not a variable, not a jump to a label
   MissingLabel,           ///< a jump to a label that does not exist in its direction
   RParameterOutOfRange,   ///< R number below 0 or beyond MD28050
-  RParameterUnbounded,    ///< R number computed from what is not known before it runs
+  RParameterUnbounded,    ///< R number computed from values not known before the run
   WrongLayoutNumber,      ///< another number in the layout cell than the client expects
   LayoutNumberMissing,    ///< motion on a path that has not written the layout number
-  HandshakeMissing,       ///< coordinates are read though the client was not waited for
+  HandshakeMissing,       ///< coordinates are read without waiting for the client
   StopreMissing,          ///< values of the client are read again without a STOPRE in between
   SignalAhead,            ///< the signal is set before the axes have passed its points
-  StopCheckMissing,       ///< a loop that does not ask whether the client wants a stop
+  StopCheckMissing,       ///< a loop that does not check for a stop of the client
   FeedMissing,            ///< motion on a path that has set no feed
-  FeedNotFromClient,      ///< the feed the client writes is never used
+  FeedNotFromClient,      ///< the client's feed is never used
   SlotNotRead,            ///< a coordinate of the client that no block moves to
-  ClientCellOverwritten,  ///< a cell of the client written once the client may use it
+  ClientCellOverwritten,  ///< a cell of the client is written when the client may already use it
   MotionFromCells,      ///< methods window and credit: motion from the cells instead of the checked
                         ///< copy
   RelativeMotion,       ///< coordinates taken as increments
   RapidMotion,          ///< G0: the feed has no effect
-  NotChecked,           ///< what lies in another program is not seen from here
-  NoEnd,                ///< the program runs off its last line
+  NotChecked,           ///< another program is called, which is not checked
+  NoEnd,                ///< the program has no end after its last line
   FeedRaised,           ///< method credit: an override above 100 %
-  CorrectionUnbounded,  ///< online correction: laid over an axis beyond the limit, or the wrong
-                        ///< cell
-  CorrectionIgnored,    ///< online correction: nothing lays a cell of the client over its axis
+  CorrectionUnbounded,  ///< online correction: applied to an axis beyond the limit, or from the
+                        ///< wrong cell
+  CorrectionIgnored,  ///< online correction: a cell of the client is not applied to its axis
 };
 
 /// "stopre-missing", ...
@@ -64,7 +64,7 @@ struct LintFinding {
 };
 
 /// @param text        the NC program
-/// @param parameters  what the client will drive it with
+/// @param parameters  the client's settings for it
 /// @return findings by line, or the errors of `planCells`
 [[nodiscard]] base::Result<std::vector<LintFinding>> lintProgram(
     std::string_view text, const TemplateParameters& parameters);

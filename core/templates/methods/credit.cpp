@@ -8,10 +8,10 @@ namespace rivulet::templates {
 namespace {
 
 /// Passes of the loop that waits while the axes move, before the program stops to look: minutes.
-/// Only a control that does not show what is new without a stop gets there.
+/// Only a control that does not show new values without a stop reaches it.
 constexpr int kAskingPassesMax = 100'000;
 /// Passes in which no block was left to execute, before the program stops to look. The stop also
-/// has a block executed that the control holds back until it knows the next one.
+/// makes the control execute a block that it holds back until it knows the next one.
 constexpr int kDryPassesMax = 25;
 
 }  // namespace
@@ -38,8 +38,8 @@ void CreditTemplate::writeSlowDown(Listing& out, const CreditSettings& settings,
   }
 }
 
-/// Waits for the next window while those before are in motion. Nothing in here goes to the main
-/// run, so nothing keeps the axes from moving on.
+/// Waits for the next window while earlier ones are in motion. Nothing here goes to the main run,
+/// so nothing stops the axes.
 void CreditTemplate::writeAsking(Listing& out, const CreditSettings& settings,
                                  const CellMap& cells) const {
   out.line("RIV_MORE:");
@@ -57,7 +57,8 @@ void CreditTemplate::writeAsking(Listing& out, const CreditSettings& settings,
   out.line("GOTOB RIV_NEXT");
 }
 
-/// The main run writes it with the first block of this window: the windows before it are done.
+/// The main run writes it with the first block of this window: the windows before it have been
+/// executed.
 void CreditTemplate::writeTaken(Listing& out, const CellMap& cells) const {
   out.line("DO $R{}=R{}-1", cells.executed, cells.latched);
 }

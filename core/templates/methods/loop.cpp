@@ -45,7 +45,7 @@ CellMap LoopTemplate::cells(const TemplateParameters& parameters) const {
   cells.cleared = {cells.layout, cells.run, cells.stop};
   cells.endCell = cells.stop;
   cells.endValue = LoopProtocol::kStop;
-  if (!isPaper) {  // between the points of the paper's layout there are cells of others
+  if (!isPaper) {  // between the points of the paper's layout there are other cells
     cells.scratch = CellRange{cells.firstSlot, cells.last()};
   }
   return cells;

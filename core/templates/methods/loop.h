@@ -24,7 +24,7 @@ class LoopTemplate : public MethodTemplate {
   /// Comments before and among those of the cells.
   virtual void writeNotes(Listing& out, const LoopSettings& settings) const = 0;
   virtual void writeSignalCell(Listing& out, const CellMap& cells) const = 0;
-  /// What one pass of the loop does.
+  /// The blocks of one pass of the loop.
   virtual void writeLoop(Listing& out, const LoopSettings& settings,
                          const CellMap& cells) const = 0;
 };
@@ -40,7 +40,7 @@ class PositionTemplate final : public LoopTemplate {
   void writeLoop(Listing& out, const LoopSettings& settings, const CellMap& cells) const override;
 };
 
-/// Method 2, after Algorithm III: two windows, and a signal cell that names the one passed last.
+/// Method 2, after Algorithm III: two windows, and a signal cell that names the last one passed.
 class SignalTemplate final : public LoopTemplate {
  public:
   [[nodiscard]] int pointsMin() const override { return 2; }

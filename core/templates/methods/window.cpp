@@ -14,15 +14,15 @@ constexpr int kRParametersMax = 1'000'000;
 constexpr int kStrideMax = 100;
 
 /// Passes of the waiting loop without a window and without a change of the heartbeat, before the
-/// program ends. A pass takes 20 ms and more.
+/// program ends. A pass takes 20 ms or more.
 constexpr int kSilentPassesMax = 1000;
 
-/// Numbers of the synchronized actions that lay the corrections over X, Y and Z.
+/// Numbers of the synchronized actions that apply the corrections to X, Y and Z.
 constexpr int kCorrectionAction = 11;
 
 /// Below this an overlay is gone, mm.
 constexpr double kOverlayGoneMm = 0.0005;
-/// Passes of 20 ms in which the overlay has to be gone at the end.
+/// Passes of 20 ms within which the overlay must be gone at the end.
 constexpr int kOverlayPassesMax = 500;
 
 /// "X" with its cell and its action, for each axis that is corrected.
@@ -53,8 +53,8 @@ std::string overlayThere(const WindowCells& cells) {
   return condition;
 }
 
-/// Nothing may lie over the axes when the client asks where they stand, and a control that adds up
-/// what it is given would drive away.
+/// No overlay may be active when the client reads the positions of the axes, and a control that
+/// adds up values would drive the axes away.
 void writeOverlayCheck(Listing& out, const WindowCells& cells) {
   out.line("; Only where nothing is laid over the axes, and where it is no sum (MD36750).");
   out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayLeft));
@@ -69,8 +69,8 @@ void writeOverlayCheck(Listing& out, const WindowCells& cells) {
   out.line("RIV_IDLE=0");
 }
 
-/// A value beyond the limit is not obeyed: the last one that was obeyed stays. For a value that is
-/// not a number no comparison holds.
+/// A value beyond the limit is ignored: the last accepted one stays. No comparison holds for a
+/// value that is not a number.
 void writeCorrections(Listing& out, double limitMm, const WindowCells& cells) {
   for (const Corrected& axis : correctedAxes(cells)) {
     out.line("ID={} WHENEVER ($R{}>=-{:.3f}) AND ($R{}<={:.3f}) DO $AA_OFF[{}]=$R{}", axis.action,
@@ -232,7 +232,7 @@ void WindowedTemplate::writeResets(Listing& out, const CellMap& cells) const {
 }
 
 void WindowedTemplate::writeWaiting(Listing& out, const CellMap& cells) const {
-  // After this STOPRE the axes stand and what the client has written is read afresh.
+  // After this STOPRE the axes have stopped, and the client's values are read again.
   out.line("RIV_NEXT:");
   out.line("STOPRE");
   out.line("R{}=RIV_L R{}=RIV_L", cells.latched, cells.executed);
@@ -375,7 +375,7 @@ void WindowTemplate::writeComments(Listing& out, const TemplateParameters& param
 
 void WindowTemplate::writeStart(Listing& out, const TemplateParameters& parameters,
                                 const CellMap& cells, int layoutNumber) const {
-  // What the program relies on it keeps in variables of its own, which no client can write.
+  // Everything that the program relies on is in its own variables, which no client can write.
   const int coordinates = cells.pointsPerLoop * static_cast<int>(lettersOf(cells).size());
   out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT", coordinates);
   out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE{}", variables());
@@ -401,7 +401,7 @@ void WindowTemplate::writeStart(Listing& out, const TemplateParameters& paramete
 
 void WindowTemplate::writeCopyAndCheck(Listing& out, const CellMap& cells) const {
   // First a copy, then the check of the copy, then the motion from the copy: whatever is written
-  // meanwhile, and by whom, the axes go where the client of this run meant them to go.
+  // meanwhile, and by whom, the axes move to the positions sent by the client of this run.
   const auto axes = static_cast<int>(lettersOf(cells).size());
   out.line("RIV_TAKE:");
   out.line("RIV_IDLE=0 RIV_K=R[RIV_B] RIV_F=R[RIV_B+{}] RIV_S=R[RIV_B+{}]",

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Methods with numbered windows: the program takes a window only after its number has been
-/// delivered. What the three methods share is in `WindowedTemplate`.
+/// Methods with numbered windows: the program copies a window only after its number has been
+/// delivered. `WindowedTemplate` is common to the three methods.
 #pragma once
 
 #include <string_view>
@@ -20,10 +20,10 @@ class WindowedTemplate : public MethodTemplate {
   [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
 
  protected:
-  /// What the programs of these methods say of themselves.
+  /// Comments in the programs of these methods.
   struct Wording {
     std::string_view source;   ///< "R-PARAMETERS"
-    std::string_view latched;  ///< what the cell `latched` counts
+    std::string_view latched;  ///< meaning of the cell `latched`
   };
 
   /// The header cells, and the slots of the chosen axes after them.
@@ -32,7 +32,7 @@ class WindowedTemplate : public MethodTemplate {
                   const Wording& wording) const;
   void writeHeaderCells(Listing& out, const CellMap& cells, const Wording& wording) const;
   void writeResets(Listing& out, const CellMap& cells) const;
-  /// The axes stand; the program asks what is new, and gives up where nobody is there any more.
+  /// The axes have stopped; the program checks for news, and ends if the client is gone.
   void writeWaiting(Listing& out, const CellMap& cells) const;
   /// @param stands  the axes stand here; else a STOPRE comes first, and all that was copied has
   ///                been executed after it
@@ -59,9 +59,9 @@ class WindowTemplate : public WindowedTemplate {
   virtual void writeAsking(Listing&, const CreditSettings&, const CellMap&) const {}
   virtual void writeTaken(Listing&, const CellMap&) const {}
   virtual void writeLastTaken(Listing&, const CreditSettings&) const {}
-  /// Where the program goes on after a window.
+  /// Where the program continues after a window.
   [[nodiscard]] virtual std::string_view next() const { return "RIV_NEXT"; }
-  /// True if the axes stand whenever the program asks for a window.
+  /// True if the axes have stopped whenever the program asks for a window.
   [[nodiscard]] virtual bool standsBetweenWindows() const { return true; }
 
  private:
@@ -91,7 +91,7 @@ class CreditTemplate final : public WindowTemplate {
   [[nodiscard]] bool standsBetweenWindows() const override { return false; }
 };
 
-/// Calls a subprogram for each window, and goes on only if its answer is the right one.
+/// Calls a subprogram for each window, and continues only if its answer is right.
 class FileTemplate final : public WindowedTemplate {
  public:
   [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
