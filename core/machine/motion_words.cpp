@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "nc/modal/vocabulary.h"
+
 namespace rivulet::machine {
 
 namespace {
@@ -20,12 +22,6 @@ constexpr int kUnknownName = 12550;
 /// G functions without effect on what the virtual machine models.
 constexpr std::array kIgnoredG{40,  53,  54,  55,  56,  57,  94,  153,
                                450, 451, 500, 601, 602, 603, 505, 506};
-
-constexpr std::array<std::string_view, 25> kIgnoredNames{
-    "FFWON",  "FFWOF",     "DYNNORM",  "DYNPOS",   "DYNROUGH", "DYNSEMIFIN", "DYNFINISH",
-    "COMPOF", "ORIWKS",    "ORIAXES",  "CFC",      "CFTCP",    "CFIN",       "NORM",
-    "FNORM",  "STARTFIFO", "STOPFIFO", "FIFOCTRL", "SUPA",     "DISPLOF",    "SAVE",
-    "SBLON",  "SBLOF",     "CUT2D",    "KONT"};
 
 /// What a G function sets: a function per code, a contradiction within a group is an alarm.
 struct GFunction {
@@ -112,11 +108,17 @@ std::optional<Coordinate>* targetOf(MotionWords& words, std::string_view address
   return found == kTargets.end() ? nullptr : found->second(words);
 }
 
-/// M S T D H and axes beyond A B C: their values are not asked for.
+/// M S T D H, axes beyond A B C, and names without effect on the path: their values are not asked
+/// for.
 bool isIgnored(std::string_view address) {
-  return address.size() == 1 ? std::string_view("MSTDHUVW").find(address) != std::string_view::npos
-                             : std::find(kIgnoredNames.begin(), kIgnoredNames.end(), address) !=
-                                   kIgnoredNames.end();
+  static constexpr std::array<std::string_view, 5> kModelled{"SOFT", "BRISK", "DRIVE", "ADIS",
+                                                             "ADISPOS"};
+  if (address.size() == 1) {
+    return std::string_view("MSTDHUVW").find(address) != std::string_view::npos;
+  }
+  const nc::NameEffect effect = nc::nameEffect(nc::Dialect::Sinumerik, address);
+  return (effect == nc::NameEffect::None || effect == nc::NameEffect::MachineMove) &&
+         std::find(kModelled.begin(), kModelled.end(), address) == kModelled.end();
 }
 
 }  // namespace

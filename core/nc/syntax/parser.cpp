@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "nc/modal/vocabulary.h"
 
 namespace rivulet::nc {
 
@@ -22,20 +23,6 @@ using base::isNameLetter;
 
 /// Control structures within each other.
 constexpr std::size_t kNestingMax = 16;
-
-/// Names that stand alone in a block and change a mode; any other is the name of a program.
-constexpr std::array<std::string_view, 30> kModalNames{
-    "FFWON",  "FFWOF",     "DYNNORM",  "DYNPOS",   "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "COMPOF",
-    "ORIWKS", "ORIAXES",   "CFC",      "CFTCP",    "CFIN",     "NORM",       "FNORM",     "SUPA",
-    "KONT",   "STARTFIFO", "STOPFIFO", "FIFOCTRL", "DISPLOF",  "SAVE",       "SBLON",     "SBLOF",
-    "CUT2D",  "SOFT",      "BRISK",    "DRIVE",    "CIP",      "CT"};
-
-/// Names that are addresses: a value follows.
-constexpr std::array<std::string_view, 9> kAddresses{"CR", "AR", "TURN", "ADIS", "ADISPOS",
-                                                     "AP", "RP", "RPL",  "SPOS"};
-
-constexpr std::array<std::string_view, 8> kFrames{"TRANS", "ATRANS", "ROT",    "AROT",
-                                                  "SCALE", "ASCALE", "MIRROR", "AMIRROR"};
 
 template <std::size_t Count>
 bool isOneOf(std::string_view name, const std::array<std::string_view, Count>& words) {
@@ -413,13 +400,15 @@ class Parser final : public SteeringParser {
     Word made;
     made.address = name;
     made.place = {m_line, m_file, m_wordColumn};
-    if (isOneOf(name, kAddresses)) {
-      return wordValue(made) && add(std::move(made));
-    }
-    if (isOneOf(name, kModalNames)) {
-      return add(std::move(made));
-    }
+    const NameEffect effect = nameEffect(Dialect::Sinumerik, name);
     m_in->skipBlanks();
+    if (effect != NameEffect::Unknown && effect != NameEffect::Cycle && m_in->peek() != '[') {
+      // A mode, an address, or what says something of the program: FGROUP(X,Y).
+      if (effect == NameEffect::Address || m_in->peek() == '=') {
+        return wordValue(made) && add(std::move(made));
+      }
+      return got(m_in->arguments()) && add(std::move(made));
+    }
     if (m_in->peek() == '=' || m_in->peek() == '[') {
       m_in->restore(before);
       return assignment();  // of what is not defined in this text
@@ -467,7 +456,7 @@ class Parser final : public SteeringParser {
       return expect('(') && (id = expression()) && expect(')') &&
              (emit(Cancel{std::move(*id)}), true);
     }
-    if (isOneOf(name, kFrames)) {
+    if (nameEffect(Dialect::Sinumerik, name) == NameEffect::Frame) {
       return frame(name);
     }
     static constexpr std::array<std::string_view, 7> kActions{"ID",   "IDS",   "WHEN", "WHENEVER",
