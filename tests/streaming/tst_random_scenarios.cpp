@@ -13,7 +13,7 @@
 
 #include "machine/machine.h"
 #include "parallel/thread_executor.h"
-#include "streaming/simulation/random_scenario.h"
+#include "random_scenario.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <random>
 
+#include "fault_scenario.h"
 #include "machine/machine.h"
 #include "parallel/thread_executor.h"
-#include "streaming/simulation/fault_scenario.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "streaming/simulation/random_scenario.h"
+#include "random_scenario.h"
 
 #include <algorithm>
 #include <cmath>

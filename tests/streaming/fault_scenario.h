@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "random_scenario.h"
 #include "streaming/simulation/faulty_link.h"
-#include "streaming/simulation/random_scenario.h"
 
 namespace rivulet::streaming {
 

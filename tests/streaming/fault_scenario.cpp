@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "streaming/simulation/fault_scenario.h"
+#include "fault_scenario.h"
 
 #include <fmt/format.h>
 
