@@ -50,6 +50,58 @@ std::optional<EndLine> readEnd(lines::Fields fields) {
   return fields.ok() ? std::optional(end) : std::nullopt;
 }
 
+/// @return whether the header line could be read
+bool readHead(std::string_view rest, ControlTrace& trace) {
+  lines::Fields head(rest);
+  while (head.ok() && !head.atEnd()) {
+    const std::string_view key = head.key();
+    if (key == "cycle_ns") {
+      trace.cycle = head.duration();
+    } else if (key == "rotary") {
+      trace.rotaryAxes = lines::readRotaryNames(head);
+    } else {
+      head.skipValue();
+    }
+  }
+  return head.ok() && trace.cycle >= base::Duration::zero();
+}
+
+/// One line after the header. @param ended  set by the end line @return why it cannot be read
+std::string readLine(std::string_view text, ControlTrace& trace, bool& ended) {
+  lines::Fields fields(text);
+  const std::string_view keyword = fields.word();
+  if (keyword == "s") {
+    const auto sample = lines::readSample(fields, trace.rotaryAxes);
+    if (!sample) {
+      return "the sample cannot be read";
+    }
+    trace.samples.push_back(*sample);
+    return {};
+  }
+  if (keyword == "b") {
+    const auto block = lines::readBlock(fields, trace.rotaryAxes);
+    if (!block) {
+      return "the block cannot be read";
+    }
+    trace.blocks.push_back(*block);
+    return {};
+  }
+  if (keyword != "end") {
+    return "the line has an unknown keyword";
+  }
+  const auto end = readEnd(fields);
+  if (!end) {
+    return "the end line cannot be read";
+  }
+  if (end->samples != trace.samples.size() || end->blocks != trace.blocks.size()) {
+    return fmt::format("{} samples and {} blocks were written, but the file has {} and {}",
+                       end->samples, end->blocks, trace.samples.size(), trace.blocks.size());
+  }
+  trace.truncated = end->truncated;
+  ended = true;
+  return {};
+}
+
 }  // namespace
 
 std::error_code make_error_code(TraceError code) {
@@ -92,18 +144,7 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
                                   header.version, kVersion));
   }
   ControlTrace trace;
-  lines::Fields head(header.rest);
-  while (head.ok() && !head.atEnd()) {
-    const std::string_view key = head.key();
-    if (key == "cycle_ns") {
-      trace.cycle = head.duration();
-    } else if (key == "rotary") {
-      trace.rotaryAxes = lines::readRotaryNames(head);
-    } else {
-      head.skipValue();
-    }
-  }
-  if (!first->whole || !head.ok() || trace.cycle < base::Duration::zero()) {
+  if (!first->whole || !readHead(header.rest, trace)) {
     return damaged(1, "the header cannot be read");
   }
   trace.samples.reserve(text.size() / (2 * kSampleBytes));
@@ -121,35 +162,8 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
     if (ended) {
       return damaged(line->number, "there is text after the end line");
     }
-    lines::Fields fields(line->text);
-    const std::string_view keyword = fields.word();
-    if (keyword == "s") {
-      const auto sample = lines::readSample(fields, trace.rotaryAxes);
-      if (!sample) {
-        return damaged(line->number, "the sample cannot be read");
-      }
-      trace.samples.push_back(*sample);
-    } else if (keyword == "b") {
-      const auto block = lines::readBlock(fields, trace.rotaryAxes);
-      if (!block) {
-        return damaged(line->number, "the block cannot be read");
-      }
-      trace.blocks.push_back(*block);
-    } else if (keyword == "end") {
-      const auto end = readEnd(fields);
-      if (!end) {
-        return damaged(line->number, "the end line cannot be read");
-      }
-      if (end->samples != trace.samples.size() || end->blocks != trace.blocks.size()) {
-        return damaged(
-            line->number,
-            fmt::format("{} samples and {} blocks were written, but the file has {} and {}",
-                        end->samples, end->blocks, trace.samples.size(), trace.blocks.size()));
-      }
-      trace.truncated = end->truncated;
-      ended = true;
-    } else {
-      return damaged(line->number, "the line has an unknown keyword");
+    if (const std::string why = readLine(line->text, trace, ended); !why.empty()) {
+      return damaged(line->number, why);
     }
   }
   if (!ended) {
