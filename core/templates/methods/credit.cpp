@@ -22,17 +22,16 @@ std::string CreditTemplate::nameSuffix(const TemplateParameters& parameters) con
 }
 
 void CreditTemplate::writeNotes(Listing& out, const CreditSettings& settings) const {
-  out.line(
-      "; EXPERIMENTAL: between windows it does not stop. It asks again and again while the axes");
+  out.line("; EXPERIMENTAL: no stop between windows. The program checks repeatedly while the axes");
   out.line("; move, and relies on a control that reads R-parameters each time it passes a block.");
-  out.line("; At most {} windows are copied and not executed: so many follow behind a stop.",
+  out.line("; At most {} windows are copied but not executed: as many are executed after a stop.",
            settings.windowsAhead);
 }
 
 void CreditTemplate::writeSlowDown(Listing& out, const CreditSettings& settings,
                                    const CellMap& cells) const {
   if (settings.slowDown) {
-    out.line("; Slower while nothing is left behind the window in motion.");
+    out.line("; Slower while nothing is left after the window in motion.");
     out.line("ID=1 WHENEVER ($R{}-$R{})<2 DO $AC_OVR={}", cells.latched, cells.executed,
              WindowProtocol::kSlowPercent);
   }

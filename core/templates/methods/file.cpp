@@ -59,9 +59,9 @@ std::string FileTemplate::program(const TemplateParameters& parameters, const Ce
   writeTitle(out, parameters, cells, kWording);
   out.line(
       "; FOR COMPARISON: each window is a subprogram that the client transfers. It is executed");
-  out.line("; only once it has been delivered, and if it bears its number and that of the run.");
+  out.line("; only after it has been delivered, and if it has its number and that of the run.");
   writeHeaderCells(out, cells, kWording);
-  out.line("; R{}  the window asked for, then the answer of its subprogram", cells.asked);
+  out.line("; R{}  the requested window, then the answer of its subprogram", cells.asked);
   out.line(";");
   out.line("DEF REAL RIV_OWN,RIV_BEAT,RIV_K");
   out.line("DEF INT RIV_L,RIV_IDLE");
@@ -107,8 +107,8 @@ std::string windowFileText(const CellMap& cells, const WindowFile& window) {
   RIVULET_ASSERT(window.coordinates.size() % letters.size() == 0);
   Listing out;
   const std::size_t count = window.coordinates.size() / letters.size();
-  out.line("; RIVULET: WINDOW {} OF RUN {}, {} POINTS. WRITTEN ANEW WHILE THE MACHINE RUNS",
-           window.number, window.run, count);
+  out.line("; RIVULET: WINDOW {} OF RUN {}, {} POINTS. REPLACED DURING THE RUN", window.number,
+           window.run, count);
   out.line("IF (R{}<>{}) OR (R{}<>{}) GOTOF RIV_END", cells.asked, window.number, cells.owner,
            window.run);
   // A file that has been cut off has no such label: the control stops before anything moves.

@@ -65,7 +65,7 @@ std::string LoopTemplate::program(const TemplateParameters& parameters, const Ce
   Listing out;
   const int count = cells.pointsPerLoop;
   const std::string axes = slotText(cells, 0).axes;
-  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO WHAT THE R-PARAMETERS SAY, IN A LOOP");
+  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO THE VALUES OF R-PARAMETERS, IN A LOOP");
   out.line("; Do not edit: the client relies on every line. Axes move only while it runs.");
   out.line("; Method {}, {} point{} per loop, layout {}, axes {}",
            base::methodName(parameters.method), count, plural(count), layoutName(parameters.layout),
@@ -127,8 +127,7 @@ int SignalTemplate::longestWrite(const TemplateParameters& parameters) const {
 
 void SignalTemplate::writeNotes(Listing& out, const LoopSettings& settings) const {
   if (settings.signalStop == SignalStop::OncePerLoop) {
-    out.line(
-        "; FOR STUDY ONLY: one STOPRE per loop, so the first signal comes ahead of the motion");
+    out.line("; FOR STUDY ONLY: one STOPRE per loop, so the first signal is set before the motion");
   }
 }
 

@@ -56,7 +56,8 @@ std::string overlayThere(const WindowCells& cells) {
 /// No overlay may be active when the client reads the positions of the axes, and a control that
 /// adds up values would drive the axes away.
 void writeOverlayCheck(Listing& out, const WindowCells& cells) {
-  out.line("; Only where nothing is laid over the axes, and where it is no sum (MD36750).");
+  out.line(
+      "; Not if an overlay is active on the axes, or if the control adds overlays up (MD36750).");
   out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayLeft));
   out.line("IF {} GOTOF RIV_UNFIT", overlayThere(cells));
   out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayIntegrates));
@@ -195,14 +196,14 @@ CellMap WindowedTemplate::header(const TemplateParameters& parameters) const {
 void WindowedTemplate::writeTitle(Listing& out, const TemplateParameters& parameters,
                                   const CellMap& cells, const Wording& wording) const {
   const int count = cells.pointsPerLoop;
-  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO WHAT THE {} SAY, WINDOW BY WINDOW",
+  out.line("; RIVULET FLEXIBLE PROGRAM: MOVES TO THE POINTS IN {}, WINDOW BY WINDOW",
            wording.source);
   out.line("; Do not edit: the client relies on every line. Axes move only while it runs.");
   out.line("; Method {}, {} point{} per window, {} window{}, axes {}",
            base::methodName(parameters.method), count, plural(count), cells.windows,
            plural(cells.windows), fmt::join(lettersOf(cells), " "));
   if (base::any(cells.rotaryAxes)) {
-    out.line("; Rotary axes in degrees; where only they turn, the feed is in deg/min.");
+    out.line("; Rotary axes in degrees; if only they turn, the feed is in deg/min.");
   }
 }
 
@@ -218,7 +219,7 @@ void WindowedTemplate::writeHeaderCells(Listing& out, const CellMap& cells,
   out.line("; R{}  state: 0 runs, 1 done, 2 stopped, 3 window damaged, 4 client silent{}",
            cells.state, cells.corrects() ? "," : "");
   if (cells.corrects()) {
-    out.line("; 5 not begun: overlay left from before, 6 not begun: overlay adds up");
+    out.line("; 5 not begun: overlay still active, 6 not begun: overlay adds up");
   }
   out.line("; R{}  number of the client's run, R{} number of the run this program obeys",
            cells.client, cells.owner);
@@ -349,12 +350,12 @@ void WindowTemplate::writeComments(Listing& out, const TemplateParameters& param
                              "copied by this program: their cells may be written again"};
   writeTitle(out, parameters, cells, kWording);
   if (cells.corrects()) {
-    out.line("; Online correction: what the last cells say is laid over the axes, also while they");
-    out.line(
-        "; stand. Its motion comes on top of the feed. It is gone again when the program ends.");
+    out.line("; Online correction: the values of the last cells are applied to the axes, also at");
+    out.line("; standstill. Its motion is added to the feed. It is removed when the program ends.");
   }
-  out.line("; A window is executed only once its number has been delivered and its check number");
-  out.line("; fits: where the client is late, the axes wait.");
+  out.line(
+      "; A window is executed only after its number has been delivered, and if its check number");
+  out.line("; matches: if the client is late, the axes wait.");
   writeNotes(out, parameters);
   writeHeaderCells(out, cells, kWording);
   for (int window = 0; window < cells.windows; ++window) {
