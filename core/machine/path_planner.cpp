@@ -21,14 +21,17 @@ constexpr double kLengthMmMin = 1e-9;
 constexpr double kTurnDegMin = 1e-9;
 /// Time below this is rounding, not motion.
 constexpr double kTimeSMin = 1e-12;
-/// Room for rounding where a braking length is compared with what is left.
+/// A motion that has left no more than this of a piece, or this share of it, ends there.
 constexpr double kRoundingMm = 1e-9;
-/// Speeds that differ by less are the same.
-constexpr double kSameMmPerS = 1e-9;
+constexpr double kRoundingShare = 1e-9;
 /// Highest path override.
 constexpr double kOverrideMax = 2.0;
-/// Exit speeds tried where the obvious ones cannot be reached.
-constexpr int kExitsTried = 32;
+/// The jerk of BRISK: the acceleration changes within nanoseconds.
+constexpr double kBriskJerkMmPerS3 = 1e12;
+/// Halvings where only the safe side matters.
+constexpr int kRoughHalvings = 16;
+/// Motions in a row within one cycle; far more than are needed.
+constexpr int kMotionsPerCycleMax = 10000;
 
 // Shares of an arc. Along and across are at right angles: 0.5² + 0.866² = 1.
 constexpr double kAlongArc = 0.5;
@@ -37,7 +40,8 @@ constexpr double kAcrossArc = 0.866;
 // Shares of the jerk with SOFT. On a line: half along the path. On an arc: the change of the
 // centripetal acceleration has a part along the path, speed³·curvature², and one across it,
 // 3·speed·acceleration·curvature; hypot(0.3 + 0.1, 0.3) = 0.5. At the ends of an arc the
-// acceleration steps: 0.4 of the jerk times one cycle. Where the course steps: 0.05.
+// acceleration steps: 0.4 of the jerk times one cycle. Where the course steps: 0.05 for the speed
+// and as much for the acceleration along the path.
 constexpr double kJerkAlongLine = 0.5;
 constexpr double kJerkAlongArc = 0.3;
 constexpr double kJerkOfTurning = 0.1;
@@ -77,11 +81,6 @@ double weakestRotary(const MachineConfig& config, double RotaryLimits::*limit, d
     }
   }
   return smallest;
-}
-
-SpeedLimits weaker(const SpeedLimits& a, const SpeedLimits& b) {
-  return {std::min(a.accelerationMmPerS2, b.accelerationMmPerS2),
-          std::min(a.jerkMmPerS3, b.jerkMmPerS3)};
 }
 
 }  // namespace
@@ -141,26 +140,48 @@ void PathPlanner::append(const PreparedMotion& motion) {
   const bool mayRunOn = !m_blocks.empty() && m_blocks.back().pieces > 0 &&
                         m_blocks.back().end == BlockEnd::Rounded &&
                         m_blocks.back().dynamics == motion.dynamics && !m_aborting;
+  const std::size_t last = m_pieces.size() - 1;
   if (mayRunOn) {
-    const Undo undo{m_pieces.back(), m_blocks.back(), m_pieces.size() - 1};
+    const Undo undo{m_pieces.back(), m_blocks.back()};
     Block openBlock = block;
     Piece openPiece = piece;
     if (connect(openBlock, openPiece)) {
       push(openBlock, openPiece);
       m_blocks.push_back(openBlock);
-      planBackwards(false);
-      if (isStanding() || reachableExit(stretch())) {
+      if (planFrom(last)) {
         return;
       }
       m_blocks.pop_back();
     }
-    m_pieces.resize(undo.pieces);
+    m_pieces.resize(last);
     m_pieces.push_back(undo.piece);
     m_blocks.back() = undo.block;
   }
   push(block, piece);
   m_blocks.push_back(block);
-  planBackwards(mayRunOn);
+  planFrom(mayRunOn ? last : m_pieces.size() - 1);
+}
+
+bool PathPlanner::planFrom(std::size_t index) {
+  std::deque<SpeedSection> tail;
+  for (std::size_t i = index; i < m_pieces.size(); ++i) {
+    const Piece& piece = m_pieces[i];
+    tail.push_back({piece.path.lengthMm(), piece.feedMmPerS, piece.speedMmPerSMax, piece.limits,
+                    piece.junctionMmPerSMax, piece.junctionMmPerS2Max});
+  }
+  const std::size_t changed = m_ceiling.replaceTail(index, tail);
+  if (isStanding()) {
+    m_profile.reset();
+    return true;
+  }
+  if (m_profile && changed > m_reach) {
+    return true;
+  }
+  if (!m_ceiling.isSafe(0, m_pathMm, m_state)) {
+    return false;
+  }
+  m_profile.reset();
+  return true;
 }
 
 void PathPlanner::append(const PreparedDwell& dwell) {
@@ -191,33 +212,29 @@ PathPlanner::Piece PathPlanner::makePiece(const PathPiece& path, double feedMmPe
   const bool soft = dynamics == Dynamics::Soft;
   Piece piece;
   piece.path = path;
+  piece.isSoft = soft;
   piece.feedMmPerS = feedMmPerS;
   piece.degPerMm = degPerMm;
   piece.speedMmPerSMax =
       std::min(weakest(&AxisLimits::speedMmPerSMax), weakestTurn(&RotaryLimits::speedDegPerSMax));
   if (path.isStraight()) {
     piece.limits = {std::min(acceleration, turning),
-                    soft ? std::min(kJerkAlongLine * jerk, turningJerk) : kInfinity};
+                    soft ? std::min(kJerkAlongLine * jerk, turningJerk) : kBriskJerkMmPerS3};
     return piece;
   }
   const double curvature = path.curvaturePerMm();
   piece.speedMmPerSMax =
       std::min(piece.speedMmPerSMax, std::sqrt(kAcrossArc * acceleration / curvature));
-  piece.limits = {std::min(kAlongArc * acceleration, turning), kInfinity};
+  piece.limits = {std::min(kAlongArc * acceleration, turning), kBriskJerkMmPerS3};
   if (soft) {
-    piece.speedMmPerSMax =
-        std::min(piece.speedMmPerSMax, std::cbrt(kJerkOfTurning * jerk / (curvature * curvature)));
-    const double fastest = std::min(piece.speedMmPerSMax, kOverrideMax * feedMmPerS);
+    const double fastest = std::cbrt(kJerkOfTurning * jerk / (curvature * curvature));
+    piece.speedMmPerSMax = std::min(piece.speedMmPerSMax, fastest);
     piece.limits = {std::min({kAlongArc * acceleration,
                               kJerkAcrossArc * jerk / (3.0 * fastest * curvature), turning}),
                     std::min(kJerkAlongArc * jerk, turningJerk)};
     piece.boundToCycle = true;
   }
   return piece;
-}
-
-double PathPlanner::cap(const Piece& piece) const {
-  return std::min(piece.feedMmPerS * m_override, piece.speedMmPerSMax);
 }
 
 void PathPlanner::boundToCycle(Piece& piece) const {
@@ -227,15 +244,7 @@ void PathPlanner::boundToCycle(Piece& piece) const {
 }
 
 bool PathPlanner::isLastUnderWay() const {
-  if (isStanding() && m_pathMm == 0.0) {
-    return false;
-  }
-  for (std::size_t i = m_pieces.size(); i-- > 1;) {
-    if (!m_pieces[i].joinsPrevious) {
-      return false;
-    }
-  }
-  return true;
+  return m_pieces.size() == 1 && !(isStanding() && m_pathMm == 0.0);
 }
 
 bool PathPlanner::connect(Block& next, Piece& piece) {
@@ -255,12 +264,8 @@ bool PathPlanner::connect(Block& next, Piece& piece) {
 }
 
 double PathPlanner::cutMmMax(double blockMm, const Piece& piece) const {
-  const double cycleMm = piece.feedMmPerS * m_cycleS;
-  if (std::isinf(piece.limits.jerkMmPerS3)) {
-    return 0.5 * blockMm;
-  }
-  // What is left between two arcs must not be passed in less than a cycle: it must not be tiny.
-  return blockMm > 2.0 * cycleMm ? 0.5 * (blockMm - cycleMm) : 0.25 * blockMm;
+  // With SOFT what is left between two arcs must not be passed in less than a cycle.
+  return piece.isSoft ? 0.25 * blockMm : 0.5 * blockMm;
 }
 
 bool PathPlanner::roundCornerInto(Block& next, Piece& piece) {
@@ -309,9 +314,7 @@ bool PathPlanner::roundCornerInto(Block& next, Piece& piece) {
   } else {
     last.endsBlock = false;
     block.pathLengthMm += last.path.lengthMm();
-    if (!underWay) {
-      boundToCycle(last);
-    }
+    boundToCycle(last);
     first.junctionMmPerSMax = curvatureStepSpeed(last, first);
   }
   push(block, first);
@@ -330,7 +333,7 @@ bool PathPlanner::stepInto(Piece& next, double turn, double rateTurn) {
     return false;
   }
   const base::Vec3 change = next.path.tangent(0.0) - last.path.tangent(last.path.lengthMm());
-  const bool soft = !std::isinf(next.limits.jerkMmPerS3);
+  const bool soft = next.isSoft;
   const double speed = weakestAxis(
       [&](std::size_t axis) {
         const AxisLimits& limits = m_config.axes[axis];
@@ -348,6 +351,17 @@ bool PathPlanner::stepInto(Piece& next, double turn, double rateTurn) {
                                               kJerkOfCourseStep * m_cycleS * m_cycleS, rateStep));
   }
   next.junctionMmPerSMax = std::min({next.junctionMmPerSMax, speed, turning});
+  if (soft) {
+    // The acceleration along the path turns with the course.
+    next.junctionMmPerS2Max =
+        std::min(weakestAxis(
+                     [&](std::size_t axis) {
+                       return kJerkOfCourseStep * m_config.axes[axis].jerkMmPerS3Max * m_cycleS;
+                     },
+                     [&](std::size_t axis) { return change[axis]; }),
+                 weakestRotary(m_config, &RotaryLimits::jerkDegPerS3Max,
+                               kJerkOfCourseStep * m_cycleS, rateStep));
+  }
   for (Piece* piece : {&last, &next}) {
     if (!piece->holdsReserve) {
       piece->holdsReserve = true;
@@ -363,7 +377,7 @@ bool PathPlanner::stepInto(Piece& next, double turn, double rateTurn) {
 }
 
 double PathPlanner::curvatureStepSpeed(const Piece& before, const Piece& after) const {
-  if (std::isinf(after.limits.jerkMmPerS3)) {
+  if (!after.isSoft) {
     return kInfinity;
   }
   const base::Vec3 step = after.path.curvature(0.0) - before.path.curvature(before.path.lengthMm());
@@ -377,183 +391,139 @@ double PathPlanner::curvatureStepSpeed(const Piece& before, const Piece& after) 
 void PathPlanner::push(Block& block, Piece piece) {
   ++block.pieces;
   block.pathLengthMm += piece.path.lengthMm();
-  if (!m_pieces.empty() && !std::isinf(piece.limits.jerkMmPerS3)) {
-    const Piece& last = m_pieces.back();
-    // Compared at full override, so that it does not depend on the moment.
-    const double speed = std::min(piece.feedMmPerS, piece.speedMmPerSMax);
-    const double before = std::min(last.feedMmPerS, last.speedMmPerSMax);
-    const bool even = std::abs(before - speed) <= kSameMmPerS && piece.junctionMmPerSMax >= speed;
-    piece.joinsPrevious = even;
-    if (even && isLastUnderWay()) {
-      // What is under way must not get weaker limits than those it was planned with.
-      const Stretch moving = stretch();
-      piece.joinsPrevious = weaker(moving.limits, piece.limits) == moving.limits &&
-                            m_state.speedMmPerS <= moving.capMmPerS &&
-                            m_state.accelerationMmPerS2 <= 0.0;
-    }
-  }
   m_pieces.push_back(std::move(piece));
-}
-
-void PathPlanner::planBackwards(bool everything) {
-  double exit = 0.0;
-  double bearable = 0.0;
-  std::size_t end = m_pieces.size();  // behind the group that is planned as one
-  while (end > 0) {
-    std::size_t begin = end - 1;
-    double lengthMm = m_pieces[begin].path.lengthMm();
-    SpeedLimits limits = m_pieces[begin].limits;
-    while (begin > 0 && m_pieces[begin].joinsPrevious) {
-      --begin;
-      lengthMm += m_pieces[begin].path.lengthMm();
-      limits = weaker(limits, m_pieces[begin].limits);
-    }
-    if (begin == 0) {
-      return;  // it has been entered: its profile takes care of it
-    }
-    Piece& piece = m_pieces[begin];
-    const Piece& before = m_pieces[begin - 1];
-    exit = std::min({piece.junctionMmPerSMax, cap(piece), cap(before),
-                     brakingSpeedMmPerS(exit, lengthMm, limits)});
-    bearable = std::min({piece.junctionMmPerSMax, piece.speedMmPerSMax, before.speedMmPerSMax,
-                         brakingSpeedMmPerS(bearable, lengthMm, limits)});
-    const bool unchanged = exit == piece.entryMmPerSMax && bearable == piece.entryMmPerSBearable &&
-                           end < m_pieces.size();
-    piece.entryMmPerSMax = exit;
-    piece.entryMmPerSBearable = bearable;
-    if (unchanged && !everything) {
-      return;
-    }
-    end = begin;
-  }
-}
-
-PathPlanner::Stretch PathPlanner::stretch() const {
-  const Piece& front = m_pieces.front();
-  Stretch stretch;
-  stretch.lengthMm = front.path.lengthMm() - m_pathMm;
-  stretch.capMmPerS = cap(front);
-  stretch.limits = front.limits;
-  std::size_t next = 1;
-  for (; next < m_pieces.size() && m_pieces[next].joinsPrevious; ++next) {
-    const Piece& piece = m_pieces[next];
-    stretch.lengthMm += piece.path.lengthMm();
-    stretch.capMmPerS = std::min({stretch.capMmPerS, cap(piece), piece.junctionMmPerSMax});
-    stretch.limits = weaker(stretch.limits, piece.limits);
-  }
-  if (next < m_pieces.size()) {
-    stretch.exitMmPerS = m_pieces[next].entryMmPerSMax;
-    stretch.exitMmPerSBearable = m_pieces[next].entryMmPerSBearable;
-  }
-  return stretch;
-}
-
-std::optional<double> PathPlanner::reachableExit(const Stretch& ahead) const {
-  const double speed = m_state.speedMmPerS;
-  if (std::isinf(ahead.limits.jerkMmPerS3)) {
-    // The harder the braking, the lower the exit: the bearable one decides.
-    const double lowest =
-        std::sqrt(std::max(0.0, speed * speed - 2.0 * ahead.limits.accelerationMmPerS2 *
-                                                    (ahead.lengthMm + kRoundingMm)));
-    const double exit = std::max(ahead.exitMmPerS, lowest);
-    return lowest <= ahead.exitMmPerSBearable ? std::optional<double>(exit) : std::nullopt;
-  }
-  const Piece& front = m_pieces.front();
-  if (front.boundToCycle && front.path.lengthMm() < speed * m_cycleS) {
-    return std::nullopt;
-  }
-  const double a = m_state.accelerationMmPerS2;
-  const double faded = std::max(0.0, speed + 0.5 * a * std::abs(a) / ahead.limits.jerkMmPerS3);
-  const auto isReachable = [&](double exit) {
-    return exit <= ahead.exitMmPerSBearable &&
-           SpeedProfile::reaches(m_state, exit, ahead.lengthMm, ahead.limits);
-  };
-  // An exit above the fading speed is reached by accelerating, or not: then a lower one will do.
-  if (ahead.exitMmPerS >= faded && isReachable(faded)) {
-    return ahead.exitMmPerS;
-  }
-  for (const double exit : {ahead.exitMmPerS, m_exitMmPerS, faded}) {
-    if (isReachable(exit)) {
-      return exit;
-    }
-  }
-  for (int part = kExitsTried; part >= 0; --part) {
-    const double exit = ahead.exitMmPerSBearable * part / kExitsTried;
-    if (isReachable(exit)) {
-      return exit;
-    }
-  }
-  return std::nullopt;
 }
 
 void PathPlanner::abort() {
   m_aborting = true;
-  m_profile.reset();
 }
 
 void PathPlanner::setOverride(double factor) {
-  const double bounded = std::clamp(factor, 0.0, kOverrideMax);
-  if (bounded == m_override) {
-    return;
-  }
-  m_override = bounded;
-  m_profile.reset();
-  planBackwards(true);
+  m_override = std::clamp(factor, 0.0, kOverrideMax);
 }
 
-void PathPlanner::makeProfile() {
-  const Stretch ahead = stretch();
-  const double exit = reachableExit(ahead).value_or(ahead.exitMmPerS);
-  m_plannedFor = ahead;
-  m_exitMmPerS = exit;
+double PathPlanner::capMmPerS() const {
+  const Piece& front = m_pieces.front();
+  return std::min(front.feedMmPerS * m_override, front.speedMmPerSMax);
+}
+
+void PathPlanner::takeOverride() {
+  if (m_pieces.empty() || m_override == 0.0 || m_override == m_ceiling.override()) {
+    return;
+  }
+  const SpeedCeiling before = m_ceiling;
+  m_ceiling.setOverride(m_override);
+  if (m_ceiling.isSafe(0, m_pathMm, m_state)) {
+    m_profile.reset();
+    return;
+  }
+  const Piece& front = m_pieces.front();
+  SpeedProfile slower = SpeedProfile::change(m_state, capMmPerS(), front.limits);
+  const double thereMm = m_pathMm + slower.lengthMm();
+  if (fadedSpeedMmPerS(m_state, front.limits.jerkMmPerS3) > capMmPerS() &&
+      thereMm < front.path.lengthMm() && m_ceiling.isSafe(0, thereMm, slower.end())) {
+    follow(std::move(slower));
+    m_isCommitted = true;
+    return;
+  }
+  m_ceiling = before;
+}
+
+void PathPlanner::follow(SpeedProfile profile) {
+  m_profile = std::move(profile);
   m_profileS = 0.0;
   m_offsetMm = m_pathMm;
   m_standsAtEnd = false;
-  if (m_aborting || ahead.capMmPerS <= 0.0) {
-    SpeedProfile brake = SpeedProfile::toStand(m_state, ahead.limits);
-    if (brake.lengthMm() <= ahead.lengthMm) {
-      m_profile = std::move(brake);
+  m_isCommitted = false;
+}
+
+void PathPlanner::makeProfile(double seconds) {
+  const bool stops = m_aborting || m_override == 0.0;
+  const Piece& front = m_pieces.front();
+  m_reach = 0;
+  if (stops) {
+    SpeedProfile brake = SpeedProfile::change(m_state, 0.0, front.limits);
+    if (m_pathMm + brake.lengthMm() <= front.path.lengthMm()) {
+      follow(std::move(brake));
       m_standsAtEnd = true;
       return;
     }
   }
-  m_profile = SpeedProfile::along(m_state, std::max(ahead.capMmPerS, kSameMmPerS), exit,
-                                  ahead.lengthMm, ahead.limits);
+  if (stops || m_override < m_ceiling.override()) {
+    if (std::optional<SpeedProfile> brake = brakeFor(seconds, stops ? 0.0 : capMmPerS())) {
+      follow(std::move(*brake));
+      return;
+    }
+  }
+  follow(m_ceiling.profile(m_pathMm, m_state, &m_reach));
+}
+
+std::optional<SpeedProfile> PathPlanner::brakeFor(double seconds, double speedMmPerS) const {
+  const Piece& front = m_pieces.front();
+  const double j = front.limits.jerkMmPerS3;
+  const double leftMm = front.path.lengthMm() - m_pathMm;
+  const double from = m_state.accelerationMmPerS2;
+  const auto towards = [&](double acceleration) {
+    SpeedProfile profile(m_state);
+    const double changeS = std::min(seconds, std::abs(acceleration - from) / j);
+    profile.add(changeS, acceleration < from ? -j : j);
+    profile.add(seconds - changeS, 0.0);
+    if (profile.lengthMm() > leftMm) {
+      profile.cut(profile.secondsAt(leftMm));
+      profile.setEnd(leftMm, profile.end());
+    }
+    return profile;
+  };
+  const auto isLowEnough = [&](const SpeedProfile& profile) {
+    return fadedSpeedMmPerS(profile.end(), j) >= speedMmPerS;
+  };
+  double acceleration = -front.limits.accelerationMmPerS2;
+  if (!isLowEnough(towards(acceleration))) {
+    double tooLow = acceleration;
+    acceleration = 0.0;
+    for (int i = 0; i < kRoughHalvings; ++i) {
+      const double middle = 0.5 * (tooLow + acceleration);
+      (isLowEnough(towards(middle)) ? acceleration : tooLow) = middle;
+    }
+  }
+  SpeedProfile profile = towards(acceleration);
+  const bool passes = profile.lengthMm() >= leftMm;
+  const bool isSafe = passes ? m_ceiling.isSafeAtJoint(profile.end())
+                             : m_ceiling.isSafe(0, m_pathMm + profile.lengthMm(), profile.end());
+  if (!isLowEnough(profile) || !isSafe) {
+    return std::nullopt;
+  }
+  return profile;
 }
 
 double PathPlanner::advance(double seconds) {
-  if (m_profile && !m_standsAtEnd) {
-    // Blocks that have come in the meantime may have changed what lies ahead.
-    Stretch ahead = stretch();
-    ahead.lengthMm += m_pathMm - m_offsetMm;
-    if (ahead.capMmPerS != m_plannedFor.capMmPerS || ahead.exitMmPerS != m_plannedFor.exitMmPerS ||
-        ahead.limits != m_plannedFor.limits ||
-        std::abs(ahead.lengthMm - m_plannedFor.lengthMm) > kRoundingMm) {
-      m_profile.reset();
-    }
-  }
   if (!m_profile) {
-    makeProfile();
+    makeProfile(seconds);
   }
   const double lengthMm = m_pieces.front().path.lengthMm();
-  const bool isLast = m_pieces.size() == 1 || !m_pieces[1].joinsPrevious;
-  double endS = kInfinity;
-  if (isLast && !m_standsAtEnd) {
-    endS = m_profile->durationS();
-  } else if (lengthMm - m_offsetMm <= m_profile->lengthMm()) {
-    endS = m_profile->secondsAt(lengthMm - m_offsetMm);
+  const double endS = m_profile->durationS();
+  const double thereMm = m_offsetMm + m_profile->lengthMmAt(m_profileS + seconds);
+  if (m_profileS + seconds < endS && thereMm < lengthMm) {
+    m_profileS += seconds;
+    m_state = m_profile->stateAt(m_profileS);
+    m_pathMm = thereMm;
+    return 0.0;
   }
-  if (m_profileS + seconds >= endS) {
-    const double left = seconds - std::max(0.0, endS - m_profileS);
+  const double left = std::max(0.0, seconds - std::max(0.0, endS - m_profileS));
+  m_state = m_profile->end();
+  m_pathMm = m_offsetMm + m_profile->lengthMm();
+  if (m_standsAtEnd) {
     m_profileS = endS;
-    m_state = m_profile->stateAt(endS);
-    m_pathMm = lengthMm;
-    return left;
+    m_pathMm = std::min(lengthMm, m_pathMm);
+    return 0.0;
   }
-  m_profileS += seconds;
-  m_state = m_profile->stateAt(m_profileS);
-  m_pathMm = std::min(lengthMm, m_profile->lengthMmAt(m_profileS) + m_offsetMm);
-  return 0.0;
+  if (m_pathMm > lengthMm - std::min(kRoundingMm, kRoundingShare * lengthMm)) {
+    m_pathMm = lengthMm;
+    m_state = m_ceiling.passJoint(m_state);
+  }
+  m_profile.reset();
+  m_isCommitted = false;
+  return left;
 }
 
 base::RotaryDeg PathPlanner::turned(const Piece& piece, double mm) {
@@ -570,14 +540,9 @@ void PathPlanner::finishPiece() {
   m_commandDeg = turned(m_pieces.front(), lengthMm);
   m_blockMm += lengthMm;
   m_pieces.pop_front();
+  m_ceiling.popFront();
   m_pathMm = 0.0;
-  m_offsetMm -= lengthMm;
-  const bool goesOn = !m_pieces.empty() && m_pieces.front().joinsPrevious;
-  if (!goesOn) {
-    m_profile.reset();
-  } else {
-    m_pieces.front().joinsPrevious = false;
-  }
+  m_profile.reset();
 }
 
 void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock>& executed) {
@@ -597,6 +562,11 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
 
 void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& executed) {
   double left = m_cycleS;
+  takeOverride();
+  if (!m_isCommitted && (m_standsAtEnd || m_aborting || m_override < m_ceiling.override())) {
+    m_profile.reset();  // what slows down is decided anew in every cycle
+  }
+  int motions = 0;
   const base::Instant begin = end - m_config.interpolationCycle;
   const auto instantNow = [&] { return begin + base::fromSeconds(m_cycleS - left); };
   while (!m_blocks.empty()) {
@@ -619,6 +589,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
       finishBlock(instantNow(), executed);
       continue;
     }
+    RIVULET_ASSERT(++motions < kMotionsPerCycleMax);
     left = advance(left);
     if (m_pathMm >= m_pieces.front().path.lengthMm()) {
       const bool endsBlock = m_pieces.front().endsBlock;
@@ -641,7 +612,10 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
   m_finished = m_appended;
   m_blocks.clear();
   m_pieces.clear();
+  m_ceiling.clear();
   m_profile.reset();
+  m_isCommitted = false;
+  m_standsAtEnd = false;
   m_endMm = m_commandMm;
   m_endDeg = m_commandDeg;
   m_pathMm = 0.0;
@@ -651,7 +625,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
 }
 
 double PathPlanner::feedCommandMmPerS() const {
-  return m_pieces.empty() ? 0.0 : cap(m_pieces.front());
+  return m_pieces.empty() ? 0.0 : capMmPerS();
 }
 
 base::Vec3 PathPlanner::distanceToGoMm() const {

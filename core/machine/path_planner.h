@@ -41,6 +41,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,7 @@
 #include "machine/config.h"
 #include "machine/path_piece.h"
 #include "machine/prepared.h"
+#include "machine/speed_ceiling.h"
 #include "machine/speed_profile.h"
 #include "trace/control_trace.h"
 
@@ -98,15 +100,14 @@ class PathPlanner {
  private:
   struct Piece {
     PathPiece path;
+    bool isSoft = false;
     double feedMmPerS = 0.0;
     double speedMmPerSMax = 0.0;  ///< what curvature and axes allow
     SpeedLimits limits;
-    double junctionMmPerSMax = 0.0;    ///< at its start; 0: the path stands there
-    double entryMmPerSMax = 0.0;       ///< junction, speeds and braking together
-    double entryMmPerSBearable = 0.0;  ///< the same without regard to the feed
-    bool boundToCycle = false;         ///< must take a cycle at least: there are steps at its ends
-    bool holdsReserve = false;         ///< its limits leave room for a step of the course
-    bool joinsPrevious = false;        ///< planned as one with the piece before
+    double junctionMmPerSMax = 0.0;  ///< at its start; 0: the path stands there
+    double junctionMmPerS2Max = std::numeric_limits<double>::infinity();
+    bool boundToCycle = false;  ///< must take a cycle at least: there are steps at its ends
+    bool holdsReserve = false;  ///< its limits leave room for a step of the course
     bool endsBlock = false;
     base::RotaryDeg startDeg{};
     base::RotaryDeg degPerMm{};  ///< of A, B, C along the path
@@ -135,12 +136,10 @@ class PathPlanner {
   struct Undo {
     Piece piece;
     Block block;
-    std::size_t pieces = 0;  ///< in front of `piece`
   };
 
   [[nodiscard]] Piece makePiece(const PathPiece& path, double feedMmPerS, Dynamics dynamics,
                                 const base::RotaryDeg& degPerMm) const;
-  [[nodiscard]] double cap(const Piece& piece) const;
   void push(Block& block, Piece piece);
   /// Opens the corner between the last piece and `next`, so that the path need not stand there.
   /// @return false if it has to
@@ -150,25 +149,21 @@ class PathPlanner {
   bool roundCornerInto(Block& next, Piece& piece);
   /// @param turn  change of the course of X Y Z; @param rateTurn  of the degrees per mm
   bool stepInto(Piece& next, double turn, double rateTurn);
-  /// The last piece is in motion, or planned as one with the one that is.
   [[nodiscard]] bool isLastUnderWay() const;
   void boundToCycle(Piece& piece) const;
   [[nodiscard]] double curvatureStepSpeed(const Piece& before, const Piece& after) const;
-  void planBackwards(bool everything);
-  struct Stretch {
-    double lengthMm = 0.0;  ///< of what is left
-    double capMmPerS = 0.0;
-    double exitMmPerS = 0.0;
-    double exitMmPerSBearable = 0.0;
-    SpeedLimits limits;
-  };
-  /// The piece in motion and those planned as one with it.
-  [[nodiscard]] Stretch stretch() const;
-  /// The speed at which the motion under way can leave the stretch with its acceleration at
-  /// rest: the one planned, or after a change of the override the first bearable one.
-  /// @return nothing if no limit of what follows could be kept
-  [[nodiscard]] std::optional<double> reachableExit(const Stretch& ahead) const;
-  void makeProfile();
+  /// Plans anew from a piece to the end.
+  /// @return false if the motion in progress could not keep the limits; then nothing may stay
+  bool planFrom(std::size_t index);
+  /// Speed limit of the piece in motion.
+  [[nodiscard]] double capMmPerS() const;
+  /// Changes over to the override that is set, once the motion can bear it.
+  void takeOverride();
+  void follow(SpeedProfile profile);
+  void makeProfile(double seconds);
+  /// Hardest braking for a time, or to the end of the piece, that can still end at a speed.
+  /// @return nothing if what follows could not be passed within its limits then
+  [[nodiscard]] std::optional<SpeedProfile> brakeFor(double seconds, double speedMmPerS) const;
   /// Moves on for at most `seconds`. @return the time left
   double advance(double seconds);
   /// Where the rotary axes are. @param mm  place on the piece
@@ -182,13 +177,14 @@ class PathPlanner {
   std::deque<Piece> m_pieces;
   double m_pathMm = 0.0;   ///< on the first piece
   double m_blockMm = 0.0;  ///< passed of the first block, in finished pieces
+  SpeedCeiling m_ceiling;  ///< a section for each piece
   SpeedState m_state;
   std::optional<SpeedProfile> m_profile;
-  Stretch m_plannedFor;        ///< what is to be passed on it, from its start
-  double m_exitMmPerS = 0.0;   ///< speed at its end
   double m_profileS = 0.0;     ///< time passed on it
   double m_offsetMm = 0.0;     ///< place on the first piece minus length passed on the profile
   bool m_standsAtEnd = false;  ///< the profile ends in a stand, wherever that is
+  bool m_isCommitted = false;  ///< only the end of the profile is safe
+  std::size_t m_reach = 0;     ///< last piece that the profile depends on
   double m_override = 1.0;
   double m_dwellLeftS = 0.0;
   std::uint64_t m_appended = 0;

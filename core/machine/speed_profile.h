@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// How the speed along the path changes: with an acceleration limit, and with a jerk limit or
-/// without one. All in closed form over time, so that nothing depends on where the interpolation
-/// cycles fall. Units mm, s. @threadsafety pure.
-///
-/// A change from one speed to another with the acceleration at rest at its end goes in three
-/// phases: the acceleration grows, holds, shrinks to zero. Without a jerk limit the first and the
-/// last take no time. A profile along a stretch is a change to a cruising speed, cruising, and a
-/// change to the speed at its end; the cruising speed is the highest for which both fit.
+/// How the speed along the path changes: a motion in phases of constant jerk, in closed form over
+/// time, so that nothing depends on where the interpolation cycles fall. Units mm, s.
+/// @threadsafety pure.
 #pragma once
 
 #include <array>
@@ -17,58 +12,84 @@
 
 namespace rivulet::machine {
 
+/// Both finite and > 0. A motion without a jerk limit has one so high that the acceleration
+/// changes within nanoseconds.
 struct SpeedLimits {
   double accelerationMmPerS2 = 0.0;
-  double jerkMmPerS3 = 0.0;  ///< infinity: none
+  double jerkMmPerS3 = 0.0;
 
   friend bool operator==(const SpeedLimits&, const SpeedLimits&) = default;
 };
 
 struct SpeedState {
   double speedMmPerS = 0.0;
-  double accelerationMmPerS2 = 0.0;  ///< of use only with a jerk limit
+  double accelerationMmPerS2 = 0.0;
+
+  friend bool operator==(const SpeedState&, const SpeedState&) = default;
 };
 
-/// Highest speed from which `speedMmPerS` is reached within `lengthMm`, both at rest of the
-/// acceleration.
-[[nodiscard]] double brakingSpeedMmPerS(double speedMmPerS, double lengthMm,
-                                        const SpeedLimits& limits);
+/// Speed that is left when the acceleration, starting now, goes to zero: the lowest one of a
+/// motion that brakes, the highest one of a motion that accelerates.
+[[nodiscard]] double fadedSpeedMmPerS(const SpeedState& state, double jerkMmPerS3);
 
 class SpeedProfile {
  public:
-  /// Whether the speed can be reached, with the acceleration at rest, within the length.
-  [[nodiscard]] static bool reaches(const SpeedState& state, double speedMmPerS, double lengthMm,
-                                    const SpeedLimits& limits);
-  /// @param capMmPerS    speed not to be exceeded, > 0 (a faster state brakes down to it)
-  /// @param exitMmPerS   speed at the end; where it cannot be reached, the nearest one
-  /// @param lengthMm     > 0
-  [[nodiscard]] static SpeedProfile along(const SpeedState& state, double capMmPerS,
-                                          double exitMmPerS, double lengthMm,
-                                          const SpeedLimits& limits);
-  /// Brakes to a stand, wherever that is.
-  [[nodiscard]] static SpeedProfile toStand(const SpeedState& state, const SpeedLimits& limits);
-
-  [[nodiscard]] double durationS() const { return m_durationS; }
-  [[nodiscard]] double lengthMm() const { return m_lengthMm; }
-  [[nodiscard]] double lengthMmAt(double seconds) const;
-  [[nodiscard]] SpeedState stateAt(double seconds) const;
-  /// When the length is reached. @param mm 0 to lengthMm
-  [[nodiscard]] double secondsAt(double mm) const;
-
- private:
   struct Phase {
     double beginS = 0.0;
     double beginMm = 0.0;
-    double speedMmPerS = 0.0;  ///< at its begin
-    double accelerationMmPerS2 = 0.0;
+    SpeedState begin;
     double jerkMmPerS3 = 0.0;
   };
-  static constexpr std::size_t kPhasesMax = 9;
 
-  void add(double durationS, double accelerationMmPerS2, double jerkMmPerS3);
-  void addChange(double speedMmPerS, const SpeedLimits& limits);
-  void cutShort(double lengthMm);
-  [[nodiscard]] const Phase& phaseAt(double seconds) const;
+  explicit SpeedProfile(const SpeedState& from = {}) : m_end(from) {}
+
+  /// As fast as possible over a length: the acceleration grows, holds, and fades so that the
+  /// speed limit is met at rest of the acceleration.
+  /// @param capMmPerS           not below the faded speed of `from`
+  /// @param endMmPerS2Max       acceleration at the end, not above it; must be within reach
+  [[nodiscard]] static SpeedProfile climb(const SpeedState& from, double lengthMm, double capMmPerS,
+                                          const SpeedLimits& limits, double endMmPerS2Max);
+  /// Shortest change to a speed, with the acceleration at rest at the end.
+  [[nodiscard]] static SpeedProfile change(const SpeedState& from, double speedMmPerS,
+                                           const SpeedLimits& limits);
+  /// The same motion backwards in time.
+  [[nodiscard]] SpeedProfile reversed() const;
+
+  /// Goes on with constant jerk. @param durationS  nothing is added unless > 0
+  void add(double durationS, double jerkMmPerS3);
+  /// Goes on with the motion of another profile. @param fromMm  place on it, 0 to its length
+  /// @param slower  factor of the speed, 0 to 1: the same motion in slower time
+  void addRest(const SpeedProfile& other, double fromMm, double slower = 1.0);
+  /// Forgets what comes later. @param seconds  0 to durationS
+  void cut(double seconds);
+  /// Says what the end is where it is known exactly: the sum of the phases has rounding in it.
+  void setEnd(double lengthMm, const SpeedState& state);
+
+  [[nodiscard]] double durationS() const { return m_durationS; }
+  [[nodiscard]] double lengthMm() const { return m_lengthMm; }
+  [[nodiscard]] const SpeedState& end() const { return m_end; }
+  [[nodiscard]] double lengthMmAt(double seconds) const;
+  [[nodiscard]] SpeedState stateAt(double seconds) const;
+  [[nodiscard]] SpeedState stateAtMm(double mm) const;
+  /// When the length is reached. @param mm 0 to lengthMm
+  [[nodiscard]] double secondsAt(double mm) const;
+
+  [[nodiscard]] std::size_t phaseCount() const { return m_count; }
+  [[nodiscard]] const Phase& phase(std::size_t index) const { return m_phases[index]; }
+  [[nodiscard]] double phaseEndS(std::size_t index) const {
+    return index + 1 < m_count ? m_phases[index + 1].beginS : m_durationS;
+  }
+  [[nodiscard]] double phaseEndMm(std::size_t index) const {
+    return index + 1 < m_count ? m_phases[index + 1].beginMm : m_lengthMm;
+  }
+  [[nodiscard]] const SpeedState& phaseEnd(std::size_t index) const {
+    return index + 1 < m_count ? m_phases[index + 1].begin : m_end;
+  }
+
+ private:
+  static constexpr std::size_t kPhasesMax = 12;
+
+  [[nodiscard]] std::size_t phaseAtMm(double mm) const;
 
   std::array<Phase, kPhasesMax> m_phases;
   std::size_t m_count = 0;

@@ -155,6 +155,50 @@ Usage usageOf(const std::vector<base::Vec3>& commandsMm, const machine::MachineC
   return usage;
 }
 
+/// Points on a sine, 0.5 mm apart along X, as many as 100 blocks ahead.
+double sineSeconds(const machine::MachineConfig& machine, double feedMmPerMin,
+                   machine::Dynamics dynamics, double waveMm = 20.0, int ahead = 100) {
+  constexpr int kPoints = 400;
+  const double pi = std::acos(-1.0);
+  PathPlanner planner(machine, {});
+  std::vector<trace::ExecutedBlock> executed;
+  base::Instant now{};
+  int appended = 0;
+  do {
+    for (; appended < kPoints && planner.blockCount() < ahead; ++appended) {
+      const double x = 0.5 * (appended + 1);
+      machine::PreparedMotion motion =
+          straight(static_cast<unsigned>(appended + 1),
+                   {x, 5.0 * std::sin(2.0 * pi * x / waveMm), 0.0}, feedMmPerMin / 60.0);
+      motion.dynamics = dynamics;
+      planner.append(motion);
+    }
+    planner.step(now += machine.interpolationCycle, executed);
+  } while (appended < kPoints || planner.blockCount() > 0);
+  return base::toSeconds(executed.back().to - executed.front().from);
+}
+
+/// A random program from the first to the last block. @param ahead  blocks known to the look-ahead
+double programSeconds(std::uint64_t seed, const machine::MachineConfig& machine, double feedFactor,
+                      int ahead) {
+  base::Random random(seed);
+  RandomProgram program(random, machine::Dynamics::Soft);
+  constexpr int kBlocks = 60;
+  PathPlanner planner(machine, {});
+  std::vector<trace::ExecutedBlock> executed;
+  base::Instant now{};
+  int appended = 0;
+  do {
+    for (; appended < kBlocks && planner.blockCount() < ahead; ++appended) {
+      machine::PreparedMotion motion = program.next();
+      motion.feedMmPerS *= feedFactor;
+      planner.append(motion);
+    }
+    planner.step(now += machine.interpolationCycle, executed);
+  } while (appended < kBlocks || planner.blockCount() > 0);
+  return base::toSeconds(executed.back().to - executed.front().from);
+}
+
 /// Differences of set points are only as good as their last bits: 1e-13 mm over the cycle's cube.
 constexpr double kUsageMax = 1.0 + 1e-4;
 
@@ -239,6 +283,58 @@ class TestPathPlanner : public QObject {
       }
       QVERIFY(base::distance(planner.commandMm(), targets.back()) < 1e-9);
       QVERIFY(planner.isStanding());
+    }
+  }
+
+  /// A dense smooth contour: a higher feed never takes longer. The states at the joints follow
+  /// rules and are not searched for the best ones: a permille is left for that.
+  void feedNeverSlowsASineDown() {
+    const machine::MachineConfig machine = config();
+    for (const machine::Dynamics dynamics : {machine::Dynamics::Soft, machine::Dynamics::Brisk}) {
+      for (const double waveMm : {10.0, 20.0, 40.0}) {
+        double before = 1e9;
+        for (const double feed : {500.0, 1000.0, 2000.0, 3000.0, 4000.0, 6000.0, 12000.0}) {
+          const double seconds = sineSeconds(machine, feed, dynamics, waveMm);
+          QVERIFY2(seconds <= 1.001 * before,
+                   qPrintable(QStringLiteral("wave %1 mm, F %2: %3 s, before %4 s")
+                                  .arg(waveMm)
+                                  .arg(feed)
+                                  .arg(seconds)
+                                  .arg(before)));
+          before = seconds;
+        }
+      }
+    }
+  }
+
+  /// The time of a program never grows with the feed, with a limit of the axes, or with the blocks
+  /// that the look-ahead knows, by more than a cycle per block.
+  void moreNeverTakesLonger() {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      base::Random random(seed);
+      const machine::MachineConfig machine = weakMachine(random);
+      const double cyclesS = 60.0 * base::toSeconds(machine.interpolationCycle);
+      const double seconds = programSeconds(seed, machine, 1.0, 20);
+      const auto check = [&](const char* what, double more) {
+        QVERIFY2(more <= seconds + cyclesS,
+                 qPrintable(QStringLiteral("seed %1, more %2: %3 s, before %4 s")
+                                .arg(seed)
+                                .arg(QLatin1String(what))
+                                .arg(more)
+                                .arg(seconds)));
+      };
+      check("feed", programSeconds(seed, machine, 1.5, 20));
+      check("look-ahead", programSeconds(seed, machine, 1.0, 60));
+      const auto scaled = [&](double machine::AxisLimits::*limit) {
+        machine::MachineConfig stronger = machine;
+        for (machine::AxisLimits& axis : stronger.axes) {
+          axis.*limit *= 1.5;
+        }
+        return programSeconds(seed, stronger, 1.0, 20);
+      };
+      check("speed", scaled(&machine::AxisLimits::speedMmPerSMax));
+      check("acceleration", scaled(&machine::AxisLimits::accelerationMmPerS2Max));
+      check("jerk", scaled(&machine::AxisLimits::jerkMmPerS3Max));
     }
   }
 
