@@ -39,7 +39,7 @@ Document::Document(const widgets::StreamSettings& settings) : m_settings(setting
     Q_EMIT readingCancelled();
   });
   connect(&m_watch, &session::FileWatch::stateChanged, this, &Document::fileStateChanged);
-  connect(&m_timer, &session::ProgramTimer::reckoned, this,
+  connect(&m_timer, &session::ProgramTimer::estimated, this,
           [this](const std::shared_ptr<const widgets::ProgramTimes>& times,
                  const std::shared_ptr<const widgets::ProgramView>& view) {
             if (m_view && view->program == program() && times->atS.size() == points().size()) {

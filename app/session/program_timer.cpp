@@ -119,7 +119,7 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
       times = programmed;
       tell([times](ProgramTimer& timer, const auto& of) {
         timer.m_times = times;
-        Q_EMIT timer.reckoned(times, of);
+        Q_EMIT timer.estimated(times, of);
       });
     }
     if (!unpaused || unpaused->feedMmPerS != settings.feedMmPerS ||
@@ -140,7 +140,7 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
       timer.m_stop.reset();
       timer.m_times = streamed;
       timer.m_unpaused = unpaused;
-      Q_EMIT timer.reckoned(streamed, of);
+      Q_EMIT timer.estimated(streamed, of);
     });
   });
 }

@@ -44,8 +44,8 @@ class ProgramTimer final : public QObject {
   void planned(const std::shared_ptr<const rivulet::widgets::PauseMap>& pauses,
                const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
   /// Reported as soon as the time of the program itself is known, and again with that of the run.
-  void reckoned(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times,
-                const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
+  void estimated(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times,
+                 const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
 
  private:
   std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work in progress; null: none

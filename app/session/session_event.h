@@ -60,17 +60,17 @@ using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, trace::Note,
                  RunFinished, streaming::CalibrationProgress, CalibrationFinished, ResumeFound>;
 
-struct ConnectOrder {
+struct ConnectCommand {
   std::string endpoint;
 };
-struct DisconnectOrder {};
+struct DisconnectCommand {};
 /// Where was this run left? The control is asked; nothing moves.
 struct ResumeQuestion {
   std::shared_ptr<const gcode::Program> program;
   streaming::RunSettings settings;  ///< of the interrupted run
   streaming::Checkpoint checkpoint;
 };
-struct StartOrder {
+struct StartCommand {
   std::shared_ptr<const gcode::Program> program;
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording
@@ -80,12 +80,12 @@ struct StartOrder {
   std::optional<ResumeQuestion> resumes;
 };
 
-struct CalibrateOrder {
+struct CalibrateCommand {
   streaming::CalibrationPlan plan;
   std::string startedAtUtc;
 };
 
-using SessionOrder = std::variant<std::monostate, ConnectOrder, DisconnectOrder, StartOrder,
-                                  CalibrateOrder, ResumeQuestion>;
+using SessionCommand = std::variant<std::monostate, ConnectCommand, DisconnectCommand, StartCommand,
+                                    CalibrateCommand, ResumeQuestion>;
 
 }  // namespace rivulet::session

@@ -48,9 +48,9 @@ class SessionWorker::Sink final : public streaming::RunSink {
   streaming::RunState m_state = streaming::RunState::Idle;
 };
 
-class SessionWorker::Orders final : public streaming::RunOrders {
+class SessionWorker::Requests final : public streaming::RunOrders {
  public:
-  explicit Orders(SessionWorker& worker) : m_worker(worker) {}
+  explicit Requests(SessionWorker& worker) : m_worker(worker) {}
   bool stopRequested(base::Instant) override {
     return m_worker.m_stopRun.load() || m_worker.m_quit.load();
   }
@@ -72,20 +72,21 @@ SessionWorker::SessionWorker(opcua::Connector connector, report::MachineStore ma
 
 SessionWorker::~SessionWorker() {
   m_quit.store(true);
-  m_orderCount.release();
+  m_commandCount.release();
   m_thread.join();
 }
 
-bool SessionWorker::order(SessionOrder order) {
-  if (std::holds_alternative<StartOrder>(order) || std::holds_alternative<CalibrateOrder>(order)) {
+bool SessionWorker::post(SessionCommand command) {
+  if (std::holds_alternative<StartCommand>(command) ||
+      std::holds_alternative<CalibrateCommand>(command)) {
     m_stopRun.store(false);
     correct({});
     m_holdRun.store(false);
   }
-  if (!m_orders.tryPush(std::move(order))) {
+  if (!m_commands.tryPush(std::move(command))) {
     return false;
   }
-  m_orderCount.release();
+  m_commandCount.release();
   return true;
 }
 
@@ -124,21 +125,21 @@ void SessionWorker::tellIfRoom(SessionEvent event) {
 void SessionWorker::work() {
   while (!m_quit.load()) {
     // Without a request within the interval, the control is read again.
-    if (m_orderCount.try_acquire_for(kWatchInterval)) {
-      const std::optional<SessionOrder> order = m_orders.tryPop();
-      if (!order) {
+    if (m_commandCount.try_acquire_for(kWatchInterval)) {
+      const std::optional<SessionCommand> command = m_commands.tryPop();
+      if (!command) {
         continue;
       }
-      if (const auto* connectOrder = std::get_if<ConnectOrder>(&*order)) {
-        connect(*connectOrder);
-      } else if (std::holds_alternative<DisconnectOrder>(*order)) {
+      if (const auto* connectCommand = std::get_if<ConnectCommand>(&*command)) {
+        connect(*connectCommand);
+      } else if (std::holds_alternative<DisconnectCommand>(*command)) {
         disconnect();
-      } else if (const auto* startOrder = std::get_if<StartOrder>(&*order)) {
-        start(*startOrder);
-      } else if (const auto* question = std::get_if<ResumeQuestion>(&*order)) {
+      } else if (const auto* startCommand = std::get_if<StartCommand>(&*command)) {
+        start(*startCommand);
+      } else if (const auto* question = std::get_if<ResumeQuestion>(&*command)) {
         answer(*question);
-      } else if (const auto* calibrateOrder = std::get_if<CalibrateOrder>(&*order)) {
-        calibrate(*calibrateOrder);
+      } else if (const auto* calibrateCommand = std::get_if<CalibrateCommand>(&*command)) {
+        calibrate(*calibrateCommand);
       }
     }
     watch();
@@ -146,10 +147,10 @@ void SessionWorker::work() {
   m_connection = {};
 }
 
-void SessionWorker::connect(const ConnectOrder& order) {
+void SessionWorker::connect(const ConnectCommand& command) {
   m_connection = {};
   tell(LinkChanged{LinkState::Connecting, {}, false, {}});
-  auto connection = m_connector(order.endpoint);
+  auto connection = m_connector(command.endpoint);
   if (!connection) {
     tell(LinkChanged{LinkState::Disconnected, connection.error(), false, {}});
     return;
@@ -158,7 +159,7 @@ void SessionWorker::connect(const ConnectOrder& order) {
   // A control that does not report any has none; if it is gone again, the next read notices it.
   m_axes = streaming::readControlAxes(*m_connection.link, kWatchDeadline)
                .value_or(streaming::ControlAxes{});
-  m_endpoint = order.endpoint;
+  m_endpoint = command.endpoint;
   // A server that does not identify itself can be used all the same.
   m_server = m_connection.control->identity().value_or(opcua::ServerIdentity{});
   tell(LinkChanged{LinkState::Connected, {}, m_connection.control->isVirtualMachine(), m_server});
@@ -235,8 +236,9 @@ void SessionWorker::answer(const ResumeQuestion& question) {
   tell(resume ? ResumeFound{*resume, {}} : ResumeFound{std::nullopt, resume.error()});
 }
 
-base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming::RunSink& sink) {
-  const auto text = templates::generateTemplate(order.settings.parameters);
+base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
+                                              streaming::RunSink& sink) {
+  const auto text = templates::generateTemplate(command.settings.parameters);
   if (!text) {
     return base::fail(text.error());
   }
@@ -245,18 +247,20 @@ base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming
     update.state = streaming::RunState::Armed;
     update.waitingFor = "proof";
     sink.update(update);
-    if (base::Result<void> proven = streaming::requireProven(order.settings.parameters); !proven) {
+    if (base::Result<void> proven = streaming::requireProven(command.settings.parameters);
+        !proven) {
       return proven;
     }
     m_proven = *text;
   }
-  if (order.resumes) {
-    const auto resume = streaming::resumeFrom(*m_connection.link, *order.resumes->program,
-                                              order.resumes->settings, order.resumes->checkpoint);
+  if (command.resumes) {
+    const auto resume =
+        streaming::resumeFrom(*m_connection.link, *command.resumes->program,
+                              command.resumes->settings, command.resumes->checkpoint);
     if (!resume) {
       return base::fail(resume.error());
     }
-    if (!order.settings.resume || resume->point != order.settings.resume->point) {
+    if (!command.settings.resume || resume->point != command.settings.resume->point) {
       return base::fail(
           streaming::StreamError::CannotResume,
           "The state of the control has changed since it was asked. Press Resume again.");
@@ -265,27 +269,27 @@ base::Result<void> SessionWorker::checkBefore(const StartOrder& order, streaming
   return {};
 }
 
-void SessionWorker::start(const StartOrder& order) {
+void SessionWorker::start(const StartCommand& command) {
   if (!m_connection) {
     auto report = std::make_shared<streaming::RunReport>();
     report->error = base::makeError(opcua::LinkError::NotReachable,
                                     "There is no connection to a control. Connect first.");
-    report->settings = order.settings;
+    report->settings = command.settings;
     tell(RunFinished{std::move(report), {}});
     return;
   }
   Sink sink(*this);
-  Orders orders(*this);
-  if (const base::Result<void> clear = checkBefore(order, sink); !clear) {
+  Requests requests(*this);
+  if (const base::Result<void> clear = checkBefore(command, sink); !clear) {
     auto report = std::make_shared<streaming::RunReport>();
     report->error = clear.error();
-    report->settings = order.settings;
+    report->settings = command.settings;
     tell(RunFinished{std::move(report), {}});
     return;
   }
   // The file is written by this thread between accesses: small appends into the page cache.
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-      order.recordingPath.empty() ? nullptr : std::fopen(order.recordingPath.c_str(), "wb"),
+      command.recordingPath.empty() ? nullptr : std::fopen(command.recordingPath.c_str(), "wb"),
       std::fclose);
   std::unique_ptr<trace::RecordingWriter> writer;
   if (file) {
@@ -296,12 +300,12 @@ void SessionWorker::start(const StartOrder& order) {
   streaming::JobRecorder recorder;
   recorder.writer = writer.get();
   recorder.start.toolVersion = RIVULET_VERSION;
-  recorder.start.startedAtUtc = order.startedAtUtc;
-  streaming::RunSettings settings = order.settings;
+  recorder.start.startedAtUtc = command.startedAtUtc;
+  streaming::RunSettings settings = command.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
   auto report = std::make_shared<streaming::RunReport>(
-      streaming::runJob(*m_connection.link, *m_connection.control, *order.program, settings, orders,
-                        sink, std::move(recorder)));
+      streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
+                        requests, sink, std::move(recorder)));
   const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;
@@ -310,10 +314,10 @@ void SessionWorker::start(const StartOrder& order) {
     tell(LinkChanged{LinkState::Lost, error, false, {}});
     m_connection = {};
   }
-  tell(RunFinished{std::move(report), recorded ? order.recordingPath : std::string()});
+  tell(RunFinished{std::move(report), recorded ? command.recordingPath : std::string()});
 }
 
-void SessionWorker::calibrate(const CalibrateOrder& order) {
+void SessionWorker::calibrate(const CalibrateCommand& command) {
   if (!m_connection) {
     tell(CalibrationFinished{
         nullptr, base::makeError(opcua::LinkError::NotReachable,
@@ -337,12 +341,12 @@ void SessionWorker::calibrate(const CalibrateOrder& order) {
     }
     return again.link;
   };
-  auto calibration = streaming::calibrate(*m_connection.link, order.plan, hooks);
+  auto calibration = streaming::calibrate(*m_connection.link, command.plan, hooks);
   if (calibration) {
     auto record = std::make_shared<streaming::CalibrationRecord>();
     record->endpoint = m_endpoint;
     record->server = m_server;
-    record->measuredAtUtc = order.startedAtUtc;
+    record->measuredAtUtc = command.startedAtUtc;
     record->toolVersion = RIVULET_VERSION;
     record->calibration = std::move(*calibration);
     tell(CalibrationFinished{std::move(record), {}});

@@ -5,7 +5,7 @@
 /// The streaming thread: owns the link and, during a run, driver and method. Requests come in and
 /// events go out through bounded rings; nothing but a full ring of events makes this side wait for
 /// the GUI.
-/// @threadsafety constructor, destructor, `order`, `stopRun`, `holdRun`, `correct` and `take`
+/// @threadsafety constructor, destructor, `post`, `stopRun`, `holdRun`, `correct` and `take`
 /// belong to the GUI thread.
 #pragma once
 
@@ -34,8 +34,8 @@ class SessionWorker {
   SessionWorker(const SessionWorker&) = delete;
   SessionWorker& operator=(const SessionWorker&) = delete;
 
-  /// @return false if the ring of requests is full
-  bool order(SessionOrder order);
+  /// @return false if the ring of commands is full
+  bool post(SessionCommand command);
   /// Takes effect when the driver next checks its requests, within 20 ms; cancels a calibration
   /// after the request in progress.
   void stopRun();
@@ -50,16 +50,17 @@ class SessionWorker {
 
  private:
   class Sink;
-  class Orders;
+  class Requests;
 
   void work();
-  void connect(const ConnectOrder& order);
+  void connect(const ConnectCommand& command);
   void disconnect();
-  void start(const StartOrder& order);
+  void start(const StartCommand& command);
   void answer(const ResumeQuestion& question);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
-  [[nodiscard]] base::Result<void> checkBefore(const StartOrder& order, streaming::RunSink& sink);
-  void calibrate(const CalibrateOrder& order);
+  [[nodiscard]] base::Result<void> checkBefore(const StartCommand& command,
+                                               streaming::RunSink& sink);
+  void calibrate(const CalibrateCommand& command);
   /// According to the file of the machine.
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   void watch();
@@ -67,9 +68,9 @@ class SessionWorker {
   void tell(SessionEvent event);
   void tellIfRoom(SessionEvent event);
 
-  base::SpscRing<SessionOrder, 16> m_orders;
+  base::SpscRing<SessionCommand, 16> m_commands;
   base::SpscRing<SessionEvent, 4096> m_events;
-  std::counting_semaphore<> m_orderCount{0};
+  std::counting_semaphore<> m_commandCount{0};
   std::atomic<bool> m_quit{false};
   std::atomic<bool> m_stopRun{false};
   std::atomic<bool> m_holdRun{false};

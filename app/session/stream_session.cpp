@@ -34,11 +34,11 @@ StreamSession::StreamSession(opcua::Connector connector, report::MachineStore ma
 StreamSession::~StreamSession() = default;
 
 void StreamSession::connectTo(const QString& endpoint) {
-  m_worker->order(ConnectOrder{endpoint.trimmed().toStdString()});
+  m_worker->post(ConnectCommand{endpoint.trimmed().toStdString()});
 }
 
 void StreamSession::disconnectFrom() {
-  m_worker->order(DisconnectOrder{});
+  m_worker->post(DisconnectCommand{});
 }
 
 void StreamSession::start(std::shared_ptr<const gcode::Program> program,
@@ -47,7 +47,7 @@ void StreamSession::start(std::shared_ptr<const gcode::Program> program,
   if (m_running || m_asking || m_calibrating) {
     return;
   }
-  m_running = m_worker->order(StartOrder{
+  m_running = m_worker->post(StartCommand{
       std::move(program), settings, recordingPath.toStdString(),
       QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(), std::move(resumes)});
 }
@@ -56,8 +56,8 @@ void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
   if (m_running || m_calibrating) {
     return;
   }
-  m_calibrating = m_worker->order(
-      CalibrateOrder{plan, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+  m_calibrating = m_worker->post(
+      CalibrateCommand{plan, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
 }
 
 void StreamSession::correct(base::Vec3 valueMm) {
@@ -76,7 +76,7 @@ void StreamSession::hold(bool hold) {
 
 void StreamSession::askResume(ResumeQuestion question) {
   if (!m_running && !m_asking) {
-    m_asking = m_worker->order(std::move(question));
+    m_asking = m_worker->post(std::move(question));
   }
 }
 

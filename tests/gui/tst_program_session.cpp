@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// Programs of any size on the real window, without a control: read in the background, cancelled,
-/// reckoned, watched on the disk.
+/// timed, watched on the disk.
 
 #include <QApplication>
 #include <QDir>
@@ -195,9 +195,9 @@ class TestProgramSession : public QObject {
     QCOMPARE(view->points.points.size(), std::size_t{4});
     ProgramTimer timer;
     std::vector<std::shared_ptr<const widgets::ProgramTimes>> times;
-    connect(&timer, &ProgramTimer::reckoned, this, [&](const auto& reckoned, const auto& of) {
+    connect(&timer, &ProgramTimer::estimated, this, [&](const auto& estimated, const auto& of) {
       QVERIFY(of == view);
-      times.push_back(reckoned);
+      times.push_back(estimated);
     });
     timer.start(view, {base::MethodKind::Position, 2, 5.0});
     // First what the program itself takes, then what a run takes.
@@ -224,8 +224,8 @@ class TestProgramSession : public QObject {
     disconnect(&timer, nullptr, this, nullptr);
     connect(&timer, &ProgramTimer::planned, this,
             [&](const auto& planned, const auto&) { pauses = planned; });
-    connect(&timer, &ProgramTimer::reckoned, this,
-            [&](const auto& reckoned, const auto&) { times.push_back(reckoned); });
+    connect(&timer, &ProgramTimer::estimated, this,
+            [&](const auto& estimated, const auto&) { times.push_back(estimated); });
     timer.start(moved, {base::MethodKind::Signal, 2, 10.0});
     QTRY_VERIFY_WITH_TIMEOUT(times.back()->run && !timer.isBusy(), kSoonMs);
     QVERIFY(pauses != nullptr);
