@@ -131,6 +131,8 @@ class TestSameLanguage : public QObject {
     row("index beyond its dimension", "DEF REAL FF[2,3]\nX1\nX=FF[0,3]", "1,0,0 !");
     row("division by zero", "X1\nX=1/0", "1,0,0 !");
     row("unknown name", "X1\nX=NOWHERE", "1,0,0 !");
+    row("variables of one letter",
+        "DEF INT I\nDEF REAL F[2]=SET(3,4)\nI=2.5\nF[1]=F[0]+I\nX=I Y=F[1]", "3,6,0");
     // Subprograms: PG19 3.2.1.6.
     row("by value", "DEF REAL AB=1\nSUBA(AB)\nX=AB", "0,5,0 1,5,0",
         "PROC SUBA(REAL BB)\nBB=5\nY=BB\nM17");
