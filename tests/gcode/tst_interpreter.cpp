@@ -217,7 +217,8 @@ class TestInterpreter : public QObject {
         "1:1 note ignored-code STOPRE | 2:1 note ignored-code SETINT | 3:1 note ignored-code "
         "CLRINT");
     add("DEF INT E\nDELETE(E,\"A.MPF\")\nG0 X=E",
-        "2:1 note ignored-code DELETE | 3:4 error expression-fault a value it needs is not known");
+        "2:1 note ignored-code DELETE | 3:4 error expression-fault it needs a value that is not "
+        "known");
     add("DEF STRING[20] TAG\nR1=5\nTAG=\"A\"<<R1\nTAG=TAG<<\"B\"\nT=\"A\"<<R1",
         "5:1 note ignored-code T");
     add("MSG(\"part \"<<R1<<\" done\")", "1:1 note ignored-code MSG");

@@ -179,24 +179,24 @@ class TestEval : public QObject {
     add("EXP(1000)", "! the result is too large");
     add("R9", "! R9 is read before the program sets it: only the control knows it");
     add("R[-1]", "! R[-1] does not exist");
-    add("F[2,0]", "! the index lies outside the array");
-    add("F[0,3]", "! the index lies outside the array");
+    add("F[2,0]", "! the index is outside the array");
+    add("F[0,3]", "! the index is outside the array");
     add("F[1]", "! the array has more dimensions");
     add("F[1,1,1]", "! the array has fewer dimensions");
     add("F", "! an array needs its index in brackets");
     add("FOO", "! FOO is not defined");
-    add("FOO(1)", "! FOO is no variable and no function");
+    add("FOO(1)", "! FOO is neither a variable nor a function");
     add("1+", "! a value is missing");
     add("(1", "! a bracket is not closed");
     add("1 2", "! \"2\" is not understood");
-    add("1EX", "! \"1EX\" is no number");
+    add("1EX", "! \"1EX\" is not a number");
     add("R", "! R needs a number or an index in brackets");
     add("SIN", "! SIN needs its argument in brackets");
     add("BOUND(1,2)", "! BOUND needs more arguments");
-    add("NAME+1", "! a text is calculated with");
-    add("NAME == 1", "! a text is calculated with");
-    add("$P_TOOL", "! the value of $P_TOOL is known on the control only");
-    add("$P_EP[Y]", "! the value of $P_EP[Y] is known on the control only");
+    add("NAME+1", "! a calculation uses a text");
+    add("NAME == 1", "! a calculation uses a text");
+    add("$P_TOOL", "! only the control knows the value of $P_TOOL");
+    add("$P_EP[Y]", "! only the control knows the value of $P_EP[Y]");
   }
   void sinumerik() {
     Program program(nc::sinumerikNotation());
@@ -234,10 +234,10 @@ class TestEval : public QObject {
     add("EXISTS[#<depth>]", "1");
     add("EXISTS[#<width>]", "0");
     add("#4", "0");
-    add("#5220", "! the value of #5220 is known on the control only");
-    add("#<width>", "! the value of #<WIDTH> is known on the control only");
+    add("#5220", "! only the control knows the value of #5220");
+    add("#<width>", "! only the control knows the value of #<WIDTH>");
     add("[1+2", "! a bracket is not closed");
-    add("#ABC", "! #ABC is no variable");
+    add("#ABC", "! #ABC is not a variable");
     add("ATAN[1]", "! ATAN is written ATAN[y]/[x]");
   }
   void iso() {
@@ -283,10 +283,10 @@ class TestEval : public QObject {
     QCOMPARE(program.value("B*10+C"), "11");
     QCOMPARE(program.value("D"), "65");
     QCOMPARE(program.value("AX"), "Y");
-    QCOMPARE(program.assign("N=3EX9"), "! the value lies outside the range of type INT");
-    QCOMPARE(program.assign("D=256"), "! the value lies outside the range of type CHAR");
+    QCOMPARE(program.assign("N=3EX9"), "! the value is outside the range of type INT");
+    QCOMPARE(program.assign("D=256"), "! the value is outside the range of type CHAR");
     QCOMPARE(program.assign("N=\"X\""), "! the value is not of type INT");
-    QCOMPARE(program.define("FLOAT X"), "! DEF FLOAT is no type");
+    QCOMPARE(program.define("FLOAT X"), "! FLOAT is not a type for DEF");
     QCOMPARE(program.define("REAL HUGE[100000,100000]"),
              "! the size of an array is missing or too large");
   }
@@ -320,10 +320,10 @@ class TestEval : public QObject {
     QCOMPARE(program.define("REAL A=1"), "");
     QCOMPARE(program.assign("R1=1"), "");
     QCOMPARE(program.assign("A=1/0"), "! a division by zero");
-    QCOMPARE(program.assign("R1=$P_TOOL"), "! the value of $P_TOOL is known on the control only");
-    QCOMPARE(program.value("A+1"), "! a value it needs is not known");
-    QCOMPARE(program.value("R1"), "! a value it needs is not known");
-    QCOMPARE(program.assign("$AA_OFF[X]=1"), "! a variable of the control is written");
+    QCOMPARE(program.assign("R1=$P_TOOL"), "! only the control knows the value of $P_TOOL");
+    QCOMPARE(program.value("A+1"), "! it needs a value that is not known");
+    QCOMPARE(program.value("R1"), "! it needs a value that is not known");
+    QCOMPARE(program.assign("$AA_OFF[X]=1"), "! a variable of the control would be written");
     QCOMPARE(program.assign("NEW=1"), "! NEW is not defined");
     QCOMPARE(program.assign("1=1"), "! \"1\" cannot be assigned to");
   }
