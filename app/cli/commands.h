@@ -88,12 +88,13 @@ struct StreamOptions {
   std::string preset = "dmu75";
   std::uint64_t seed = 1;
   std::string record;
-  double stopAfterS = 0.0;        ///< 0: not
-  std::string resume;             ///< report of an earlier run; empty: from the beginning
-  std::string access = "auto";    ///< auto, single, list, array
-  std::string transfer = "auto";  ///< auto, by-hand
-  std::string programFile;        ///< by-hand: where the program is written; empty: its name
-  std::string correct;            ///< source of corrections, - is standard input; empty: none
+  double stopAfterS = 0.0;            ///< 0: not
+  std::string resume;                 ///< report of an earlier run; empty: from the beginning
+  std::string access = "auto";        ///< auto, single, list, array
+  std::string passedBy = "position";  ///< position, distance-to-go
+  std::string transfer = "auto";      ///< auto, by-hand
+  std::string programFile;            ///< by-hand: where the program is written; empty: its name
+  std::string correct;                ///< source of corrections, - is standard input; empty: none
   bool noMonitor = false;
   bool evenPauses = false;
   bool acceptInfeasible = false;

@@ -228,6 +228,11 @@ void addStreamCommand(CLI::App& app, Exit& exit) {
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command->add_option("--record", options->record, "File for the recording of the run");
+  command
+      ->add_option("--passed-by", options->passedBy,
+                   "Method position: what shows that a point has been passed")
+      ->check(CLI::IsMember({"position", "distance-to-go"}))
+      ->capture_default_str();
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
   command->add_option("--resume", options->resume,

@@ -121,6 +121,7 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
     settings.parameters = streaming::withTurnedAxes(settings.parameters, trajectory);
   }
   settings.deltaMm = options.point.deltaMm;
+  settings.passedBy = streaming::passedByFromName(options.passedBy).value_or(settings.passedBy);
   settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
   const streaming::AccessPlan plan =
       streaming::accessPlan(preferenceOf(options.access), settings.parameters.method);

@@ -93,6 +93,7 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"layout", templates::layoutName(settings.parameters.layout)},
           {"axes", templates::axisLetters(settings.parameters)},
           {"delta_mm", settings.deltaMm},
+          {"passed_by", streaming::passedByName(settings.passedBy)},
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
           {"grouping", opcua::groupingName(settings.grouping)},
           {"monitor", settings.monitor}};

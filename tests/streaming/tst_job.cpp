@@ -139,6 +139,20 @@ class TestJob : public QObject {
     }
   }
 
+  /// The published form of Algorithm II: inside the region it executes every point once as well.
+  void P1_algorithm_II_withTheDistanceToGo() {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      World world("dmu75", seed);
+      RunSettings run = settings(MethodKind::Position, 9, 0.3, 400.0);
+      run.passedBy = streaming::PassedBy::DistanceToGo;
+      const RunReport report = world.run(scorpion(), run);
+      QVERIFY2(report.isFaultless(), qPrintable(QStringLiteral("seed %1: ").arg(seed) +
+                                                QString::fromStdString(report.error.text())));
+      QVERIFY(report.outcome == Outcome::Completed);
+      QVERIFY(world.recorder.samples > 0);  // the position is read for the display alone
+    }
+  }
+
   /// The hazard is real and it is reported: far outside the region old points are run again.
   void tooFastRepeatsAndTheOracleSeesIt() {
     const RunSettings run = settings(MethodKind::Position, 7, 0.1, 2000.0);

@@ -15,6 +15,8 @@
 /// @source [P1] Algorithm II. @threadsafety one object, one thread.
 #pragma once
 
+#include <array>
+
 #include "streaming/methods/loop.h"
 
 namespace rivulet::streaming {
@@ -42,7 +44,11 @@ class PositionMethod final : public LoopMethod {
   bool m_watchesDistance;
   std::size_t m_due = 0;  ///< index of the point the tool is on its way to
   std::optional<base::Vec3> m_positionMm;
-  double m_toGoMm = 0.0;         ///< as read last; 0 before the first motion
+  /// Notes the distances. @return true if another block is in motion than at the read before
+  [[nodiscard]] bool isNewBlock(base::Vec3 toGoMm);
+
+  std::array<double, base::kAxisCount> m_toGoMm{};  ///< as read last; 0 before the first motion
+  std::size_t m_grownFrom = 0;   ///< first axis that grew at the last read; 0: all, or none
   bool m_isBlockCounted = true;  ///< the block in motion has been counted
 };
 
