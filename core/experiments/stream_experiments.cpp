@@ -521,7 +521,7 @@ Result<Experiment> runDelta(const ExperimentOptions& options) {
       "the next loop may already be nearer than δ. It then counts as reached, and its slot is "
       "overwritten before the control has read it: a point is skipped. The paper does not mention "
       "this; δ should not exceed d_min.",
-      "F 400 with d_min 0.2 mm is beyond what the distance to go allows at any δ: see figure4."};
+      "With the distance to go, d_min 0.2 mm at F 400 is below the limit that figure4 shows."};
   return result;
 }
 
