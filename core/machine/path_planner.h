@@ -6,37 +6,33 @@
 /// interpolation cycle comes out. @threadsafety one object, one thread; `step` allocates only
 /// when a block ends and its record is kept.
 ///
-/// How it works. Blocks become pieces: lines and arcs. Where a block is to be rounded into the
-/// next one, both give up some length to an arc between them (path_piece.h); everywhere else the
-/// course must run on evenly, or the path stands at the corner. Each piece has a speed that its
+/// How it works. Blocks become pieces: lines and arcs. If a block is to be rounded into the next
+/// one, both give up some length to an arc between them (path_piece.h). Everywhere else the
+/// direction must be continuous, or the path stops at the corner. Each piece has a speed that its
 /// curvature and its axes allow, and a junction speed at which it may be entered.
 ///
-/// From the last piece, where the path must be able to stand, a backward pass finds the speed at
-/// which each piece may be entered so that braking suffices for all that follows. The piece in
-/// motion gets a speed profile from the state it is in to the entry of the next one
-/// (speed_profile.h). A block that is appended later may only make the path longer: the corner to
-/// it is opened if the motion under way can still bear it, and stays a stand if not. So no limit
-/// is ever exceeded, whenever blocks arrive.
+/// One jerk-limited motion covers all pieces. `SpeedCeiling` says which states of motion are safe:
+/// from these the path can stop at the end of the last piece within all limits. A block that is
+/// appended can only lengthen the path: the corner to it is opened if the motion in progress stays
+/// safe; otherwise the path stops there. So no limit is ever exceeded, whenever blocks arrive.
 ///
-/// The feed may be changed at any moment by the override. What follows may then be entered too
-/// fast for the new feed, but never too fast for its curvature and its axes: a second backward
-/// pass, which knows no feed, sees to that.
+/// The override may change the feed at any moment. It takes effect as soon as the motion is safe
+/// with the new feed.
 ///
 /// A block that would be passed in less than a cycle gets a lower feed, as on the control
 /// (`blocksPerCycleMax`): many short blocks make the path slow.
 ///
-/// Limits per axis. BRISK: along an arc half of the acceleration goes along the path and
-/// 0.866 of it across (the two are at right angles, so together they use all of it). SOFT: half
-/// of the jerk goes along the path, the other half is kept for what arcs and the steps of the
-/// curvature at their ends need; no piece is passed in less than one cycle. Pieces of equal speed
-/// are planned as one, so that the acceleration need not come to rest between them.
+/// Limits per axis. BRISK: along an arc half of the acceleration is used along the path and 0.866
+/// of it across (the two are at right angles, so together they use all of it); the jerk is so high
+/// that it does not matter. SOFT: half of the jerk is used along the path; the other half is kept
+/// for arcs and for the steps of the curvature at their ends.
 ///
 /// Rotary axes turn in proportion to the path: each piece has its degrees per mm, and its speed,
 /// acceleration and jerk along the path are such that no rotary axis exceeds its own. A block that
-/// moves nothing else (or less than 10 µm per degree) is measured in degrees, and the path stands
-/// at both its ends. Corners at blocks that turn rotary axes are not rounded: where the course or
-/// the degrees per mm change, the path passes at the speed at which the step is bearable for each
-/// axis (as where an arc meets a line), or stands.
+/// moves nothing else (or less than 10 µm per degree) is measured in degrees, and the path stops
+/// at both its ends. Corners at blocks that turn rotary axes are not rounded: if the direction or
+/// the degrees per mm change, the path passes at the speed at which every axis can follow the step
+/// (as between an arc and a line), or it stops.
 #pragma once
 
 #include <cstdint>
@@ -59,7 +55,7 @@ class PathPlanner {
  public:
   PathPlanner(const MachineConfig& config, base::Vec3 startMm, base::RotaryDeg startDeg = {});
 
-  /// Appends a block behind the last one.
+  /// Appends a block after the last one.
   void append(const PreparedMotion& motion);
   void append(const PreparedDwell& dwell);
 
@@ -74,7 +70,7 @@ class PathPlanner {
   /// block ends in the middle of the arc to the next one.
   void step(base::Instant end, std::vector<trace::ExecutedBlock>& executed);
 
-  /// Brake to a stand on the path and forget the rest.
+  /// Brakes to a standstill on the path and drops the rest.
   void abort();
 
   /// Path override, 1 for 100 %: scales the feed of what follows; the path brakes and
@@ -93,7 +89,7 @@ class PathPlanner {
   /// How much of the block in motion has been passed, 0 to 1.
   [[nodiscard]] double pathShare() const;
   [[nodiscard]] base::LineNumber line() const { return m_line; }
-  /// End point of the last block taken over: where the path will stand.
+  /// End point of the last appended block, where the path will stop.
   [[nodiscard]] base::Vec3 endMm() const { return m_endMm; }
   [[nodiscard]] const base::RotaryDeg& endDeg() const { return m_endDeg; }
 
@@ -104,10 +100,10 @@ class PathPlanner {
     double feedMmPerS = 0.0;
     double speedMmPerSMax = 0.0;  ///< what curvature and axes allow
     SpeedLimits limits;
-    double junctionMmPerSMax = 0.0;  ///< at its start; 0: the path stands there
+    double junctionMmPerSMax = 0.0;  ///< at its start; 0: the path stops there
     double junctionMmPerS2Max = std::numeric_limits<double>::infinity();
     bool boundToCycle = false;  ///< must take a cycle at least: there are steps at its ends
-    bool holdsReserve = false;  ///< its limits leave room for a step of the course
+    bool holdsReserve = false;  ///< its limits leave room for a step of the direction
     bool endsBlock = false;
     base::RotaryDeg startDeg{};
     base::RotaryDeg degPerMm{};  ///< of A, B, C along the path
@@ -144,20 +140,20 @@ class PathPlanner {
   /// Opens the corner between the last piece and `next`, so that the path need not stand there.
   /// @return false if it has to
   bool connect(Block& next, Piece& piece);
-  /// What a block can spare for the corner at one of its ends.
+  /// The length that a block can give to the corner at one of its ends.
   [[nodiscard]] double cutMmMax(double blockMm, const Piece& piece) const;
   bool roundCornerInto(Block& next, Piece& piece);
-  /// @param turn  change of the course of X Y Z; @param rateTurn  of the degrees per mm
+  /// @param turn  change of the direction of X Y Z; @param rateTurn  of the degrees per mm
   bool stepInto(Piece& next, double turn, double rateTurn);
   [[nodiscard]] bool isLastUnderWay() const;
   void boundToCycle(Piece& piece) const;
   [[nodiscard]] double curvatureStepSpeed(const Piece& before, const Piece& after) const;
-  /// Plans anew from a piece to the end.
+  /// Replans from a piece to the end.
   /// @return false if the motion in progress could not keep the limits; then nothing may stay
   bool planFrom(std::size_t index);
   /// Speed limit of the piece in motion.
   [[nodiscard]] double capMmPerS() const;
-  /// Changes over to the override that is set, once the motion can bear it.
+  /// Applies the override that is set as soon as the motion is safe with it.
   void takeOverride();
   void follow(SpeedProfile profile);
   void makeProfile(double seconds);
@@ -182,7 +178,7 @@ class PathPlanner {
   std::optional<SpeedProfile> m_profile;
   double m_profileS = 0.0;     ///< time passed on it
   double m_offsetMm = 0.0;     ///< place on the first piece minus length passed on the profile
-  bool m_standsAtEnd = false;  ///< the profile ends in a stand, wherever that is
+  bool m_standsAtEnd = false;  ///< the profile ends in a standstill, wherever that is
   bool m_isCommitted = false;  ///< only the end of the profile is safe
   std::size_t m_reach = 0;     ///< last piece that the profile depends on
   double m_override = 1.0;

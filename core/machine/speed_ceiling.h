@@ -3,33 +3,33 @@
 
 /// @file
 /// The speed along a path of many sections, each with its own limits of speed, acceleration and
-/// jerk. One jerk-limited motion covers them all: the acceleration runs on across the joints.
+/// jerk. One jerk-limited motion covers them all: the acceleration is continuous across the joints.
 /// Units mm, s. @threadsafety one object, one thread.
 ///
-/// The ceiling. Going backwards from the end of the path, where it must be able to stand, each
-/// section is climbed as fast as its limits allow: the acceleration (backwards in time) grows with
-/// the jerk limit, holds, and fades so that the section's speed limit is met at rest. The result is
-/// a braking motion that keeps every limit: a motion that is on the ceiling can stay on it up to
-/// the end. Where the climb would leave the limits of the section before, the ceiling is cut: the
-/// joint gets a state of its own (speed and acceleration), and the climb starts anew from there.
-/// On its way forward the ceiling jumps up at such a joint, and the motion below it may climb
-/// again.
+/// The ceiling. Going backwards from the end of the path, where it must be able to stop, the speed
+/// climbs through each section as fast as its limits allow: the acceleration (backwards in time)
+/// grows with the jerk limit, holds, and fades so that it is zero at the section's speed limit. The
+/// result is a braking motion that keeps every limit: a motion that is on the ceiling can stay on
+/// it up to the end. If the climb would exceed the limits of the preceding section, the ceiling is
+/// cut: the joint gets its own state (speed and acceleration), and the climb starts again from
+/// there. In forward direction the ceiling jumps up at such a joint, and the motion below it may
+/// climb again.
 ///
-/// What may be reached. From a state, let the acceleration fall with the jerk limit. If the motion
-/// stays below the ceiling until its acceleration is no higher than that of the ceiling at the same
-/// place, it can go on below the ceiling: it follows the ceiling's acceleration over the path, at a
-/// lower speed, thus with less jerk, and stops a little earlier. Such a state is called safe. The
-/// states at the joints are chosen safe. So from a safe state there is always a motion to a stand
-/// that keeps all limits. (The gap in speed² between the two is largest or smallest where both have
-/// the same acceleration, therefore only these places and the joints need to be looked at.)
+/// Safe states. From a state, let the acceleration fall with the jerk limit. If the motion stays
+/// below the ceiling until its acceleration is no higher than that of the ceiling at the same
+/// place, it can stay below the ceiling: it follows the ceiling's acceleration over the path, at a
+/// lower speed and so with less jerk, and stops a little earlier. Such a state is called safe. The
+/// states at the joints are chosen safe. So from a safe state there is always a motion to a
+/// standstill that keeps all limits. (The gap in speed² between the two is largest or smallest
+/// where both have the same acceleration, so only these places and the joints need to be checked.)
 ///
 /// The motion. In each section it climbs as fast as it can for as long as its state is safe, then
 /// lets the acceleration fall until it meets the ceiling tangentially, and follows it.
 ///
 /// The states of the joints decide how close this comes to the shortest time. A joint that limits
-/// both the motion towards it and the motion behind it is passed with the smaller of the slopes on
-/// both sides, and with none where they differ in sign: as a bend of the speed limit is followed,
-/// and the bottom of a dip is touched.
+/// both the motion before it and the motion after it is passed with the smaller of the slopes on
+/// both sides, and with none if they differ in sign: as a bend of the speed limit is followed, and
+/// the bottom of a dip is touched.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct SpeedSection {
   double feedMmPerS = 0.0;                ///< > 0; scaled by the override
   double fastestMmPerS = 0.0;             ///< whatever the feed; > 0
   SpeedLimits limits;                     ///< both > 0 and finite
-  double jointMmPerS = 0.0;               ///< highest speed at its start; 0: a stand
+  double jointMmPerS = 0.0;               ///< highest speed at its start; 0: a stop
   double jointAccelerationMmPerS2 = 0.0;  ///< largest there, of either sign; >= 0
 };
 
