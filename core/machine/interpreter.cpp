@@ -236,7 +236,8 @@ Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
                               : word.reference == nc::Word::Reference::Absolute;
     return (absolute ? 0.0 : from) + scale * word.value;
   };
-  const base::Vec3 programmedFrom = m_frame.toProgrammed(m_endMm);
+  const nc::Frame frame = block.suppressesFrame ? nc::Frame{} : m_frame;
+  const base::Vec3 programmedFrom = frame.toProgrammed(m_endMm);
   base::Vec3 programmed = programmedFrom;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (block.axes[axis]) {
@@ -253,14 +254,14 @@ Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
   }
   PreparedMotion motion;
   if (m_mode != PathMode::Rapid && m_mode != PathMode::Line) {
-    const auto arc = arcOf(block, programmedFrom, programmed);
+    const auto arc = arcOf(block, frame, programmedFrom, programmed);
     if (const Alarm* problem = std::get_if<Alarm>(&arc)) {
       return *problem;
     }
     motion.arc = std::get<ArcPath>(arc);
   }
-  base::Vec3 target = m_frame.toWorkpiece(programmed);
-  for (std::size_t axis = 0; axis < base::kAxisCount && m_frame.isAligned(); ++axis) {
+  base::Vec3 target = frame.toWorkpiece(programmed);
+  for (std::size_t axis = 0; axis < base::kAxisCount && frame.isAligned(); ++axis) {
     if (programmed[axis] == programmedFrom[axis] && !block.axes[axis]) {
       target.set(axis, m_endMm[axis]);  // to the last bit
     }
@@ -282,15 +283,15 @@ Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
   return motion;
 }
 
-std::variant<ArcPath, Alarm> Interpreter::arcOf(const MotionWords& words, base::Vec3 fromMm,
-                                                base::Vec3& toMm) const {
-  const auto placed = [this](ArcPath arc) -> std::variant<ArcPath, Alarm> {
-    if (!m_frame.keepsCircles()) {
+std::variant<ArcPath, Alarm> Interpreter::arcOf(const MotionWords& words, const nc::Frame& frame,
+                                                base::Vec3 fromMm, base::Vec3& toMm) const {
+  const auto placed = [&frame](ArcPath arc) -> std::variant<ArcPath, Alarm> {
+    if (!frame.keepsCircles()) {
       return Alarm{kEndPointError, "A circle is no circle any more in a frame scaled unevenly."};
     }
-    const base::Vec3 axis = m_frame.turned(arc.axis);
-    arc.centreMm = m_frame.toWorkpiece(arc.centreMm);
-    arc.axis = ((m_frame.mirrors() ? -1.0 : 1.0) / base::norm(axis)) * axis;
+    const base::Vec3 axis = frame.turned(arc.axis);
+    arc.centreMm = frame.toWorkpiece(arc.centreMm);
+    arc.axis = ((frame.mirrors() ? -1.0 : 1.0) / base::norm(axis)) * axis;
     return arc;
   };
   if (m_mode == PathMode::Through) {

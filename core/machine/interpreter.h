@@ -69,9 +69,9 @@ class Interpreter {
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared move(const nc::Words& words, base::LineNumber line);
   [[nodiscard]] std::optional<Alarm> modes(const MotionWords& words);
-  /// In the programmed frame. @param toMm  found here if the block names no end but AR=
-  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const MotionWords& words, base::Vec3 fromMm,
-                                                   base::Vec3& toMm) const;
+  /// In programmed coordinates. @param toMm  found here if the block names no end but AR=
+  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const MotionWords& words, const nc::Frame& frame,
+                                                   base::Vec3 fromMm, base::Vec3& toMm) const;
   [[nodiscard]] Prepared leave();
   [[nodiscard]] Prepared setFrame(const nc::FrameStatement& statement);
   [[nodiscard]] double unit() const;

@@ -20,8 +20,7 @@ constexpr int kUnknownG = 12470;
 constexpr int kUnknownName = 12550;
 
 /// G functions without effect on what the virtual machine models.
-constexpr std::array kIgnoredG{40,  53,  54,  55,  56,  57,  94,  153,
-                               450, 451, 500, 601, 602, 603, 505, 506};
+constexpr std::array kIgnoredG{40, 54, 55, 56, 57, 94, 450, 451, 500, 601, 602, 603, 505, 506};
 
 /// What a G function sets: a function per code, a contradiction within a group is an alarm.
 struct GFunction {
@@ -47,6 +46,8 @@ constexpr std::array kGFunctions{
     GFunction{2, [](MotionWords& w) { return once(w.mode, PathMode::Clockwise); }},
     GFunction{3, [](MotionWords& w) { return once(w.mode, PathMode::CounterClockwise); }},
     GFunction{9, [](MotionWords& w) { return w.exactStopOnce = true; }},
+    GFunction{53, [](MotionWords& w) { return w.suppressesFrame = true; }},
+    GFunction{153, [](MotionWords& w) { return w.suppressesFrame = true; }},
     GFunction{17, [](MotionWords& w) { return once(w.plane, std::size_t{0}); }},
     GFunction{18, [](MotionWords& w) { return once(w.plane, std::size_t{2}); }},
     GFunction{19, [](MotionWords& w) { return once(w.plane, std::size_t{1}); }},
@@ -116,8 +117,7 @@ bool isIgnored(std::string_view address) {
   if (address.size() == 1) {
     return std::string_view("MSTDHUVW").find(address) != std::string_view::npos;
   }
-  const nc::NameEffect effect = nc::nameEffect(nc::Dialect::Sinumerik, address);
-  return (effect == nc::NameEffect::None || effect == nc::NameEffect::MachineMove) &&
+  return nc::nameEffect(nc::Dialect::Sinumerik, address) == nc::NameEffect::None &&
          std::find(kModelled.begin(), kModelled.end(), address) == kModelled.end();
 }
 
@@ -141,6 +141,10 @@ std::variant<MotionWords, Alarm> gather(
       if (!once(made.dynamics, address == "SOFT" ? Dynamics::Soft : Dynamics::Brisk)) {
         return Alarm{kGroupTwice, "Two G functions of one group are in the block."};
       }
+      continue;
+    }
+    if (address == "SUPA") {
+      made.suppressesFrame = true;
       continue;
     }
     if (address == "CIP") {

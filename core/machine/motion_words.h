@@ -46,7 +46,8 @@ struct MotionWords {
   std::optional<bool> inches;    ///< G70, G700; G71, G710
   std::optional<BlockEnd> end;   ///< G60; G64, G641 to G645
   std::optional<RoundingKind> rounding;
-  bool exactStopOnce = false;  ///< G9
+  bool exactStopOnce = false;    ///< G9
+  bool suppressesFrame = false;  ///< G53, G153, SUPA: this block is in machine coordinates
 
   /// Names an axis. Rotary ones count even where the machine has none of that name.
   [[nodiscard]] bool moves() const { return axes[0] || axes[1] || axes[2] || isArc() || turns(); }

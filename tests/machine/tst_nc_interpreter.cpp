@@ -180,6 +180,8 @@ class TestNcInterpreter : public QObject {
     row("label in a variable", "DEF STRING[8] TT=\"BB\"\nGOTOF TT\nX1\nBB: X2\nM30", "2,0,0");
     row("text compared", "DEF STRING[8] TT\nTT=\"A\"<<1\nIF TT==\"A1\"\nX1\nENDIF\nM30", "1,0,0");
     row("arc without an end", "G2 I5 J0 AR=90\nM30", "5,5,0");
+    row("machine coordinates", "TRANS X10\nG53 X1\nX1\nSUPA X2 Y1\nY2\nM30",
+        "1,0,0 11,0,0 2,1,0 2,2,0");
     row("scale", "X10 Y10\nSCALE X2\nX6\nY1\nASCALE X0.5\nX3\nM30", "10,10,0 12,10,0 12,1,0 3,1,0");
     row("mirror", "MIRROR X0\nX5 Y1\nM30", "-5,1,0");
     row("turned about Y", "ROT Y90\nX1\nM30", "0,0,-1");
