@@ -335,6 +335,33 @@ Findings checkPragmaOnce(const Sources& sources) {
   return findings;
 }
 
+Findings checkOwnHeaderFirst(const Sources& sources) {
+  static const QRegularExpression include =
+      pattern(QStringLiteral(R"re(^#include [<"]([^>"]+)[>"])re"));
+  QSet<QString> headers;
+  for (const Source& source : sources) {
+    if (source.path.endsWith(u".h")) {
+      headers.insert(source.path);
+    }
+  }
+  Findings findings;
+  for (const Source& source : sources) {
+    const bool checked = source.path.endsWith(u".cpp") &&
+                         (source.path.startsWith(u"core/") || source.path.startsWith(u"widgets/"));
+    const QString header = source.path.chopped(4) + QStringLiteral(".h");
+    if (!checked || !headers.contains(header)) {
+      continue;
+    }
+    const QString first = include.match(codeOnly(source.text, true)).captured(1);
+    if (first != header && first != header.section(u'/', 1)) {
+      findings.append({source.path, 1,
+                       QStringLiteral("the first include is not the header of the same name; put "
+                                      "it first, which shows that it compiles alone")});
+    }
+  }
+  return findings;
+}
+
 Findings checkBannedWords(const Sources& sources) {
   const auto readsTheWorld = [](const QString& path) {
     return path.startsWith(u"core/opcua/open62541/") || path.startsWith(u"core/machine/front/");

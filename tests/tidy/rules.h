@@ -58,6 +58,9 @@ struct Module {
 [[nodiscard]] Findings checkSpdx(const Sources& sources);
 /// Each header has `#pragma once`.
 [[nodiscard]] Findings checkPragmaOnce(const Sources& sources);
+/// A source includes the header of its own name first, so that building it shows that the header
+/// compiles alone; headers without a source are built alone by rivulet_header_check.
+[[nodiscard]] Findings checkOwnHeaderFirst(const Sources& sources);
 /// Core asks no clock, does not sleep, starts no thread, draws no unseeded number and reads no
 /// environment; core/opcua/open62541 and core/machine/front may read clocks and sleep.
 [[nodiscard]] Findings checkBannedWords(const Sources& sources);

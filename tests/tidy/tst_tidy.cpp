@@ -63,6 +63,7 @@ class TestTidy : public QObject {
   void noQtInCore() { none(checkNoQtInCore(m_sources)); }
   void spdx() { none(checkSpdx(m_sources)); }
   void pragmaOnce() { none(checkPragmaOnce(m_sources)); }
+  void ownHeaderFirst() { none(checkOwnHeaderFirst(m_sources)); }
   void bannedWords() { none(checkBannedWords(m_sources)); }
   void equationTags() { none(checkEquationTags(m_sources)); }
   void noTranslationInCore() { none(checkNoTranslationInCore(m_sources)); }

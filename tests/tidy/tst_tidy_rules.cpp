@@ -115,6 +115,20 @@ class TestTidyRules : public QObject {
                                                        QStringLiteral("core/upper/b.cpp:3")}));
   }
 
+  void aSourceIncludesItsHeaderFirst() {
+    const Sources sources{file("core/a/good.h", ""),
+                          file("core/a/good.cpp", "// #include <b>\n#include \"a/good.h\"\n"),
+                          file("core/a/late.h", ""),
+                          file("core/a/late.cpp", "#include <vector>\n#include \"a/late.h\"\n"),
+                          file("core/a/alone.cpp", "#include <vector>\n"),
+                          file("widgets/w.h", ""),
+                          file("widgets/w.cpp", "#include \"widgets/w.h\"\n"),
+                          file("app/x.h", ""),
+                          file("app/x.cpp", "#include <vector>\n")};
+    QCOMPARE(places(checkOwnHeaderFirst(sources)),
+             QStringList{QStringLiteral("core/a/late.cpp:1")});
+  }
+
   void aFolderWithoutAModuleIsFound() {
     QCOMPARE(places(checkEdges({file("core/lost/a.cpp", "int a;\n")})),
              QStringList{QStringLiteral("core/lost/a.cpp:1")});
