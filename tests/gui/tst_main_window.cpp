@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// The main job on the real window: the virtual machine runs in a process of its own, the window
-/// talks to it over OPC UA, in real time. Pictures of every page stay in the build folder.
+/// The main job on the real window, with its threads, on a virtual machine in virtual time; see
+/// tst_window_over_opcua for the real connection. Pictures of every page stay in the build folder.
 
 #include <QApplication>
 #include <QCheckBox>
@@ -27,7 +27,7 @@
 #include "hmi/main_window.h"
 #include "opcua/error.h"
 #include "streaming/pause_placement.h"
-#include "support/machine_process.h"
+#include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "trace/analysis/integrity.h"
 #include "trace/file.h"
@@ -58,13 +58,8 @@ constexpr int kCalibrationPage = 4;
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
-std::unique_ptr<tests::MachineProcess> startMachine(const char* preset = "dmu75",
-                                                    const QString& port = QStringLiteral("0")) {
-  return std::make_unique<tests::MachineProcess>(
-      QStringLiteral(RIVULET_MACHINE),
-      QStringList{QStringLiteral("--port"), port, QStringLiteral("--seed"), QStringLiteral("1"),
-                  QStringLiteral("--preset"), QString::fromLatin1(preset)});
-}
+/// Seconds of the machine in one second, where a test does something in the middle of a run.
+constexpr double kInteractivePace = 8.0;
 
 hmi::Settings settings() {
   hmi::Settings settings;
@@ -122,18 +117,37 @@ class TestMainWindow : public QObject {
   Q_OBJECT
 
  private:
-  std::unique_ptr<tests::MachineProcess> m_machine;
+  std::unique_ptr<tests::SimulatedControl> m_machine;
   std::unique_ptr<MainWindow> m_window;
   QTemporaryDir m_folder;
 
   void open(const widgets::StreamSettings& stream, const QString& path = kScorpion) {
     m_window->setStreamSettings(stream);
     m_window->openProgram(path);
-    m_window->connectTo(m_machine->endpoint());
+    connectToMachine();
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
   }
 
+  void connectToMachine() {
+    m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+  }
+
+  /// A new machine; what was connected to another one loses it.
+  void startMachine(const char* preset = "dmu75") {
+    m_machine.reset();
+    m_machine = std::make_unique<tests::SimulatedControl>(preset, kInteractivePace);
+  }
+
+  void openWindow() {
+    m_window = std::make_unique<MainWindow>(settings(), false, [this](const std::string& endpoint) {
+      return m_machine->connect(endpoint);
+    });
+    m_window->resize(1440, 900);
+    m_window->show();
+  }
+
   std::shared_ptr<const RunReport> runToEnd() {
+    m_machine->setPace(tests::SimulatedControl::kUnlimited);
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
     if (!m_window->start() || (finished.isEmpty() && !finished.wait(kRunMs))) {
       return nullptr;
@@ -141,17 +155,39 @@ class TestMainWindow : public QObject {
     return m_window->lastReport();
   }
 
-  /// The first lines of the sample program, which is long for a machine in real time.
-  [[nodiscard]] QString beginning(int lines) {
-    QFile whole(kScorpion);
-    QFile part(m_folder.filePath(QStringLiteral("beginning.tap")));
-    if (!whole.open(QIODevice::ReadOnly) || !part.open(QIODevice::WriteOnly)) {
-      qFatal("the sample program cannot be copied");
+  /// The page in front, a machine that has arrays, nothing known about it yet.
+  void openCalibration() {
+    QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+         QStringLiteral("/rivulet/machines"))
+        .removeRecursively();
+    startMachine("dmu75-arrays");
+    m_window->pages()->setCurrentIndex(kCalibrationPage);
+    streaming::CalibrationPlan plan;
+    plan.firstCell = 80;
+    plan.lastCell = 99;
+    plan.shots = 40;
+    plan.budget = std::chrono::minutes{1};
+    m_window->calibrationPage()->setPlan(plan);
+  }
+
+  void confirmCells() {
+    for (QCheckBox* box : m_window->calibrationPage()->findChildren<QCheckBox*>()) {
+      if (box->text().contains(QStringLiteral("R80 to R99"))) {
+        box->setChecked(true);
+      }
     }
-    for (int line = 0; line < lines; ++line) {
-      part.write(whole.readLine());
-    }
-    return part.fileName();
+  }
+
+  void beginCalibration() {
+    confirmCells();
+    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
+  }
+
+  void calibrate() {
+    m_machine->setPace(tests::SimulatedControl::kUnlimited);
+    beginCalibration();
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->accessSource().isUsed(), kRunMs);
   }
 
   [[nodiscard]] QPushButton* button(const QString& text) const {
@@ -170,11 +206,8 @@ class TestMainWindow : public QObject {
   }
 
   void init() {
-    m_machine = startMachine();
-    QVERIFY(m_machine->endpoint().startsWith(QStringLiteral("opc.tcp://127.0.0.1:")));
-    m_window = std::make_unique<MainWindow>(settings(), false);
-    m_window->resize(1440, 900);
-    m_window->show();
+    startMachine();
+    openWindow();
   }
 
   void cleanup() {
@@ -250,13 +283,6 @@ class TestMainWindow : public QObject {
     }
   }
 
-  void wrongAddressIsSaid() {
-    auto* messages = m_window->findChild<widgets::MessageArea*>();
-    m_window->connectTo(QStringLiteral("opc.tcp://127.0.0.1:1"));
-    QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
-    QVERIFY(!m_window->startBlockedReason().isEmpty());
-  }
-
   /// Every point once, a pause for every STOPRE with motion behind it: two in each of the 39
   /// loops, but for the last of all.
   void streamsBySignal() {
@@ -285,14 +311,14 @@ class TestMainWindow : public QObject {
   }
 
   void streamsByPosition() {
-    open(streamSettings(base::MethodKind::Position, 9, 0.75, 1400.0), beginning(80));
+    open(streamSettings(base::MethodKind::Position, 9, 0.75, 1400.0));
     QVERIFY(m_window->verdict()->feasible);
     const auto report = runToEnd();
     QVERIFY(report);
     QVERIFY2(report->outcome == Outcome::Completed, report->error.text().c_str());
     QVERIFY(report->integrity.isFaultless());
     const std::size_t total = report->counters.total;
-    QVERIFY(total > 60);
+    QCOMPARE(total, kScorpionPoints);
     QCOMPARE(report->integrity.executed, total);
     QCOMPARE(report->pauses.size(), (total + 8) / 9 - 1);
   }
@@ -430,11 +456,14 @@ class TestMainWindow : public QObject {
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().state == streaming::RunState::Holding, kRunMs);
     QCOMPARE(hold->text(), QStringLiteral("Continue"));
-    // It comes to a stand in front of a window: position and counter rest.
-    const auto rests = [this] {
-      const std::size_t before = m_window->lastUpdate().counters.executed;
-      QTest::qWait(1500);
-      return m_window->lastUpdate().counters.executed == before;
+    // It comes to a stand in front of a window: for two seconds of the machine nothing is executed.
+    auto rests = [this, count = std::size_t{0}, since = base::Instant{}]() mutable {
+      if (const std::size_t executed = m_window->lastUpdate().counters.executed;
+          executed != count) {
+        count = executed;
+        since = m_machine->now();
+      }
+      return m_machine->now() - since > std::chrono::seconds{2};
     };
     QTRY_VERIFY_WITH_TIMEOUT(rests(), kRunMs);
     const std::size_t held = m_window->lastUpdate().counters.executed;
@@ -457,8 +486,9 @@ class TestMainWindow : public QObject {
     auto* bar = m_window->findChild<widgets::ResumeBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(bar->place().has_value(), kSoonMs);
     QCOMPARE(bar->place()->point, first->integrity.executed);
-    QVERIFY(shows(bar, QStringLiteral("Nothing has moved yet. The run will resume at point %1 of 270")
-                           .arg(first->integrity.executed + 1)));
+    QVERIFY(
+        shows(bar, QStringLiteral("Nothing has moved yet. The run will resume at point %1 of 270")
+                       .arg(first->integrity.executed + 1)));
     QVERIFY(!m_window->isRunning());
     picturePages(*m_window, QStringLiteral("resume-light-en"));
     m_window->setLanguage(QStringLiteral("de"));
@@ -473,6 +503,7 @@ class TestMainWindow : public QObject {
                       Qt::LeftButton);
     QVERIFY(m_window->isRunning());
     QVERIFY(!bar->isVisible());
+    m_machine->setPace(tests::SimulatedControl::kUnlimited);
     QVERIFY(finished.wait(kRunMs));
     const auto second = m_window->lastReport();
     QVERIFY2(second->outcome == Outcome::Completed, second->error.text().c_str());
@@ -502,8 +533,8 @@ class TestMainWindow : public QObject {
     QVERIFY(m_window->lastReport()->outcome == Outcome::Failed);
     QVERIFY(!m_window->resumeBlockedReason().isEmpty());  // no connection
     // A machine that has never run it cannot say where it was left, and says so.
-    m_machine = startMachine();
-    m_window->connectTo(m_machine->endpoint());
+    startMachine();
+    connectToMachine();
     QTRY_COMPARE_WITH_TIMEOUT(m_window->resumeBlockedReason(), QString(), kSoonMs);
     m_window->askResume();
     auto* bar = m_window->findChild<widgets::ResumeBar*>();
@@ -515,109 +546,102 @@ class TestMainWindow : public QObject {
     QVERIFY(!m_window->resumeBlockedReason().isEmpty());
   }
 
-  /// Cells confirmed on the page, a machine that takes its time, a file that is found again; and
-  /// not used for another version of the server.
-  void calibrates() {
-    QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-         QStringLiteral("/rivulet/machines"))
-        .removeRecursively();
-    m_machine = startMachine("dmu75-arrays");
-    auto* page = m_window->calibrationPage();
-    m_window->pages()->setCurrentIndex(kCalibrationPage);
-    streaming::CalibrationPlan plan;
-    plan.firstCell = 80;
-    plan.lastCell = 99;
-    plan.shots = 40;
-    plan.budget = std::chrono::minutes{1};
-    page->setPlan(plan);
-    const auto confirm = [&page] {
-      for (QCheckBox* box : page->findChildren<QCheckBox*>()) {
-        if (box->text().contains(QStringLiteral("R80 to R99"))) {
-          box->setChecked(true);
-        }
-      }
-    };
-    const auto shows = [&page](const char* text) {
-      const auto labels = page->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-        return label->isVisible() && label->text().contains(QString::fromLatin1(text));
-      });
-    };
-    confirm();
-    QVERIFY(!button(QStringLiteral("Calibrate"))->isEnabled());
-    QVERIFY(shows("Connect to a control first."));
+  void calibrationNeedsAControlAndFreeCells() {
+    openCalibration();
+    auto* calibrate = button(QStringLiteral("Calibrate"));
+    QVERIFY(!calibrate->isEnabled());
+    confirmCells();
+    QVERIFY(!calibrate->isEnabled());
+    QVERIFY(shows(m_window->calibrationPage(), QStringLiteral("Connect to a control first.")));
     open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
     QVERIFY(!m_window->accessSource().record);
-    const double assumedMmPerS = m_window->verdict()->feedMmPerSMax;
-    QVERIFY(button(QStringLiteral("Calibrate"))->isEnabled());
+    QVERIFY(!m_window->verdict()->accessMeasured);
+    QVERIFY(calibrate->isEnabled());
+  }
 
-    // Cancelled: the cells are free again, nothing is kept.
-    auto* messages = m_window->findChild<widgets::MessageArea*>();
-    QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
+  /// The cells are free again, nothing is kept.
+  void cancelledCalibrationLeavesNothing() {
+    openCalibration();
+    beginCalibration();
     QVERIFY(!m_window->start());
+    auto* page = m_window->calibrationPage();
     auto* bar = page->findChild<QProgressBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && bar->value() > 30, kSoonMs);
-    page->cancelRequested();
-    QTRY_VERIFY_WITH_TIMEOUT(messages->text().contains(QStringLiteral("cancelled")), kSoonMs);
-    QVERIFY(!m_window->accessSource().record && !bar->isVisible());
-
-    confirm();
-    QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(shows("shots,"), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(shows(page, QStringLiteral("shots,")), kSoonMs);
     QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/calibrating.png")));
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->accessSource().isUsed(), kRunMs);
+    page->cancelRequested();
+    auto* messages = m_window->findChild<widgets::MessageArea*>();
+    QTRY_VERIFY_WITH_TIMEOUT(messages->text().contains(QStringLiteral("cancelled")), kSoonMs);
+    QVERIFY(!m_window->accessSource().record && !bar->isVisible());
+  }
+
+  void calibrationIsRecorded() {
+    openCalibration();
+    calibrate();
+    QVERIFY(m_window->accessSource().isUsed());
     const streaming::CalibrationRecord& record = *m_window->accessSource().record;
-    QCOMPARE(record.endpoint, m_machine->endpoint().toStdString());
+    QCOMPARE(record.endpoint, tests::SimulatedControl::endpoint());
     QCOMPARE(record.server.buildNumber, std::string("dmu75-arrays"));
     QVERIFY(record.calibration.best() == opcua::Grouping::ArrayCount);
     for (const streaming::AccessSeries& series : record.calibration.series) {
       QVERIFY(series.shotsMade >= 5 && series.shotsMade <= 40);
     }
-    // A window costs as much as a cell now: the machine is kept up with at many times the feed.
+  }
+
+  /// A window costs as much as a cell now: the machine is kept up with at many times the feed.
+  void verdictUsesTheCalibration() {
+    openCalibration();
+    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    const double assumedMmPerS = m_window->verdict()->feedMmPerSMax;
+    calibrate();
     QVERIFY(m_window->verdict()->accessMeasured);
     QVERIFY(m_window->verdict()->feedMmPerSMax > 3.0 * assumedMmPerS);
     picturePages(*m_window, QStringLiteral("calibrated-light-en"));
     m_window->setLanguage(QStringLiteral("de"));
     m_window->setTheme(widgets::Theme::Dark);
     picturePages(*m_window, QStringLiteral("calibrated-dark-de"));
-    m_window->setLanguage(QStringLiteral("en"));
-    m_window->setTheme(widgets::Theme::Light);
+  }
 
-    // The next window finds it again.
-    const std::string measuredAt = record.measuredAtUtc;
-    const QString endpoint = m_machine->endpoint();
-    m_window = std::make_unique<MainWindow>(settings(), false);
-    m_window->show();
+  void nextWindowFindsTheCalibration() {
+    openCalibration();
+    calibrate();
+    QVERIFY(m_window->accessSource().isUsed());
+    const std::string measuredAt = m_window->accessSource().record->measuredAtUtc;
+    openWindow();
     open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
     QVERIFY(m_window->accessSource().isUsed());
     QCOMPARE(m_window->accessSource().record->measuredAtUtc, measuredAt);
     QVERIFY(m_window->verdict()->accessMeasured);
+  }
 
-    // Another version at the same address: shown, not used.
-    m_machine.reset();
-    m_machine = startMachine("dmu75", endpoint.section(QLatin1Char(':'), -1));
-    QCOMPARE(m_machine->endpoint(), endpoint);
-    m_window = std::make_unique<MainWindow>(settings(), false);
-    m_window->show();
+  /// Another version at the same address: shown, not used.
+  void anotherServerDoesNotUseTheCalibration() {
+    openCalibration();
+    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    const double assumedMmPerS = m_window->verdict()->feedMmPerSMax;
+    calibrate();
+    m_window.reset();
+    startMachine("dmu75");
+    openWindow();
     open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
     QVERIFY(m_window->accessSource().record && !m_window->accessSource().isUsed());
     QVERIFY(!m_window->verdict()->accessMeasured);
     QVERIFY(std::abs(m_window->verdict()->feedMmPerSMax / assumedMmPerS - 1.0) < 1e-9);
     picturePages(*m_window, QStringLiteral("outdated"));
+  }
 
-    // The machine goes away in the middle: one sentence, and the page is ready again.
-    page = m_window->calibrationPage();
-    m_window->pages()->setCurrentIndex(kCalibrationPage);
-    page->setPlan(plan);
-    confirm();
-    QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
-    bar = page->findChild<QProgressBar*>();
-    QTRY_VERIFY_WITH_TIMEOUT(bar->value() > 30, kSoonMs);
+  /// The machine goes away in the middle: one sentence, and the page is ready again.
+  void calibrationLosesItsMachine() {
+    openCalibration();
+    beginCalibration();
+    auto* bar = m_window->calibrationPage()->findChild<QProgressBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && bar->value() > 30, kSoonMs);
     m_machine->kill();
-    messages = m_window->findChild<widgets::MessageArea*>();
+    auto* messages = m_window->findChild<widgets::MessageArea*>();
     QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
     QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), kSoonMs);
+    QVERIFY(!m_window->accessSource().record);
     QVERIFY(!m_window->startBlockedReason().isEmpty());
   }
 

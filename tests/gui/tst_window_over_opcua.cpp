@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The window as it is released: the virtual machine runs in a process of its own, the window talks
+/// to it over OPC UA, in real time. What the window does is tested in virtual time, in
+/// tst_main_window; this shows that it also does it on a real connection.
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "base/units.h"
+#include "hmi/main_window.h"
+#include "support/machine_process.h"
+#include "support/test_program.h"
+#include "widgets/common/message_area.h"
+
+using namespace rivulet;
+using hmi::MainWindow;
+
+namespace {
+
+constexpr int kSoonMs = 20000;
+constexpr int kRunMs = 120000;
+
+hmi::Settings settings() {
+  hmi::Settings settings;
+  settings.language = QStringLiteral("en");
+  return settings;
+}
+
+}  // namespace
+
+class TestWindowOverOpcua : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  /// The first lines of the sample program, which is long for a machine in real time.
+  [[nodiscard]] QString beginning(int lines) {
+    QFile whole(QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap"));
+    QFile part(m_folder.filePath(QStringLiteral("beginning.tap")));
+    if (!whole.open(QIODevice::ReadOnly) || !part.open(QIODevice::WriteOnly)) {
+      qFatal("the sample program cannot be copied");
+    }
+    for (int line = 0; line < lines; ++line) {
+      part.write(whole.readLine());
+    }
+    return part.fileName();
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
+  }
+
+  void streams() {
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),
+                                        {QStringLiteral("--seed"), QStringLiteral("1"),
+                                         QStringLiteral("--preset"), QStringLiteral("dmu75")});
+    QVERIFY(machine.endpoint().startsWith(QStringLiteral("opc.tcp://127.0.0.1:")));
+    MainWindow window(settings(), false);
+    window.show();
+    widgets::StreamSettings stream;
+    stream.parameters.method = base::MethodKind::Signal;
+    stream.parameters.pointsPerLoop = 7;
+    stream.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
+    window.setStreamSettings(stream);
+    window.openProgram(beginning(40));
+    window.connectTo(machine.endpoint());
+    QTRY_COMPARE_WITH_TIMEOUT(window.startBlockedReason(), QString(), kSoonMs);
+    QSignalSpy finished(&window, &MainWindow::runFinished);
+    QVERIFY(window.start());
+    QVERIFY(finished.wait(kRunMs));
+    const auto report = window.lastReport();
+    QVERIFY2(report->outcome == streaming::Outcome::Completed, report->error.text().c_str());
+    QVERIFY(report->integrity.isFaultless());
+    QVERIFY(report->counters.total > 20);
+    QCOMPARE(report->integrity.executed, report->counters.total);
+  }
+
+  void wrongAddressIsSaid() {
+    MainWindow window(settings(), false);
+    auto* messages = window.findChild<widgets::MessageArea*>();
+    window.connectTo(QStringLiteral("opc.tcp://127.0.0.1:1"));
+    QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
+    QVERIFY(!window.startBlockedReason().isEmpty());
+  }
+};
+
+RIVULET_TEST(TestWindowOverOpcua)
+#include "tst_window_over_opcua.moc"
