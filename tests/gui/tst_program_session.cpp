@@ -81,8 +81,13 @@ class Heartbeat : public QObject {
     connect(&m_timer, &QTimer::timeout, this, [this] {
       m_longestMs = std::max(m_longestMs, static_cast<double>(m_clock.nsecsElapsed()) * 1e-6);
       m_clock.restart();
+      ++m_beats;
     });
     m_timer.start(1);
+  }
+  /// The window handles events, among them some beats of this.
+  bool beat() {
+    return QTest::qWaitFor([this, until = m_beats + 10] { return m_beats >= until; }, kSoonMs);
   }
   double takeLongestMs() { return std::exchange(m_longestMs, 0.0); }
 
@@ -90,6 +95,7 @@ class Heartbeat : public QObject {
   QTimer m_timer;
   QElapsedTimer m_clock;
   double m_longestMs = 0.0;
+  int m_beats = 0;
 };
 
 }  // namespace
@@ -288,7 +294,7 @@ class TestProgramSession : public QObject {
     window.openProgram(folder.filePath("large.mpf"));
     QTRY_VERIFY_WITH_TIMEOUT(window.program() != small, kLongMs);
     const auto loadedMs = clock.elapsed();
-    QTest::qWait(50);  // what the new program sets off is drawn
+    QVERIFY(heartbeat.beat());  // what the new program sets off is drawn
     qInfo("1,000,000 lines: shown after %lld ms, longest stall of the window %.0f ms",
           static_cast<long long>(loadedMs), heartbeat.takeLongestMs());
     QVERIFY(!bar->isVisible());
@@ -297,19 +303,19 @@ class TestProgramSession : public QObject {
     QVERIFY(page->path()->canvas()->takeMostAtOnce() <= widgets::PathCanvas::kFrameMoves);
     for (const auto colouring : {widgets::PathColouring::Feed, widgets::PathColouring::Margin}) {
       page->path()->setColouring(colouring);
-      QTest::qWait(20);
+      QVERIFY(heartbeat.beat());
     }
     page->showLine(777'777);
     QCOMPARE(page->text()->currentLine(), std::size_t{777'777});
     widgets::StreamSettings stream;
     stream.parameters.pointsPerLoop = 9;
     window.setStreamSettings(stream);
-    QTest::qWait(50);
+    QVERIFY(heartbeat.beat());
     qInfo("colours, a jump and another N: longest stall %.0f ms", heartbeat.takeLongestMs());
     clock.restart();
     QTRY_VERIFY_WITH_TIMEOUT(page->hasTimes(), kLongMs);
     page->path()->setColouring(widgets::PathColouring::Time);
-    QTest::qWait(50);
+    QVERIFY(heartbeat.beat());
     qInfo("times after another %lld ms, longest stall %.0f ms",
           static_cast<long long>(clock.elapsed()), heartbeat.takeLongestMs());
     QTRY_VERIFY_WITH_TIMEOUT(page->path()->canvas()->isFine(), kSoonMs);

@@ -75,7 +75,7 @@ class TimePlot final : public Page {
   QValueAxis* m_valueAxis;
   std::vector<QLineSeries*> m_lines;  ///< one per section without a gap
   PauseBands* m_bands;
-  QTimer m_redraw;
+  QTimer m_redraw{this};
   double m_leastSpan = 1.0;
   bool m_fromZero = false;
   bool m_timeLabels = false;

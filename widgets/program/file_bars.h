@@ -36,7 +36,7 @@ class LoadBar final : public Page {
   void restyle() override;
 
  private:
-  QTimer m_showTimer;
+  QTimer m_showTimer{this};
   QString m_fileName;
   QLabel* m_name;
   QProgressBar* m_bar;

@@ -184,7 +184,7 @@ class PathCanvas final : public QWidget {
   std::size_t m_drawnPauses = 0;
   std::size_t m_pausesSeen = 0;
 
-  QTimer m_refineTimer;
+  QTimer m_refineTimer{this};
   QImage m_fine;  ///< the finer picture that is being made
   std::size_t m_fineLevel = 0;
   std::size_t m_fineChunk = 0;  ///< the next to be drawn into it

@@ -14,6 +14,8 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
+#include <QTimer>
+#include <algorithm>
 
 namespace rivulet::test {
 
@@ -69,11 +71,23 @@ QString visibleText(const QWidget& widget) {
   return texts.join(QLatin1Char('\n'));
 }
 
+bool settle(const QWidget& widget) {
+  const auto rests = [&widget] {
+    const auto timers = widget.findChildren<QTimer*>();
+    return std::none_of(timers.begin(), timers.end(), [](const QTimer* timer) {
+      return timer->isSingleShot() && timer->isActive();
+    });
+  };
+  QCoreApplication::processEvents();  // what begins the timers: layouts, sizes
+  return QTest::qWaitFor(rests);
+}
+
 QImage picture(QWidget& widget, QSize size) {
   widget.resize(size);
   widget.show();
-  // Layouts settle and plots draw what they have put off: at most one redraw interval.
-  QTest::qWait(80);
+  if (!settle(widget)) {
+    qFatal("the widget never comes to rest");
+  }
   return widget.grab().toImage();
 }
 

@@ -30,6 +30,10 @@ class Language {
 /// Every visible text of a widget and its children, joined; for checks of what is shown.
 [[nodiscard]] QString visibleText(const QWidget& widget);
 
+/// Handles events until nothing that the widget or its children have put off is left.
+/// @return false if that does not happen
+bool settle(const QWidget& widget);
+
 /// Shows the widget in a size, lets everything due be drawn and takes a picture of it.
 [[nodiscard]] QImage picture(QWidget& widget, QSize size);
 

@@ -208,7 +208,7 @@ class TestProgramPage : public QObject {
     // What was read within a moment never showed.
     bar.setProgress(0.5, "B.MPF");
     bar.setProgress(std::nullopt);
-    QTest::qWait(300);
+    QVERIFY(test::settle(bar));
     QVERIFY(bar.isHidden());
   }
 };

@@ -97,7 +97,7 @@ class TestTracePage : public QObject {
     }
     QCOMPARE(redraws.count(), 0);  // a redraw never happens inside an append
     QTRY_COMPARE(redraws.count(), 1);
-    QTest::qWait(3 * TimePlot::kRedrawIntervalMs);
+    QVERIFY(test::settle(plot));
     QCOMPARE(redraws.count(), 1);
   }
 
