@@ -135,7 +135,7 @@ class TestEquivalence : public QObject {
     const std::string name = preset.toStdString();
     // Far inside the region: what is written does not depend on chance.
     std::vector<base::Vec3> points;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 32; ++i) {
       points.push_back({2.5 * i, 3.0 * std::sin(0.3 * i), 40.0});
     }
     const auto program = streaming::programOf(points);
