@@ -157,9 +157,7 @@ class TestMainWindow : public QObject {
 
   /// The page in front, a machine that has arrays, nothing known about it yet.
   void openCalibration() {
-    QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-         QStringLiteral("/rivulet/machines"))
-        .removeRecursively();
+    QDir(m_folder.filePath(QStringLiteral("rivulet/machines"))).removeRecursively();
     startMachine("dmu75-arrays");
     m_window->pages()->setCurrentIndex(kCalibrationPage);
     streaming::CalibrationPlan plan;
@@ -202,6 +200,7 @@ class TestMainWindow : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     QStandardPaths::setTestModeEnabled(true);
+    qputenv("XDG_DATA_HOME", m_folder.path().toUtf8());  // where the machine store is
     QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
   }
 
