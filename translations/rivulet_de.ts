@@ -1745,7 +1745,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>%1 × (waits below 1)</source>
-        <translation>%1 × (unter 1: Maschine wartet)</translation>
+        <translation>%1 × (unter 1: wartet)</translation>
     </message>
     <message>
         <source>Credit (experimental)</source>
