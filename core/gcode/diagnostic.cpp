@@ -237,7 +237,7 @@ std::string acceptableName(const Diagnostic& diagnostic) {
     default:
       return {};
   }
-  // E5 and E7 are one address; a calculated word goes by what stands in front of its value.
+  // E5 and E7 are one address; a calculated word is named by what precedes its value.
   std::string name = base::toUpper(diagnostic.argument);
   if (diagnostic.code == DiagnosticCode::UnknownWord) {
     std::size_t end = 0;

@@ -200,7 +200,7 @@ class Interpreter {
     return std::isnan(value) ? std::nullopt : std::optional(value);
   }
 
-  /// What cannot be computed, or where the program goes on.
+  /// What cannot be computed, or where the program continues.
   void report(const Token& token, const nc::Fault& fault) {
     m_findings.error(
         token,
@@ -245,7 +245,7 @@ class Interpreter {
       ++m_out.blocks;
     }
     if (block.tokens.front().kind == TokenKind::Tape) {
-      // The first "%" starts the tape, one behind the blocks ends it.
+      // The first "%" starts the tape, one after the blocks ends it.
       m_ended = m_out.blocks > 0 && !m_flow.leaveSubprogram();
       return;
     }
@@ -330,7 +330,7 @@ class Interpreter {
     }
   }
 
-  /// I=5 is no centre where the program has defined a variable I.
+  /// I=5 is not a centre if the program has defined a variable I.
   [[nodiscard]] bool isVariable(const Token& token) const {
     return m_dialect == Dialect::Sinumerik && token.text.size() > 2 &&
            (token.text[1] == '=' || token.text[1] == ' ') &&
@@ -399,7 +399,7 @@ class Interpreter {
     }
     // The block still moves; where to is not known.
     computed.value = result.value_or(std::nan(""));
-    // The words of a block are looked at again when it is executed: the token must live on.
+    // The words of a block are read again when it is executed: the token must live on.
     m_calculated.push_back(computed);
     readWord(m_calculated.back(), words);
     if (reference == nc::Word::Reference::Absolute) {
@@ -623,7 +623,7 @@ class Interpreter {
     }
   }
 
-  /// A program number behind the first blocks starts another program: the one before has ended.
+  /// A program number after the first blocks starts another program: the one before has ended.
   void readProgramNumber(const Token& token) {
     if (m_out.blocks == 0 || m_flow.isInSubprogram()) {
       return;
@@ -822,7 +822,7 @@ class Interpreter {
   void readToolLength(int key, const Token& /*token*/, BlockWords& words) {
     m_tipWord.clear();
     m_facts.forget(2);
-    words.taken |= key == 431;  // G43.1 gives the offset itself, it is no move
+    words.taken |= key == 431;  // G43.1 gives the offset itself, it is not a move
   }
 
   void readCycleOff(int /*key*/, const Token& /*token*/, BlockWords& /*words*/) {
@@ -882,7 +882,7 @@ class Interpreter {
     m_facts.forget();
   }
 
-  /// G90 and G91 hold for the whole block, also for the words in front of them.
+  /// G90 and G91 hold for the whole block, also for the words before them.
   void readDistance(bool relative, BlockWords& words) {
     if (relative != m_relative) {
       m_relative = relative;
@@ -965,7 +965,7 @@ class Interpreter {
         break;
     }
     event(PathEvent::Kind::M, value);
-    // Where the program wants the machine to wait for a person or a tool, a stream goes on.
+    // If the program makes the machine wait for a person or a tool, a stream does not wait.
     const bool waits = number == 0 || number == 1 || (number == 6 && m_moved);
     m_findings.ignoreM(waits ? Severity::Warning : Severity::Note, static_cast<std::size_t>(number),
                        token);
@@ -1185,7 +1185,7 @@ class Interpreter {
     m_facts.units(lengthFactor != 1.0);
   }
 
-  /// What must happen before the axes of the block are looked at.
+  /// What must happen before the axes of the block are read.
   void executeRare(BlockWords& words) {
     const RareWords& rare = *words.rare;
     if (rare.threePointArc || rare.tangentArc) {
@@ -2151,7 +2151,7 @@ class Interpreter {
     statistics.points = m_out.trajectory.points.size();
   }
 
-  /// What stands behind the end of a program is not read; subprograms behind it are.
+  /// What follows the end of a program is not read; subprograms after it are.
   void reportTail() {
     Block block;
     while (m_flow.nextBehindEnd(block)) {
@@ -2211,7 +2211,7 @@ class Interpreter {
   double m_polarDegrees = 0.0;
   double m_polarTurnDegrees = 0.0;  ///< of the present block, where it is an increment
 
-  // A spline under way.
+  // A spline in progress.
   Spline m_spline;
   std::optional<Vec3> m_splineEnd;  ///< its last control point so far
   MoveWords m_splineDetails;

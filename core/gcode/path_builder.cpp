@@ -147,7 +147,7 @@ void PathBuilder::arc(const Arc& arc, const MoveWords& words) {
   m_chords.clear();
   const double lengthMm = flattenArc(arc, chordToleranceMm(), m_chords);
   const ArcRadii radii = arcRadii(arc);
-  // A spiral is no arc: it becomes chords in any case.
+  // A spiral is not an arc: it becomes chords in any case.
   const bool isCircle = std::abs(radii.startMm - radii.endMm) <= kArcRadiusToleranceMm;
   appendCurve(MoveKind::ArcPiece, lengthMm, isCircle ? std::optional(inSpace(arc)) : std::nullopt,
               words);

@@ -27,7 +27,7 @@ enum class FaultCode : std::uint8_t {
   BracketNotClosed,
   OperandMissing,
   NestedTooDeeply,
-  RestNotUnderstood,  ///< argument: the text behind the expression
+  RestNotUnderstood,  ///< argument: the text after the expression
   NameUnknown,        ///< argument: what is neither a variable nor a function
   ArgumentsMissing,   ///< argument: the function
   TooFewArguments,    ///< argument: the function
@@ -40,15 +40,15 @@ enum class FaultCode : std::uint8_t {
   IndexMissing,  ///< argument: the system variable
   // Assignments and definitions as text.
   EqualsMissing,
-  NotAssignable,  ///< argument: the text in front of '='
+  NotAssignable,  ///< argument: the text before '='
   ListMalformed,  ///< SET, REP
   NameMissing,
-  NoSuchType,  ///< argument: the word behind DEF
+  NoSuchType,  ///< argument: the word after DEF
   SizeMalformed,
   ParametersMalformed,
   // Blocks and control structures.
   SyntaxCharacter,  ///< argument: the character
-  NumberMissing,    ///< behind an address
+  NumberMissing,    ///< after an address
   NoTarget,         ///< of a jump
   IfMalformed,
   ForMalformed,
@@ -56,7 +56,7 @@ enum class FaultCode : std::uint8_t {
   NotClosed,    ///< argument: IF, WHILE, ...
   NoBeginning,  ///< argument: ENDIF, ENDWHILE, ...
   StructuresTooDeep,
-  ThenExpected,  ///< behind a condition of ISO
+  ThenExpected,  ///< after a condition of ISO
   WhileMalformed,
   ONameMissing,
   OWordUnknown,      ///< argument: the O word

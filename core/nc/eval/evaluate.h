@@ -62,7 +62,7 @@ class ValueSource {
 /// Rounds as the control rounds an index. @return fault IndexOutsideArray beyond 1e6
 [[nodiscard]] Expected<int> evaluateIndex(const Expression& expression, const ValueSource& source,
                                           const Semantics& semantics);
-/// The indices of a system variable: names that are no variables are axes.
+/// The indices of a system variable: names that are not variables are axes.
 [[nodiscard]] Expected<std::vector<Value>> systemIndices(const Expression& system,
                                                          const ValueSource& source,
                                                          const Semantics& semantics);

@@ -4,7 +4,7 @@
 /// @file
 /// The blocks of a program file in the order of their execution. A program that neither jumps,
 /// repeats nor calls is read once from top to end by the lexer; at the first statement that does,
-/// the file is made into trees and the flow goes on there. @threadsafety one object, one thread.
+/// the file is made into trees and the flow continues there. @threadsafety one object, one thread.
 #pragma once
 
 #include <cstddef>
@@ -49,7 +49,7 @@ struct SubprogramMissing {
   std::string name;
 };
 struct ModalCall {
-  std::string name;  ///< MCALL: called behind each motion from now on; "": no more
+  std::string name;  ///< MCALL: called after each motion from now on; "": no more
 };
 struct Ignored {
   std::string word;  ///< no effect on the path
@@ -74,7 +74,7 @@ class Cursor {
 
   [[nodiscard]] Step next(Block& block);
   [[nodiscard]] const Outcome& outcome() const { return m_outcome; }
-  /// The next block of the program file behind its end, for a look at what is not executed.
+  /// The next block of the program file after its end, to see what is not executed.
   /// @return false at the end, and where jumps or calls may have used what stands there
   [[nodiscard]] bool nextBehindEnd(Block& block) { return !m_flow && m_lexer.next(block); }
 
@@ -104,7 +104,7 @@ class Cursor {
   [[nodiscard]] base::LineNumber line() const { return m_line; }
   /// Statements executed, for the progress.
   [[nodiscard]] std::size_t linesRead() const { return m_executed; }
-  /// The line that jumped back last, if the program did not come to an end.
+  /// The line that jumped back last, if the program did not end.
   [[nodiscard]] std::optional<base::LineNumber> endlessLoop() const { return m_endless; }
   /// Lines of the program file.
   [[nodiscard]] std::size_t fileLines();

@@ -50,7 +50,7 @@ class Flow {
   struct Range {
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t back = 0;  ///< where to go on behind the last round
+    std::size_t back = 0;  ///< where to continue after the last round
     int left = 0;
   };
   struct Level {

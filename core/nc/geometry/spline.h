@@ -26,7 +26,7 @@ struct Spline {
 /// The point at a parameter between the knots degree and points.
 [[nodiscard]] base::Vec3 splinePoint(const Spline& spline, double parameter);
 
-/// Appends the corner points of the chords behind the start; the last is the last control point.
+/// Appends the corner points of the chords after the start; the last is the last control point.
 /// Halves each span until three points of it in between lie within the tolerance of their chord.
 /// @param chordToleranceMm > 0
 /// @return length of the chords, mm

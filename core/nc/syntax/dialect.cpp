@@ -19,7 +19,7 @@ struct Evidence {
   Dialect dialect;
   std::string_view text;  ///< upper case; '#' stands for a digit
   int weight;
-  bool atStart = false;  ///< of the line, behind a block number
+  bool atStart = false;  ///< of the line, after a block number
 };
 
 /// What a reader of NC programs would go by. Heavier evidence decides against lighter.
@@ -123,7 +123,7 @@ std::string relevantPart(std::string_view line) {
   if (const std::size_t comment = text.find(';'); comment != std::string::npos && !isHeader) {
     text.resize(comment);
   }
-  // A comment in brackets; MSG(...) and calls have no blank in front of theirs.
+  // A comment in brackets; MSG(...) and calls have no blank before theirs.
   if (const std::size_t comment = text.find('(');
       comment != std::string::npos && (comment == 0 || text[comment - 1] == ' ')) {
     text.resize(comment);
@@ -163,7 +163,7 @@ bool isPlain(std::string_view line) {
   return true;
 }
 
-/// A place in a plain line where a G function stands that tells.
+/// A place in a plain line at which a G function identifies the dialect.
 bool hasTellingG(std::string_view line) {
   for (std::size_t at = 0; at + 1 < line.size(); ++at) {
     if ((line[at] == 'G' || line[at] == 'g') &&

@@ -121,7 +121,7 @@ struct Notation {
 [[nodiscard]] const Notation& sinumerikNotation();
 [[nodiscard]] const Notation& hashNotation();
 
-/// What stands behind '='.
+/// What follows '='.
 struct Initial {
   enum class Kind : std::uint8_t { One, Set, Rep } kind = Kind::One;
   std::vector<std::optional<Expression>>
@@ -152,9 +152,9 @@ class Reader {
   /// @param place  of the first character
   Reader(std::string_view text, const Notation& notation, Place place = {});
 
-  /// The longest expression at the front. Blanks in front of what follows it stay unread.
+  /// The longest expression at the beginning. Blanks before what follows it stay unread.
   [[nodiscard]] Expected<Expression> expression();
-  /// R5, DEPTH, FIELD[1,2], $AA_OFF[X], #5: what can stand in front of '='.
+  /// R5, DEPTH, FIELD[1,2], $AA_OFF[X], #5: what can precede '='.
   [[nodiscard]] Expected<Expression> target();
   /// "R1=5", "FIELD[1,2]=SET(7,8)".
   [[nodiscard]] Expected<Assignment> assignment();
@@ -169,7 +169,7 @@ class Reader {
 
   void skipBlanks();
   [[nodiscard]] char peek() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
-  /// Blanks in front of `c` are skipped in any case.
+  /// Blanks before `c` are skipped in any case.
   bool take(char c);
   /// The word, in any case of letters, at a word boundary.
   bool takeWord(std::string_view upper);
@@ -207,7 +207,7 @@ class Reader {
   Result function(const FunctionWord& word, Place place);
   Result exists(Place place);
   Result readTarget();
-  /// "[1,2]" behind a name, into the operands. @return false: see the fault
+  /// "[1,2]" after a name, into the operands. @return false: see the fault
   bool indices(Expression& node);
   std::optional<Initial> initial();
   std::optional<Type> type();

@@ -88,11 +88,11 @@ class HashParser final : public SteeringParser {
     std::string id;
     std::string word;
     Place place;
-    std::size_t begin = 0;              ///< where the loop goes on
+    std::size_t begin = 0;              ///< where the loop continues
     std::optional<std::size_t> branch;  ///< to be patched where the condition does not hold
     std::vector<std::optional<std::size_t>> toEnd;       ///< of BREAK and of branches that end
     std::vector<std::optional<std::size_t>> toContinue;  ///< of CONTINUE
-    bool isFaulty = false;  ///< its condition could not be read: its body is no loop
+    bool isFaulty = false;  ///< its condition could not be read: its body is not a loop
   };
   struct Word {
     std::string_view word;
@@ -444,7 +444,7 @@ class HashParser final : public SteeringParser {
   bool m_beginsBlock = true;
   std::string m_id;  ///< "O100", "O<NAME>", "DO1"
   std::string m_word;
-  std::string m_digits;  ///< behind the word: DO1, GOTO100
+  std::string m_digits;  ///< after the word: DO1, GOTO100
   std::vector<Open> m_open;
 };
 

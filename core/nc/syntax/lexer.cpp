@@ -49,7 +49,7 @@ bool isOneOf(char c, std::string_view set) {
   return set.find(c) != std::string_view::npos;
 }
 
-/// What may not stand directly behind a number: the word would mean something else than what was
+/// What may not stand directly after a number: the word would mean something else than what was
 /// read, "X1,5" and "X10-R1" above all.
 constexpr std::string_view kSpoilsNumber = ".,+-*/^#[";
 constexpr std::string_view kOperators = "+-*/<>=[^";
@@ -133,7 +133,7 @@ class LineReader {
               std::string_view(from, static_cast<std::size_t>(to - from))});
   }
 
-  /// The end of the block without the comment behind ";", which may stand inside quotes.
+  /// The end of the block without the comment after ";", which may stand inside quotes.
   [[nodiscard]] const char* endOfStatement() const {
     bool quoted = false;
     const char* end = m_at;
@@ -152,7 +152,7 @@ class LineReader {
     m_at = end;
   }
 
-  /// True behind a blank if the calculation goes on with an operator that is a word.
+  /// True after a blank if the calculation continues with an operator that is a word.
   [[nodiscard]] bool atOperatorWord() const {
     const char* end = m_at;
     while (end != m_end && classOf(*end) == kLetter) {
@@ -336,7 +336,7 @@ class LineReader {
     }
   }
 
-  /// O<name> and O100 with a word behind it, as in "O100 while": RS-274/NGC.
+  /// O<name> and O100 with a word after it, as in "O100 while": RS-274/NGC.
   [[nodiscard]] bool startsSubprogramWord() const {
     if (!m_tokens.empty() && !(m_tokens.size() == 1 && m_tokens.front().address == 'N')) {
       return false;

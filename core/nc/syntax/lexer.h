@@ -82,7 +82,7 @@ class Lexer {
  private:
   const char* m_position;
   const char* m_end;
-  const char* m_lineFeed;  ///< the next one at or behind m_position, searched once
+  const char* m_lineFeed;  ///< the next one at or after m_position, searched once
   std::uint32_t m_line = 0;
   Dialect m_dialect;
   bool m_continues = false;  ///< Heidenhain: the next line belongs to this one

@@ -155,10 +155,10 @@ class Parser final : public SteeringParser {
   struct Open {
     Structure kind = Structure::If;
     std::optional<std::size_t> branch;  ///< to be patched at the end
-    std::size_t begin = 0;              ///< where the loop goes on
+    std::size_t begin = 0;              ///< where the loop continues
     std::optional<Expression> counter;  ///< For
     base::LineNumber line;
-    bool isFaulty = false;  ///< its condition could not be read: its body is no loop
+    bool isFaulty = false;  ///< its condition could not be read: its body is not a loop
   };
 
   static std::string_view nameOf(Structure kind) {
@@ -194,7 +194,7 @@ class Parser final : public SteeringParser {
     return found;
   }
 
-  /// Block skip, block number and label in front of a block, in the orders that occur.
+  /// Block skip, block number and label before a block, in the orders that occur.
   void prefix() {
     for (int i = 0; i < 2; ++i) {
       m_in->skipBlanks();
@@ -288,7 +288,7 @@ class Parser final : public SteeringParser {
     return address(base::toUpper(std::string_view(&c, 1)));
   }
 
-  /// A letter with its value. The reader stands behind the letter.
+  /// A letter with its value. The reader is after the letter.
   bool address(std::string letter) {
     Word made;
     made.address = std::move(letter);
@@ -297,7 +297,7 @@ class Parser final : public SteeringParser {
     if (c == 'L') {
       return call("L" + digits(), false);
     }
-    // M1=3, M[n]=3 and I1=5: a number in front of '='.
+    // M1=3, M[n]=3 and I1=5: a number before '='.
     const Reader before = *m_in;
     const std::string number = digits();
     m_in->skipBlanks();
@@ -364,7 +364,7 @@ class Parser final : public SteeringParser {
       return true;
     }
     if (made.address == "M" && isNumber && !made.extension) {
-      // The end comes behind whatever else is in the block.
+      // The end comes after whatever else is in the block.
       const double number = made.value->number;
       m_ends = m_ends || number == 2.0 || number == 30.0;
       m_returns = m_returns || number == 17.0;
@@ -389,7 +389,7 @@ class Parser final : public SteeringParser {
     return true;
   }
 
-  /// A name of two letters or more. @param before  in front of it
+  /// A name of two letters or more. @param before  what precedes it
   bool keyword(std::string name, const Reader& before) {
     if (const std::optional<bool> done = structure(name)) {
       return *done;
@@ -467,7 +467,7 @@ class Parser final : public SteeringParser {
     return std::nullopt;
   }
 
-  /// For what stands behind PROC and the like and changes nothing here.
+  /// For what follows PROC and the like and changes nothing here.
   bool restIsIgnored() {
     m_in->skipRest();
     return true;
@@ -650,7 +650,7 @@ class Parser final : public SteeringParser {
     return true;
   }
 
-  /// P5, P=R1. The reader stands in front of P.
+  /// P5, P=R1. The reader is before P.
   bool times(std::optional<Expression>& made) {
     m_in->take(m_in->peek());
     made = m_in->take('=') ? expression() : got(m_in->literal());

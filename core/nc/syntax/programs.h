@@ -38,7 +38,7 @@ struct Programs {
 /// How a dialect writes expressions.
 [[nodiscard]] const Notation& notationOf(Dialect dialect);
 
-/// "O100" and "O<NAME>" at the front, without blanks and leading zeros; taken off.
+/// "O100" and "O<NAME>" at the beginning, without blanks and leading zeros; taken off.
 /// @return nothing if there is neither number nor name
 [[nodiscard]] std::optional<std::string> takeOName(std::string_view& text);
 

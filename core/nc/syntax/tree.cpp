@@ -13,7 +13,7 @@ std::optional<std::size_t> Tree::find(std::string_view label, JumpDirection dire
   if (direction == JumpDirection::Start) {
     return 0;
   }
-  // Labels are stored in the order of the text; a label at `from` itself lies behind the jump.
+  // Labels are stored in the order of the text; a label at `from` itself is after the jump.
   const auto after = std::find_if(labels.begin(), labels.end(), [&](const Label& candidate) {
     return candidate.statement > from && candidate.name == label;
   });

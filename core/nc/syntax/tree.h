@@ -5,7 +5,7 @@
 /// An NC program as a list of statements. Control structures are branches with targets: IF, WHILE,
 /// FOR, LOOP, REPEAT … UNTIL and CASE leave nothing but conditions and places to go to, so that a
 /// loop runs over the list and no text is read twice. What cannot be read becomes a `Faulty`
-/// statement: like the control, a reader complains about a block when it comes to it.
+/// statement: like the control, a reader complains about a block when it reaches it.
 /// @threadsafety plain values, immutable once read.
 #pragma once
 
@@ -138,7 +138,7 @@ struct Tree {
   /// Where a jump from statement `from` goes. @return nothing if the label is not found
   [[nodiscard]] std::optional<std::size_t> find(std::string_view label, JumpDirection direction,
                                                 std::size_t from) const;
-  /// The first statement of the block behind that of `statement`.
+  /// The first statement of the block after that of `statement`.
   [[nodiscard]] std::size_t nextBlock(std::size_t statement) const;
 };
 
