@@ -15,13 +15,14 @@
 /// there. In forward direction the ceiling jumps up at such a joint, and the motion below it may
 /// climb again.
 ///
-/// Safe states. From a state, let the acceleration fall with the jerk limit. If the motion stays
-/// below the ceiling until its acceleration is no higher than that of the ceiling at the same
-/// place, it can stay below the ceiling: it follows the ceiling's acceleration over the path, at a
-/// lower speed and so with less jerk, and stops a little earlier. Such a state is called safe. The
-/// states at the joints are chosen safe. So from a safe state there is always a motion to a
-/// standstill that keeps all limits. (The gap in speed² between the two is largest or smallest
-/// where both have the same acceleration, so only these places and the joints need to be checked.)
+/// Safe states. A motion with a share of the ceiling's speed at some place, and with the square of
+/// that share of its acceleration, can continue as the ceiling does in slower time: with less
+/// speed, acceleration and jerk everywhere. So a state is safe if the motion gets there within all
+/// limits: by letting the acceleration fall with the jerk limit if it loses less speed in
+/// proportion than the ceiling does at the same place, otherwise by letting it rise. (The ratio of
+/// the two speeds is smallest where both lose speed alike, so only these places and the joints are
+/// checked.) The states at the joints are chosen safe. So from a safe state there is always a motion
+/// to a standstill that keeps all limits.
 ///
 /// The motion. In each section it climbs as fast as it can for as long as its state is safe, then
 /// lets the acceleration fall until it meets the ceiling tangentially, and follows it.
