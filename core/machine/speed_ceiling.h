@@ -21,8 +21,8 @@
 /// limits: by letting the acceleration fall with the jerk limit if it loses less speed in
 /// proportion than the ceiling does at the same place, otherwise by letting it rise. (The ratio of
 /// the two speeds is smallest where both lose speed alike, so only these places and the joints are
-/// checked.) The states at the joints are chosen safe. So from a safe state there is always a motion
-/// to a standstill that keeps all limits.
+/// checked.) The states at the joints are chosen safe. So from a safe state there is always a
+/// motion to a standstill that keeps all limits.
 ///
 /// The motion. In each section it climbs as fast as it can for as long as its state is safe, then
 /// lets the acceleration fall until it meets the ceiling tangentially, and follows it.
