@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "machine/speed_ceiling.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 using machine::SpeedCeiling;
@@ -200,5 +201,5 @@ class TestSpeedCeiling : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSpeedCeiling)
+RIVULET_TEST(TestSpeedCeiling)
 #include "tst_speed_ceiling.moc"
