@@ -50,14 +50,6 @@ class TestTracePage : public QObject {
     QCOMPARE(series.lines(100.5, 102.0, 50).back().back().x(), 101.0);
   }
 
-  void niceSteps() {
-    QCOMPARE(niceStep(0.3), 0.5);
-    QCOMPARE(niceStep(1.0), 1.0);
-    QCOMPARE(niceStep(2.1), 5.0);
-    QCOMPARE(niceStep(70.0), 100.0);
-    QCOMPARE(niceCeil(943.0), 1000.0);
-  }
-
   void windowFollowsUntilTheOperatorLooksBack() {
     TimeWindow window;
     QSignalSpy changes(&window, &TimeWindow::changed);
