@@ -13,7 +13,6 @@
 #include <QMimeData>
 #include <QScrollArea>
 #include <QSplitter>
-#include <QStandardPaths>
 #include <QStyle>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -27,15 +26,6 @@
 namespace rivulet::hmi {
 
 namespace {
-
-/// Where the command line looks as well, except in Qt's test mode.
-report::MachineFolders machineFolders() {
-  const auto path = [](QStandardPaths::StandardLocation location) {
-    return std::filesystem::path(QStandardPaths::writableLocation(location).toStdString());
-  };
-  return report::MachineFolders::below(path(QStandardPaths::GenericDataLocation),
-                                       path(QStandardPaths::GenericConfigLocation));
-}
 
 /// A column that scrolls when the window is lower than its page. It is never narrower than its
 /// page: a cut button cannot be pressed.
@@ -68,9 +58,9 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
     : QMainWindow(parent),
       m_settings(std::move(settings)),
       m_persistent(persistent),
-      m_session(std::move(connector), report::MachineStore(machineFolders())),
+      m_session(std::move(connector), report::MachineStore()),
       m_document(m_settings.stream),
-      m_machine(m_session, report::MachineStore(machineFolders()), m_messages),
+      m_machine(m_session, report::MachineStore(), m_messages),
       m_runs(m_session, m_document, m_machine, m_messages) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
