@@ -65,6 +65,10 @@ class Link {
 
   /// The next event; waits no longer than `until`. @return nothing if that time has come
   virtual std::optional<Event> wait(base::Instant until) = 0;
+
+  /// How long the other side has been silent although it was asked something; zero if every request
+  /// has been answered, be it late.
+  [[nodiscard]] virtual base::Duration silence() const { return {}; }
 };
 
 enum class SelectStatus {

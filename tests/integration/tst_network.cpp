@@ -60,16 +60,94 @@ class TestNetwork : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void whatPassesTheProxyArrives() {
+  /// The library knows a request for as long as its answer may come: an answer to a request it has
+  /// forgotten makes it close the connection.
+  void anAnswerMaySurviveItsDeadline() {
     const LoopbackMachine cell;
     FaultProxy proxy(cell.endpoint());
     const auto link = connectTo(proxy.endpoint());
     QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
-    QCOMPARE(readOnce(**link, kPatience).kind, EventKind::ReadDone);
-    proxy.begin(fault(FaultKind::Cut));
+    proxy.begin(fault(FaultKind::Stall, 2500ms));
     while (!proxy.hasStruck()) {
+      QVERIFY(!(*link)->wait((*link)->now() + 1ms));
     }
-    QCOMPARE(readOnce(**link, kPatience).kind, EventKind::ConnectionLost);
+    int late = 0;
+    Event event = readOnce(**link, 100ms);
+    while (event.kind == EventKind::RequestFailed) {
+      QVERIFY(event.error.code == LinkError::DeadlineExceeded);
+      ++late;
+      event = readOnce(**link, 100ms);
+    }
+    QVERIFY2(event.kind == EventKind::ReadDone, event.error.text().c_str());
+    QVERIFY(late > 3);
+    // What was asked in vain is bounded, however long nobody answers.
+    QVERIFY(proxy.requests() < 40U);
+    QVERIFY(cell.server().requestsServed() <= 6U);
+  }
+
+  void silenceIsSeenAndEndsTheConnection() {
+    const LoopbackMachine cell;
+    FaultProxy proxy(cell.endpoint());
+    opcua::ConnectOptions options;
+    options.endpoint = proxy.endpoint();
+    options.silenceMax = 1s;
+    const auto link = opcua::UaLink::connect(options);
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    QCOMPARE(readOnce(**link, kPatience).kind, EventKind::ReadDone);
+    QVERIFY((*link)->silence() == 0s);
+    proxy.begin(fault(FaultKind::HalfOpen));
+    while (!proxy.hasStruck()) {
+      QVERIFY(!(*link)->wait((*link)->now() + 1ms));
+    }
+    QVERIFY((*link)->silence() == 0s);  // nothing was asked
+    const Event late = readOnce(**link, 200ms);
+    QVERIFY(late.error.code == LinkError::DeadlineExceeded);
+    QVERIFY((*link)->silence() >= 200ms);
+    const Event lost = readOnce(**link, kPatience);
+    QCOMPARE(lost.kind, EventKind::ConnectionLost);
+    QVERIFY(lost.error.code == LinkError::ConnectionLost);
+    QVERIFY2(lost.error.text().find("network") != std::string::npos, lost.error.text().c_str());
+    QVERIFY(lost.at - late.sent >= 1s);
+  }
+
+  /// Whatever the other side sends, connecting and closing come to an end.
+  void whoEchoesIsLeft() {
+    FaultProxy echo("");
+    echo.begin(fault(FaultKind::Echo));
+    const auto refused = connectTo(echo.endpoint(), 1s);
+    QVERIFY(!refused);
+    QVERIFY(refused.error().code == LinkError::NotReachable);
+
+    const LoopbackMachine cell;
+    FaultProxy proxy(cell.endpoint());
+    auto link = connectTo(proxy.endpoint());
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    proxy.begin(fault(FaultKind::Echo));
+    while (!proxy.hasStruck()) {
+      QVERIFY(!(*link)->wait((*link)->now() + 1ms));
+    }
+    const Event lost = readOnce(**link, kPatience);
+    QCOMPARE(lost.kind, EventKind::ConnectionLost);
+    link->reset();
+  }
+
+  void whoClosesAtOnceIsAskedSeldom() {
+    FaultProxy proxy("");
+    proxy.begin(fault(FaultKind::AcceptAndClose, kPatience));
+    const auto refused = connectTo(proxy.endpoint(), 1500ms);
+    QVERIFY(!refused);
+    QVERIFY(refused.error().code == LinkError::NotReachable);
+    QVERIFY2(proxy.connections() <= 8U, std::to_string(proxy.connections()).c_str());
+    QVERIFY(proxy.connections() >= 2U);
+  }
+
+  /// The deadline is for each answer: connecting takes a dozen of them.
+  void longRoundTripsConnect() {
+    const LoopbackMachine cell;
+    FaultProxy proxy(cell.endpoint(), 150ms);
+    const auto link = connectTo(proxy.endpoint(), 1s);
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    QCOMPARE(readOnce(**link, kPatience).kind, EventKind::ReadDone);
   }
 
   void aFaultIsDrawnTheSameAgain() {

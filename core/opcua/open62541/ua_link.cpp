@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "base/random.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/monotonic_clock.h"
@@ -26,9 +27,13 @@
 // service call. A request of Grouping::Single is a chain of calls, each sent when the previous one
 // has been answered, and nothing after it is sent until the chain is complete: so the server sees
 // the items in the order of the requests. Every service call has a serial number that travels
-// through the library as its user data; the answer to a call whose request has been cancelled finds
-// no request with its serial and is dropped. Callbacks only record; the consequences (an expired
+// through the library as its user data; the answer to a call whose request has expired finds no
+// request with its serial and is dropped. Callbacks only record; the consequences (an expired
 // deadline, a lost connection, the next call) are handled in `settle`, outside the library.
+//
+// Deadlines are the link's own. The library must never forget a call: it closes the connection when
+// an answer comes to a call that it does not know. So its own timeouts are longer than any silence
+// that the link endures, and the calls that wait for a late answer are counted (`m_asked`).
 
 namespace rivulet::opcua {
 
@@ -46,19 +51,24 @@ using ReadResponse = Handle<UA_ReadResponse, UA_TYPES_READRESPONSE>;
 constexpr Duration kNap = std::chrono::microseconds(200);
 /// Longest single wait inside the library; its timers run in between.
 constexpr Duration kIterationMax = milliseconds(200);
-/// The library's own calls (closing the session), not ours: those carry their own deadline.
-constexpr UA_UInt32 kLibraryTimeoutMs = 1000;
-/// As on the control; the library keeps the session alive by itself well within it.
+/// When the library forgets a call: never while the connection lasts.
+constexpr UA_UInt32 kLibraryTimeoutMs = 3'600'000;
+/// As on the control.
 constexpr UA_UInt32 kSessionTimeoutMs = 60'000;
-constexpr UA_UInt32 kConnectivityCheckMs = 10'000;
+/// Calls whose deadline has passed and that the server has not answered. As long as there are so
+/// many, nothing more is sent: the answers to come would only queue up.
+constexpr std::size_t kUnansweredMax = 4;
+/// Connecting takes a dozen answers.
+constexpr int kConnectDeadlines = 6;
+/// Reconnections that belong to connecting: another name of the endpoint, another security policy.
+constexpr int kHandshakesMax = 4;
+/// Pause before a server that closed the connection is tried again; each is twice as long.
+constexpr Duration kRetryPause = milliseconds(100);
+/// For closing the session.
+constexpr Duration kCloseDeadline = std::chrono::seconds(1);
+constexpr UA_UInt32 kCloseStepMs = 10;
 /// A part program or trace that is larger is an error of the other side.
 constexpr std::size_t kTraceBytesMax = std::size_t{1} << 30U;
-
-[[nodiscard]] UA_UInt32 timeoutHintMs(Duration deadline) {
-  // Rounded up by one millisecond, so that the library never times out before the link does.
-  const auto ms = std::chrono::duration_cast<milliseconds>(deadline).count() + 1;
-  return static_cast<UA_UInt32>(std::clamp<decltype(ms)>(ms, 1, UA_INT32_MAX));
-}
 
 [[nodiscard]] Instant addSaturating(Instant instant, Duration duration) {
   return duration > Instant::max() - instant ? Instant::max() : instant + duration;
@@ -135,15 +145,14 @@ template <class T>
 
 /// A request to call one method; borrows all its parts and points into itself.
 struct MethodCall {
-  MethodCall(UA_NodeId object, UA_NodeId method, std::span<UA_Variant> inputs,
-             UA_UInt32 timeoutHint) {
+  MethodCall(UA_NodeId object, UA_NodeId method, std::span<UA_Variant> inputs) {
     UA_CallMethodRequest_init(&item);
     item.objectId = object;
     item.methodId = method;
     item.inputArguments = inputs.data();
     item.inputArgumentsSize = inputs.size();
     UA_CallRequest_init(&request);
-    request.requestHeader.timeoutHint = timeoutHint;
+    request.requestHeader.timeoutHint = kLibraryTimeoutMs;
     request.methodsToCall = &item;
     request.methodsToCallSize = 1;
   }
@@ -243,6 +252,7 @@ class UaLink::Impl {
                           std::vector<double> values, Duration deadline, Grouping grouping);
   base::RequestId store(const std::string& name, const std::string& text, Duration deadline);
   std::optional<Event> wait(Instant until);
+  [[nodiscard]] Duration silence() const;
 
   /// Calls a method and waits for its answer. @return its output arguments
   [[nodiscard]] base::Result<CallResponse> call(UA_UInt16 namespaceIndex, std::string_view object,
@@ -303,13 +313,22 @@ class UaLink::Impl {
   [[nodiscard]] base::Error connectError(UA_StatusCode status) const;
   [[nodiscard]] std::string place() const;
 
+  [[nodiscard]] base::Result<void> handshake();
+  /// After the server has closed the connection while connecting. @return the new status
+  [[nodiscard]] UA_StatusCode reconnect(bool wasOpen, Instant deadline);
+  void close();
+  /// Notes that a service call is about to be made.
+  [[nodiscard]] std::uint64_t nextSerial();
+  /// Calls that nobody waits for any more and that the server may still answer.
+  [[nodiscard]] std::size_t unanswered() const;
+  void noticeState();
   void step(Instant until);
   void settle();
   void finishAnswered();
   void expire(Instant now);
   void sendDue();
   void send(Pending& pending);
-  [[nodiscard]] UA_StatusCode sendCall(Pending& pending, UA_UInt32 timeoutHint, void* serial);
+  [[nodiscard]] UA_StatusCode sendCall(Pending& pending, void* serial);
   void fail(Pending& pending, base::Error error);
   void noticeLoss();
   [[nodiscard]] const std::string& identifier(const Node& node);
@@ -341,6 +360,16 @@ class UaLink::Impl {
   Exchange m_exchange;
   base::RequestId m_lastId;
   std::uint64_t m_lastSerial = 0;
+  /// Service calls that the server has not answered, in the order in which they were made.
+  struct Asked {
+    std::uint64_t serial = 0;
+    Instant at{};
+  };
+  std::deque<Asked> m_asked;
+  Instant m_heardAt{};  ///< the last answer, be it late
+  int m_handshakes = 0;
+  int m_retries = 0;
+  bool m_isSilent = false;     ///< the reason of the loss
   bool m_established = false;  ///< from now on a bad state is a loss
   bool m_activity = false;     ///< a callback has run
   bool m_lost = false;
@@ -352,30 +381,70 @@ class UaLink::Impl {
 UaLink::Impl::~Impl() {
   m_established = false;  // what the library reports while it closes is not a loss
   if (m_client != nullptr) {
+    close();
     UA_Client_delete(m_client);
   }
 }
 
-base::Result<void> UaLink::Impl::open() {
-  const Instant deadline = addSaturating(now(), m_options.connectDeadline);
+/// The library waits for the end of its connection without a limit, and does not close one on which
+/// it has received something that is no OPC UA. So the session gets some time to end, and then all
+/// connections are closed below the library.
+void UaLink::Impl::close() {
+  UA_EventLoop* loop = UA_Client_getConfig(m_client)->eventLoop;
+  if (loop == nullptr || loop->state != UA_EVENTLOOPSTATE_STARTED) {
+    return;
+  }
+  const Instant deadline = now() + kCloseDeadline;
+  UA_SecureChannelState channel = UA_SECURECHANNELSTATE_CLOSED;
+  UA_Client_getState(m_client, &channel, nullptr, nullptr);
+  if (channel == UA_SECURECHANNELSTATE_OPEN && !m_isSilent) {
+    UA_Client_disconnectAsync(m_client);
+    while (channel != UA_SECURECHANNELSTATE_CLOSED && now() < deadline) {
+      loop->run(loop, kCloseStepMs);
+      UA_Client_getState(m_client, &channel, nullptr, nullptr);
+    }
+  }
+  loop->stop(loop);
+  while (loop->state != UA_EVENTLOOPSTATE_STOPPED && now() < deadline + kCloseDeadline) {
+    loop->run(loop, kCloseStepMs);
+  }
+}
 
+base::Result<void> UaLink::Impl::open() {
   UA_ClientConfig config;
   std::memset(&config, 0, sizeof config);
   config.logging = m_logger.handle();
   config.timeout = kLibraryTimeoutMs;
   config.requestedSessionTimeout = kSessionTimeoutMs;
-  config.connectivityCheckInterval = kConnectivityCheckMs;
+  config.connectivityCheckInterval = 0;  // its answer could come late, too
   config.stateCallback = &Impl::onState;
   config.clientContext = this;
   if (UA_ClientConfig_setDefault(&config) != UA_STATUSCODE_GOOD) {
     UA_ClientConfig_clear(&config);
     return base::fail(LinkError::Rejected, "The OPC UA library cannot be set up.", endpoint());
   }
+  // The library would connect again at once and without end. While connecting it has to, because
+  // the server may name another endpoint; afterwards a lost connection stays lost, because a stream
+  // must not continue as if nothing had happened.
+  config.noReconnect = true;
   const UA_String name = borrow(m_options.name);
   UA_String_copy(&name, &config.sessionName);
   m_client = UA_Client_newWithConfig(&config);
   RIVULET_ASSERT(m_client != nullptr);
 
+  if (auto connected = handshake(); !connected) {
+    return connected;
+  }
+  UA_Client_getConfig(m_client)->noNewSession = true;
+  m_established = true;
+  return resolveNamespaces(addSaturating(now(), 2 * m_options.connectDeadline));
+}
+
+base::Result<void> UaLink::Impl::handshake() {
+  const Instant limit = addSaturating(now(), kConnectDeadlines * m_options.connectDeadline);
+  Instant deadline = addSaturating(now(), m_options.connectDeadline);
+  bool wasOpen = false;
+  UA_SessionState reached = UA_SESSIONSTATE_CLOSED;
   UA_StatusCode status = UA_Client_connectAsync(m_client, m_options.endpoint.c_str());
   for (;;) {
     UA_SecureChannelState channel = UA_SECURECHANNELSTATE_CLOSED;
@@ -383,27 +452,43 @@ base::Result<void> UaLink::Impl::open() {
     if (!isBad(status)) {
       UA_Client_getState(m_client, &channel, &session, &status);
     }
+    if (status == UA_STATUSCODE_BADNOTCONNECTED) {
+      status = reconnect(wasOpen, std::min(deadline, limit));
+      wasOpen = false;
+    }
     if (isBad(status)) {
       return base::fail(connectError(status));
     }
-    if (channel == UA_SECURECHANNELSTATE_OPEN && session == UA_SESSIONSTATE_ACTIVATED) {
-      break;
+    const bool isOpen = channel == UA_SECURECHANNELSTATE_OPEN;
+    if (isOpen && session == UA_SESSIONSTATE_ACTIVATED) {
+      return {};
     }
-    const Duration left = deadline - now();
+    if ((isOpen && !wasOpen) || session > reached) {
+      deadline = addSaturating(now(), 3 * m_options.connectDeadline);
+      wasOpen = wasOpen || isOpen;
+      reached = std::max(reached, session);
+    }
+    const Duration left = std::min(deadline, limit) - now();
     if (left <= Duration::zero()) {
       return base::fail(connectError(UA_STATUSCODE_BADTIMEOUT));
     }
     const auto ms = std::chrono::ceil<milliseconds>(std::min(left, kIterationMax)).count();
     status = UA_Client_run_iterate(m_client, static_cast<UA_UInt32>(ms));
   }
+}
 
-  // The handshake itself may reconnect (another endpoint name or security); after it, a lost
-  // connection stays lost, because a stream must not continue as if nothing had happened.
-  UA_ClientConfig* live = UA_Client_getConfig(m_client);
-  live->noReconnect = true;
-  live->noNewSession = true;
-  m_established = true;
-  return resolveNamespaces(deadline);
+UA_StatusCode UaLink::Impl::reconnect(bool wasOpen, Instant deadline) {
+  if (!wasOpen || ++m_handshakes > kHandshakesMax) {
+    // Clients that were turned away together do not come back together.
+    base::Random random(static_cast<std::uint64_t>(now().time_since_epoch().count()));
+    const double factor = (0.5 + random.uniform()) * std::pow(2.0, m_retries++);
+    const Instant next = now() + base::fromSeconds(base::toSeconds(kRetryPause) * factor);
+    if (next >= deadline) {
+      return UA_STATUSCODE_BADCONNECTIONCLOSED;
+    }
+    m_clock.sleepUntil(next);
+  }
+  return UA_Client_connectAsync(m_client, m_options.endpoint.c_str());
 }
 
 base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
@@ -481,7 +566,7 @@ base::Result<ReadResponse> UaLink::Impl::readAttribute(const UA_NodeId& node,
   item.attributeId = static_cast<UA_UInt32>(attribute);
   UA_ReadRequest request;
   UA_ReadRequest_init(&request);
-  request.requestHeader.timeoutHint = timeoutHintMs(deadline - now());
+  request.requestHeader.timeoutHint = kLibraryTimeoutMs;
   request.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
   request.nodesToRead = &item;
   request.nodesToReadSize = 1;
@@ -555,7 +640,25 @@ void UaLink::Impl::onAnswer(UA_Client* client, void* serial, UA_UInt32 /*request
   self->answered(reinterpret_cast<std::uintptr_t>(serial), response);
 }
 
+std::uint64_t UaLink::Impl::nextSerial() {
+  m_asked.push_back({++m_lastSerial, now()});
+  return m_lastSerial;
+}
+
+std::size_t UaLink::Impl::unanswered() const {
+  const auto awaited = std::count_if(m_pending.begin(), m_pending.end(),
+                                     [](const Pending& pending) { return pending.serial != 0; });
+  return m_asked.size() - static_cast<std::size_t>(awaited) -
+         (m_exchange.serial != 0 && !m_exchange.answered ? 1 : 0);
+}
+
+Duration UaLink::Impl::silence() const {
+  return m_asked.empty() ? Duration{} : now() - std::max(m_heardAt, m_asked.front().at);
+}
+
 void UaLink::Impl::answered(std::uint64_t serial, void* response) {
+  m_heardAt = now();
+  std::erase_if(m_asked, [&](const Asked& asked) { return asked.serial == serial; });
   const UA_StatusCode status = static_cast<const UA_ResponseHeader*>(response)->serviceResult;
   if (meansConnectionLost(status)) {
     m_lost = m_lost || m_established;
@@ -571,7 +674,7 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
   const auto pending = std::find_if(m_pending.begin(), m_pending.end(),
                                     [&](const Pending& p) { return p.serial == serial; });
   if (pending == m_pending.end()) {
-    return;  // cancelled meanwhile
+    return;  // it has expired
   }
   pending->serial = 0;
   pending->event.at = now();
@@ -692,7 +795,7 @@ base::RequestId UaLink::Impl::store(const std::string& name, const std::string& 
   return m_lastId;
 }
 
-UA_StatusCode UaLink::Impl::sendCall(Pending& pending, UA_UInt32 timeoutHint, void* serial) {
+UA_StatusCode UaLink::Impl::sendCall(Pending& pending, void* serial) {
   UA_String target = borrow(pending.path);
   UA_ByteString data = borrow(pending.text);
   UA_Boolean mayOverwrite = true;
@@ -700,7 +803,7 @@ UA_StatusCode UaLink::Impl::sendCall(Pending& pending, UA_UInt32 timeoutHint, vo
                     borrowScalar(mayOverwrite, UA_TYPES_BOOLEAN)};
   const std::string methodIdentifier = memberIdentifier(m_fileMethods, kCopyToServer);
   MethodCall method(borrowNodeId(m_namespace, m_fileMethods),
-                    borrowNodeId(m_namespace, methodIdentifier), inputs, timeoutHint);
+                    borrowNodeId(m_namespace, methodIdentifier), inputs);
   pending.isCalled = true;
   return __UA_Client_AsyncService(m_client, &method.request, &UA_TYPES[UA_TYPES_CALLREQUEST],
                                   &Impl::onAnswer, &UA_TYPES[UA_TYPES_CALLRESPONSE], serial,
@@ -721,7 +824,7 @@ const std::string& UaLink::Impl::identifier(const Node& node) {
 
 void UaLink::Impl::sendDue() {
   for (Pending& pending : m_pending) {
-    if (m_lost) {
+    if (m_lost || unanswered() >= kUnansweredMax) {
       return;
     }
     if (!pending.isSent() && pending.serial == 0) {
@@ -737,12 +840,11 @@ void UaLink::Impl::send(Pending& pending) {
   const std::size_t first = pending.itemsSent;
   const std::size_t items =
       pending.grouping == Grouping::Single ? std::size_t{1} : pending.variables.size();
-  const UA_UInt32 timeoutHint = timeoutHintMs(pending.deadline - now());
-  pending.serial = ++m_lastSerial;
+  pending.serial = nextSerial();
   pending.itemsSent = first + items;
   void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(pending.serial));
   if (pending.operation == Operation::Call) {
-    const UA_StatusCode called = sendCall(pending, timeoutHint, serial);
+    const UA_StatusCode called = sendCall(pending, serial);
     m_lost = m_lost || isBad(called);
     return;
   }
@@ -765,7 +867,7 @@ void UaLink::Impl::send(Pending& pending) {
     }
     UA_ReadRequest request;
     UA_ReadRequest_init(&request);
-    request.requestHeader.timeoutHint = timeoutHint;
+    request.requestHeader.timeoutHint = kLibraryTimeoutMs;
     request.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
     request.nodesToRead = m_readItems.data();
     request.nodesToReadSize = m_readItems.size();
@@ -792,7 +894,7 @@ void UaLink::Impl::send(Pending& pending) {
     }
     UA_WriteRequest request;
     UA_WriteRequest_init(&request);
-    request.requestHeader.timeoutHint = timeoutHint;
+    request.requestHeader.timeoutHint = kLibraryTimeoutMs;
     request.nodesToWrite = m_writeItems.data();
     request.nodesToWriteSize = m_writeItems.size();
     status = __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_WRITEREQUEST],
@@ -837,6 +939,17 @@ void UaLink::Impl::expire(Instant time) {
   std::erase_if(m_pending, [](const Pending& pending) { return pending.done; });
 }
 
+/// The library does not report every end of a connection.
+void UaLink::Impl::noticeState() {
+  UA_SecureChannelState channel = UA_SECURECHANNELSTATE_CLOSED;
+  UA_Client_getState(m_client, &channel, nullptr, nullptr);
+  m_lost = m_lost || channel != UA_SECURECHANNELSTATE_OPEN;
+  if (!m_lost && silence() > m_options.silenceMax) {
+    m_lost = true;
+    m_isSilent = true;
+  }
+}
+
 void UaLink::Impl::noticeLoss() {
   if (!m_lost || m_lossReported) {
     return;
@@ -848,11 +961,19 @@ void UaLink::Impl::noticeLoss() {
   event.at = now();
   event.sent = event.at;
   event.error = error(LinkError::ConnectionLost);
+  if (m_isSilent) {
+    event.error.message = fmt::format(
+        "Nothing has come from the control for {:.0f} s: the network is interrupted, or the server "
+        "hangs. Check cable, switch and server, then connect again.",
+        base::toSeconds(m_options.silenceMax));
+    event.error.context = endpoint();
+  }
   m_events.push_back(std::move(event));
 }
 
 void UaLink::Impl::settle() {
   finishAnswered();
+  noticeState();
   if (!m_lost && !m_pending.empty()) {
     expire(now());
     sendDue();
@@ -864,6 +985,9 @@ void UaLink::Impl::step(Instant until) {
   Instant limit = until;
   for (const Pending& pending : m_pending) {
     limit = std::min(limit, pending.deadline);
+  }
+  if (!m_asked.empty()) {
+    limit = std::min(limit, addSaturating(now() - silence(), m_options.silenceMax));
   }
   const Duration left = std::min(limit - now(), kIterationMax);
   m_activity = false;
@@ -904,7 +1028,7 @@ UA_StatusCode UaLink::Impl::exchange(const void* request, const UA_DataType* req
   if (m_lost) {
     return UA_STATUSCODE_BADCONNECTIONCLOSED;
   }
-  m_exchange = Exchange{++m_lastSerial, response, responseType, false};
+  m_exchange = Exchange{nextSerial(), response, responseType, false};
   void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(m_exchange.serial));
   UA_StatusCode status = __UA_Client_AsyncService(m_client, request, requestType, &Impl::onAnswer,
                                                   responseType, serial, nullptr);
@@ -928,8 +1052,7 @@ base::Result<CallResponse> UaLink::Impl::call(UA_UInt16 namespaceIndex, std::str
                                               std::span<UA_Variant> inputs) {
   const std::string methodIdentifier = memberIdentifier(object, method);
   MethodCall call(borrowNodeId(namespaceIndex, object),
-                  borrowNodeId(namespaceIndex, methodIdentifier), inputs,
-                  timeoutHintMs(m_options.commandDeadline));
+                  borrowNodeId(namespaceIndex, methodIdentifier), inputs);
   CallResponse response;
   UA_StatusCode status =
       exchange(&call.request, &UA_TYPES[UA_TYPES_CALLREQUEST], response.get(), CallResponse::type(),
@@ -1055,6 +1178,10 @@ base::RequestId UaLink::store(const std::string& name, const std::string& text,
 
 std::optional<Event> UaLink::wait(base::Instant until) {
   return m_impl->wait(until);
+}
+
+base::Duration UaLink::silence() const {
+  return m_impl->silence();
 }
 
 base::Result<void> UaLink::uploadProgram(const std::string& name, const std::string& text,

@@ -18,18 +18,22 @@ inline constexpr std::size_t kItemsMax = 1000;
 
 struct ConnectOptions {
   std::string endpoint;  ///< as typed, e.g. "opc.tcp://192.168.214.1:4840"; used as it stands
+  /// For each answer while connecting; altogether six times as long.
   base::Duration connectDeadline = std::chrono::seconds(5);
   base::Duration commandDeadline = std::chrono::seconds(5);  ///< of each method of `Control`
-  std::string name = "Rivulet";                              ///< session name the server shows
+  /// A connection whose other side is silent for longer, although it was asked, is lost.
+  base::Duration silenceMax = std::chrono::seconds(10);
+  std::string name = "Rivulet";  ///< session name the server shows
 };
 
 class UaLink final : public Link, public Control {
  public:
-  /// Connects, opens a session and resolves the namespaces. Blocks up to the deadline.
+  /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
+  /// tried again, each time after a longer pause.
   /// @return NotReachable, Rejected, NamespaceMissing
   [[nodiscard]] static base::Result<std::unique_ptr<UaLink>> connect(const ConnectOptions& options);
 
-  /// Closes the session; blocks a second at most if the server has stopped answering.
+  /// Closes the session; blocks a second at most, whatever the other side does.
   ~UaLink() override;
   UaLink(const UaLink&) = delete;
   UaLink& operator=(const UaLink&) = delete;
@@ -45,6 +49,7 @@ class UaLink final : public Link, public Control {
   /// Never returns before `until` without an event, also after the connection is lost.
   /// An answer found in time is reported even if this call came after the request's deadline.
   std::optional<Event> wait(base::Instant until) override;
+  [[nodiscard]] base::Duration silence() const override;
 
   base::Result<void> uploadProgram(const std::string& name, const std::string& text,
                                    bool overwrite) override;
