@@ -353,12 +353,8 @@
         <translation>Die Aufzeichnung ist beschädigt. Alles vor dem Schaden blieb erhalten.</translation>
     </message>
     <message>
-        <source>The recording cannot be read. Check that it exists and that you may read it.</source>
-        <translation>Die Aufzeichnung ist nicht lesbar. Prüfen, ob sie vorhanden ist und gelesen werden darf.</translation>
-    </message>
-    <message>
-        <source>The recording cannot be written. Check the folder and the free space.</source>
-        <translation>Die Aufzeichnung kann nicht geschrieben werden. Ordner und freien Speicher prüfen.</translation>
+        <source>The file cannot be written. Check the folder and the free space.</source>
+        <translation>Die Datei kann nicht geschrieben werden. Ordner und freien Speicher prüfen.</translation>
     </message>
     <message>
         <source>No OPC UA server answers at this endpoint. Check address, port and network.</source>

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "cli/commands.h"
 #include "report/report_json.h"
 #include "trace/analysis/integrity.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
-#include "trace/file.h"
 #include "trace/recording.h"
 
 namespace rivulet::cli {
@@ -20,7 +20,7 @@ constexpr double kPointToleranceMm = 1e-6;
 }  // namespace
 
 Exit analyse(const AnalyseOptions& options) {
-  const auto text = trace::readFile(options.file);
+  const auto text = base::readFile(options.file);
   if (!text) {
     return reportError(text.error(), options.json);
   }

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/file.h"
 #include "cli/access_text.h"
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "report/calibration_json.h"
 #include "report/machine_store.h"
-#include "trace/file.h"
 
 namespace rivulet::cli {
 
@@ -128,7 +128,7 @@ base::Result<std::vector<std::filesystem::path>> save(const CalibrateOptions& op
   if (!options.output.empty()) {
     const std::string text =
         json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-    if (const auto saved = trace::writeFile(options.output, text); !saved) {
+    if (const auto saved = base::writeFile(options.output, text); !saved) {
       return base::fail(saved.error());
     }
     files.emplace_back(options.output);

@@ -12,9 +12,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "base/error.h"
+#include "base/file.h"
 #include "log/log.h"
-#include "trace/control_trace.h"
 
 namespace rivulet::cli {
 
@@ -32,7 +31,7 @@ base::Result<CorrectionSource> CorrectionSource::open(const std::string& path) {
   // A pipe without a writer is opened at once.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) {
-    return base::fail(trace::TraceError::FileUnreadable,
+    return base::fail(base::FileError::Unreadable,
                       "The source of corrections cannot be opened. Check the path and its "
                       "permissions.",
                       path);

@@ -7,10 +7,10 @@
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <mutex>
 
+#include "base/file.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "experiments/catalogue.h"
@@ -24,18 +24,6 @@ namespace rivulet::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-base::Result<void> writeFile(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.flush();
-  if (!file) {
-    return base::fail(trace::TraceError::FileNotWritable,
-                      "The file cannot be written. Check the folder and the permissions.",
-                      path.string());
-  }
-  return {};
-}
 
 /// The share done, on a terminal only.
 class ProgressLine {
@@ -104,17 +92,18 @@ base::Result<void> writeReport(const fs::path& folder,
       const fs::path image =
           fs::path("images") / "fidelity" / numbered(result.name + ".svg", i).string();
       images.push_back(image.generic_string());
-      if (auto done = writeFile(folder / image, report::svgPlot(result.plots[i])); !done) {
+      if (auto done = base::writeFile(folder / image, report::svgPlot(result.plots[i])); !done) {
         return done;
       }
-      if (auto done = writeFile(folder / (image.string() + ".license"), kPictureLicense); !done) {
+      if (auto done = base::writeFile(folder / (image.string() + ".license"), kPictureLicense);
+          !done) {
         return done;
       }
     }
     text += fmt::format("\n<a id=\"{}\"></a>\n\n", result.name) +
             report::experimentMarkdown(result, images);
   }
-  return writeFile(folder / "fidelity.md", text);
+  return base::writeFile(folder / "fidelity.md", text);
 }
 
 base::Result<experiments::Experiment> run(const std::string& name,
@@ -179,14 +168,15 @@ Exit experiment(const ExperimentCommandOptions& options) {
     csv += (csv.empty() ? "" : "\n") + report::experimentCsv(result);
     for (const experiments::Plot& plot : result.plots) {
       if (!options.plot.empty()) {
-        if (auto done = writeFile(numbered(options.plot, plots++), report::svgPlot(plot)); !done) {
+        if (auto done = base::writeFile(numbered(options.plot, plots++), report::svgPlot(plot));
+            !done) {
           return reportError(done.error(), false);
         }
       }
     }
   }
   const auto write = [](const std::string& path, const std::string& text) -> base::Result<void> {
-    return path.empty() ? base::Result<void>{} : writeFile(path, text);
+    return path.empty() ? base::Result<void>{} : base::writeFile(path, text);
   };
   for (const auto& done :
        {write(options.json, json.dump(2) + "\n"), write(options.csv, csv),

@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "cli/commands.h"
 #include "gcode/program.h"
 #include "gcode/thinning.h"
 #include "log/log.h"
-#include "trace/file.h"
 
 namespace rivulet::cli {
 
@@ -91,7 +91,7 @@ Exit points(const PointsOptions& options) {
         std::fopen(options.output.c_str(), "wb"), &std::fclose);
     if (!file) {
       return reportError(
-          base::makeError(trace::TraceError::FileNotWritable,
+          base::makeError(base::FileError::NotWritable,
                           "The file cannot be written. Check the folder and its permissions.",
                           options.output),
           false);

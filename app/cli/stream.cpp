@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/file.h"
 #include "base/units.h"
 #include "cli/access_text.h"
 #include "cli/calibration_choice.h"
@@ -29,7 +30,6 @@
 #include "streaming/simulation/template_proof.h"
 #include "streaming/start_policy.h"
 #include "templates/generator.h"
-#include "trace/file.h"
 #include "trace/recording.h"
 
 namespace rivulet::cli {
@@ -138,7 +138,7 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
 base::Result<streaming::Resume> resumeOf(const std::string& path, const Connection& connection,
                                          const gcode::Program& program,
                                          const streaming::RunSettings& settings) {
-  const base::Result<std::string> text = trace::readFile(path);
+  const base::Result<std::string> text = base::readFile(path);
   if (!text) {
     return base::fail(text.error());
   }
@@ -246,7 +246,7 @@ base::Result<void> printSteps(const StreamOptions& options,
   }
   const std::string name = templates::templateFileName(parameters);
   const std::string path = options.programFile.empty() ? name : options.programFile;
-  if (const auto written = trace::writeFile(path, *text); !written) {
+  if (const auto written = base::writeFile(path, *text); !written) {
     return base::fail(written.error());
   }
   fmt::print(stderr,
@@ -437,7 +437,7 @@ base::Result<void> StreamCommand::openRecording() {
   }
   m_file.reset(std::fopen(m_options.record.c_str(), "wb"));
   if (!m_file) {
-    return base::fail(trace::TraceError::FileNotWritable,
+    return base::fail(base::FileError::NotWritable,
                       "The recording cannot be written. Check the folder and the permissions.",
                       m_options.record);
   }

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/file.h"
 #include "cli/commands.h"
 #include "machine/config.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
-#include "trace/file.h"
 
 namespace rivulet::cli {
 
@@ -88,7 +88,7 @@ bool isSound(const TemplateProof& proof, bool verified) {
 
 /// A program from a file, maybe written by hand.
 Exit lintFile(const templates::TemplateParameters& parameters, const TemplateOptions& options) {
-  const base::Result<std::string> text = trace::readFile(options.lint);
+  const base::Result<std::string> text = base::readFile(options.lint);
   if (!text) {
     return reportError(text.error(), options.json);
   }
@@ -130,7 +130,7 @@ Exit makeTemplate(const TemplateOptions& options) {
   }
   const bool sound = !proof || isSound(*proof, true);
   if (!options.output.empty() && sound) {
-    if (const auto written = trace::writeFile(options.output, *text); !written) {
+    if (const auto written = base::writeFile(options.output, *text); !written) {
       return reportError(written.error(), options.json);
     }
   }

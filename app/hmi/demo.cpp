@@ -8,8 +8,8 @@
 #include <QTabWidget>
 #include <cstdio>
 
+#include "base/file.h"
 #include "report/report_json.h"
-#include "trace/file.h"
 #include "widgets/trace/trace_page.h"
 
 namespace rivulet::hmi {
@@ -71,7 +71,7 @@ void Demo::leave(const std::shared_ptr<const streaming::RunReport>& report) {
   const std::string json =
       report::runJson(*report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   const auto written =
-      trace::writeFile((m_folder + QStringLiteral("/report.json")).toStdString(), json);
+      base::writeFile((m_folder + QStringLiteral("/report.json")).toStdString(), json);
   if (!pictured || !written) {
     fail(tr("The picture or the report cannot be written to %1.").arg(m_folder));
     return;

@@ -15,11 +15,11 @@
 #include <filesystem>
 #include <string>
 
+#include "base/file.h"
 #include "log/log.h"
 #include "machine/config.h"
 #include "machine/front/server.h"
 #include "machine/machine.h"
-#include "trace/file.h"
 
 namespace {
 
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
   rivulet::machine::Machine machine(*config, seed);
   options.fileRights = !noFileRights;
   if (!program.empty()) {
-    const auto text = rivulet::trace::readFile(program);
+    const auto text = rivulet::base::readFile(program);
     const std::string name = std::filesystem::path(program).filename().string();
     if (!text) {
       return complain(text.error(), kExitUsage);

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "report/report_json.h"
 #include "streaming/machine_facts.h"
-#include "trace/file.h"
 
 namespace rivulet::report {
 
@@ -248,7 +248,7 @@ base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
 }
 
 base::Result<streaming::CalibrationRecord> readCalibration(const std::filesystem::path& path) {
-  const base::Result<std::string> text = trace::readFile(path);
+  const base::Result<std::string> text = base::readFile(path);
   if (!text) {
     return base::fail(text.error());
   }

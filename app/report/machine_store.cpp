@@ -11,10 +11,10 @@
 #include <system_error>
 #include <utility>
 
+#include "base/file.h"
 #include "base/hash.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
-#include "trace/file.h"
 
 namespace rivulet::report {
 namespace fs = std::filesystem;
@@ -51,7 +51,7 @@ template <class Pick>
 std::optional<ordered_json> findEarlier(const fs::path& folder, Pick pick) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const base::Result<std::string> text = trace::readFile(entry.path());
+    const base::Result<std::string> text = base::readFile(entry.path());
     if (entry.path().extension() != ".json" || !text) {
       continue;
     }
@@ -123,7 +123,7 @@ base::Result<ordered_json> MachineStore::read(const std::string& endpoint,
     }
     return machine;
   }
-  const base::Result<std::string> text = trace::readFile(path);
+  const base::Result<std::string> text = base::readFile(path);
   if (!text) {
     return base::fail(text.error());
   }
@@ -179,7 +179,7 @@ base::Result<void> MachineStore::saveMember(const std::string& endpoint,
   std::error_code ignored;  // writing says what is wrong
   fs::create_directories(m_folders.machines, ignored);
   // What a server says of itself may hold bytes that are not UTF-8.
-  return trace::writeFile(
+  return base::writeFile(
       pathOf(endpoint, server),
       machine->dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }

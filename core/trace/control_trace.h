@@ -55,8 +55,6 @@ enum class TraceError {
   NotATrace = 1,  ///< another kind of file
   NewerVersion,   ///< written by a later Rivulet
   Damaged,        ///< a line cannot be read; everything before it is kept where possible
-  FileUnreadable,
-  FileNotWritable,
 };
 
 [[nodiscard]] std::error_code make_error_code(TraceError code);

@@ -8,12 +8,12 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
+#include "base/file.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
 #include "report/machine_store.h"
 #include "streaming/run.h"
 #include "support/test_program.h"
-#include "trace/file.h"
 
 using namespace rivulet;
 using report::MachineStore;
@@ -73,7 +73,7 @@ class TestMachineStore : public QObject {
   [[nodiscard]] MachineStore store() const { return MachineStore(m_folders); }
   void write(const std::filesystem::path& path, const std::string& text) {
     std::filesystem::create_directories(path.parent_path());
-    QVERIFY(trace::writeFile(path, text).has_value());
+    QVERIFY(base::writeFile(path, text).has_value());
   }
 
  private Q_SLOTS:
@@ -110,7 +110,7 @@ class TestMachineStore : public QObject {
     const std::filesystem::path path = store().pathOf(kEndpoint, kServer);
     write(path, R"({"rivulet_machine":1,"x":[1,2],"credit_test":{"passed":true}})");
     QVERIFY(store().save(makeTest(false)).has_value());
-    const auto json = nlohmann::json::parse(trace::readFile(path).value());
+    const auto json = nlohmann::json::parse(base::readFile(path).value());
     QCOMPARE(json["x"].size(), std::size_t{2});
     QVERIFY(!json["credit_test"]["passed"].get<bool>());
   }
@@ -137,7 +137,7 @@ class TestMachineStore : public QObject {
     QVERIFY(!(*store().creditTest(kEndpoint, kServer))->result.passed());
     QVERIFY(store().calibration(kEndpoint, kServer)->has_value());
     const auto json =
-        nlohmann::json::parse(trace::readFile(store().pathOf(kEndpoint, kServer)).value());
+        nlohmann::json::parse(base::readFile(store().pathOf(kEndpoint, kServer)).value());
     QCOMPARE(json["note"], "by the window");
     QVERIFY(!json.contains("rivulet_machine_profile"));
     std::filesystem::remove_all(m_folders.earlierCalibrations);
@@ -175,7 +175,7 @@ class TestMachineStore : public QObject {
       QVERIFY(!test && test.error().code == MachineFileError::NotAMachineFile);
       QVERIFY(!store().calibration(kEndpoint, kServer));
       QVERIFY(!store().save(makeTest()));
-      QCOMPARE(trace::readFile(path).value(), std::string(text));
+      QCOMPARE(base::readFile(path).value(), std::string(text));
     }
     write(path, R"({"rivulet_machine":2})");
     const auto newer = store().creditTest(kEndpoint, kServer);
@@ -199,7 +199,8 @@ class TestMachineStore : public QObject {
     later.softwareVersion = "4.96";
     QVERIFY(
         why(makeTest(), later).contains(QStringLiteral("Control 4.95 7; now it is Control 4.96")));
-    QVERIFY(why(makeTest(false), kServer).contains(QStringLiteral("failed the test on 2026-05-04")));
+    QVERIFY(
+        why(makeTest(false), kServer).contains(QStringLiteral("failed the test on 2026-05-04")));
   }
 };
 

@@ -13,11 +13,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/file.h"
 #include "gcode/program.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
 #include "trace/analysis/integrity.h"
-#include "trace/file.h"
 #include "trace/recording.h"
 
 using namespace rivulet;
@@ -64,7 +64,7 @@ class TestResume : public QObject {
 
   /// Blocks the machine executed in a run, by its own trace.
   [[nodiscard]] std::vector<trace::ExecutedBlock> executed(const QString& recording) const {
-    const auto text = trace::readFile(path(recording).toStdString());
+    const auto text = base::readFile(path(recording).toStdString());
     const auto parsed = text ? trace::parseRecording(*text) : base::fail(text.error());
     return parsed && parsed->controlTrace ? parsed->controlTrace->blocks
                                           : std::vector<trace::ExecutedBlock>{};

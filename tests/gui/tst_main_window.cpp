@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/file.h"
 #include "base/units.h"
 #include "hmi/main_window.h"
 #include "opcua/error.h"
@@ -30,7 +31,6 @@
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "trace/analysis/integrity.h"
-#include "trace/file.h"
 #include "trace/recording.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/message_area.h"
@@ -344,7 +344,7 @@ class TestMainWindow : public QObject {
                     QStringLiteral("/runs"));
     const QStringList files = runs.entryList(QDir::Files, QDir::Name);
     QVERIFY(!files.isEmpty());
-    const auto text = trace::readFile(runs.filePath(files.last()).toStdString());
+    const auto text = base::readFile(runs.filePath(files.last()).toStdString());
     QVERIFY(text);
     const auto recording = trace::parseRecording(*text);
     QVERIFY(recording);

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/file.h"
 #include "machine/machine.h"
 #include "report/calibration_json.h"
 #include "streaming/job.h"
 #include "streaming/machine_facts.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
-#include "trace/file.h"
 
 using namespace rivulet;
 using base::Duration;
@@ -98,7 +98,7 @@ class TestCalibrationFile : public QObject {
     QVERIFY(record.calibration.isCut());
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath(QStringLiteral("a.json")).toStdString();
-    QVERIFY(trace::writeFile(path, report::calibrationJson(record).dump()));
+    QVERIFY(base::writeFile(path, report::calibrationJson(record).dump()));
     const auto read = report::readCalibration(path);
     QVERIFY2(read, read ? "" : read.error().text().c_str());
     QCOMPARE(report::calibrationJson(*read).dump(), report::calibrationJson(record).dump());
@@ -122,7 +122,7 @@ class TestCalibrationFile : public QObject {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath(QStringLiteral("a.json")).toStdString();
     const auto codeOf = [&path](const nlohmann::ordered_json& json) {
-      [[maybe_unused]] const auto written = trace::writeFile(path, json.dump());
+      [[maybe_unused]] const auto written = base::writeFile(path, json.dump());
       const auto read = report::readCalibration(path);
       return read ? std::error_code() : read.error().code;
     };

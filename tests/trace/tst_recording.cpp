@@ -4,8 +4,8 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "base/file.h"
 #include "support/test_program.h"
-#include "trace/file.h"
 #include "trace/recording.h"
 
 using namespace rivulet::trace;
@@ -279,7 +279,7 @@ class TestRecording : public QObject {
   }
 
   void documentedExamplesAreValid() {
-    const auto document = readFile(RIVULET_SOURCE_DIR "/docs/formats.md");
+    const auto document = rivulet::base::readFile(RIVULET_SOURCE_DIR "/docs/formats.md");
     QVERIFY(document);
     const auto example = [&document](const std::string& name) {
       const std::size_t begin = document->find("```\n" + name + " ") + 4;

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "base/file.h"
 #include "feasibility/verdict.h"
 #include "gcode/error.h"
 #include "opcua/error.h"
@@ -101,10 +102,16 @@ struct ErrorTexts {
         return tr("The recording was written by a newer Rivulet. Update this program to read it.");
       case TraceError::Damaged:
         return tr("The recording is damaged. Everything before the damage was kept.");
-      case TraceError::FileUnreadable:
-        return tr("The recording cannot be read. Check that it exists and that you may read it.");
-      case TraceError::FileNotWritable:
-        return tr("The recording cannot be written. Check the folder and the free space.");
+    }
+    return {};
+  }
+
+  static QString text(base::FileError code) {
+    switch (code) {
+      case base::FileError::Unreadable:
+        return tr("The file cannot be read. Check that it exists and that you may read it.");
+      case base::FileError::NotWritable:
+        return tr("The file cannot be written. Check the folder and the free space.");
     }
     return {};
   }
@@ -264,6 +271,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<templates::TemplateError>(code)) {
     return ErrorTexts::text(static_cast<templates::TemplateError>(code.value()));
+  }
+  if (belongsTo<base::FileError>(code)) {
+    return ErrorTexts::text(static_cast<base::FileError>(code.value()));
   }
   if (belongsTo<trace::TraceError>(code)) {
     return ErrorTexts::text(static_cast<trace::TraceError>(code.value()));

@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <array>
 
-#include "trace/file.h"
+#include "base/file.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -38,7 +38,7 @@ QString pageTitle(const PageEntry& entry) {
 }
 
 void saveText(const Models& models, const QString& path, const QString& text) {
-  const auto written = trace::writeFile(path.toStdString(), text.toStdString());
+  const auto written = base::writeFile(path.toStdString(), text.toStdString());
   if (!written) {
     models.messages.show(gcode::Severity::Error, widgets::errorText(written.error()));
     return;

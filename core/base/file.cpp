@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "trace/file.h"
+#include "base/file.h"
 
 #include <fmt/format.h>
 
@@ -12,12 +12,11 @@
 #include <memory>
 
 #if defined(__unix__)
+#include <fcntl.h>
 #include <unistd.h>
 #endif
 
-#include "trace/control_trace.h"
-
-namespace rivulet::trace {
+namespace rivulet::base {
 namespace fs = std::filesystem;
 namespace {
 
@@ -30,14 +29,18 @@ std::string reason(int errorNumber) {
   return std::generic_category().message(errorNumber);
 }
 
-tl::unexpected<base::Error> unreadable(const fs::path& path, std::string_view why) {
-  return base::fail(TraceError::FileUnreadable, fmt::format("The file cannot be read: {}.", why),
-                    path.string());
+tl::unexpected<Error> unreadable(const fs::path& path, std::string_view why) {
+  return fail(FileError::Unreadable, fmt::format("The file cannot be read: {}.", why),
+              path.string());
 }
 
-tl::unexpected<base::Error> notWritable(const fs::path& path, std::string_view why) {
-  return base::fail(TraceError::FileNotWritable,
-                    fmt::format("The file cannot be written: {}.", why), path.string());
+tl::unexpected<Error> tooLarge(const fs::path& path, std::uintmax_t bytesMax) {
+  return unreadable(path, fmt::format("it is larger than {} MiB", bytesMax >> 20));
+}
+
+tl::unexpected<Error> notWritable(const fs::path& path, std::string_view why) {
+  return fail(FileError::NotWritable, fmt::format("The file cannot be written: {}.", why),
+              path.string());
 }
 
 /// Writes everything and makes sure that it is on the disk. @return 0 or the system's error number
@@ -57,9 +60,26 @@ int writeAll(File file, std::string_view text) {
   return std::fclose(file.release()) == 0 ? 0 : (errno != 0 ? errno : EIO);
 }
 
+/// The new name survives a loss of power only if its folder is on the disk, too. File systems that
+/// cannot do this are not at fault.
+void syncFolder([[maybe_unused]] const fs::path& folder) {
+#if defined(__unix__)
+  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (descriptor >= 0) {
+    fsync(descriptor);
+    close(descriptor);
+  }
+#endif
+}
+
 }  // namespace
 
-base::Result<std::string> readFile(const fs::path& path) {
+std::error_code make_error_code(FileError code) {
+  static const NamedCategory category("file");
+  return {static_cast<int>(code), category};
+}
+
+Result<std::string> readFile(const fs::path& path, std::uintmax_t bytesMax) {
   std::error_code status;
   if (fs::is_directory(path, status)) {
     return unreadable(path, "it is a folder");
@@ -70,14 +90,17 @@ base::Result<std::string> readFile(const fs::path& path) {
   }
   std::string text;
   const std::uintmax_t size = fs::file_size(path, status);
-  if (!status && size <= kFileBytesMax) {
+  if (!status && size > bytesMax) {
+    return tooLarge(path, bytesMax);
+  }
+  if (!status) {
     text.reserve(static_cast<std::size_t>(size));
   }
   std::array<char, 65536> buffer{};
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
     text.append(buffer.data(), count);
-    if (text.size() > kFileBytesMax) {
-      return unreadable(path, fmt::format("it is larger than {} MiB", kFileBytesMax >> 20));
+    if (text.size() > bytesMax) {
+      return tooLarge(path, bytesMax);
     }
   }
   if (std::ferror(file.get()) != 0) {
@@ -86,7 +109,7 @@ base::Result<std::string> readFile(const fs::path& path) {
   return text;
 }
 
-base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
+Result<void> writeFile(const fs::path& requested, std::string_view text) {
   std::error_code status;
   // The name may be a link: its target is replaced, the link stays.
   fs::path path =
@@ -101,7 +124,7 @@ base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
   if (fs::exists(kind) && !fs::is_regular_file(kind)) {
     File file(std::fopen(path.c_str(), "wb"));
     const int error = file ? writeAll(std::move(file), text) : errno;
-    return error == 0 ? base::Result<void>{} : notWritable(requested, reason(error));
+    return error == 0 ? Result<void>{} : notWritable(requested, reason(error));
   }
 
   // "x": an existing file belongs to another writer or is a left-over, and is not changed.
@@ -123,6 +146,7 @@ base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
       }
       fs::rename(temporary, path, status);
       if (!status) {
+        syncFolder(path.parent_path());
         return {};
       }
       error = status.value();
@@ -132,4 +156,4 @@ base::Result<void> writeFile(const fs::path& requested, std::string_view text) {
   return notWritable(requested, reason(error));
 }
 
-}  // namespace rivulet::trace
+}  // namespace rivulet::base

@@ -5,11 +5,10 @@
 #include <QtTest>
 #include <filesystem>
 
+#include "base/file.h"
 #include "support/test_program.h"
-#include "trace/control_trace.h"
-#include "trace/file.h"
 
-using namespace rivulet::trace;
+using namespace rivulet::base;
 namespace fs = std::filesystem;
 
 class TestFile : public QObject {
@@ -70,7 +69,7 @@ class TestFile : public QObject {
   void saysWhatCannotBeRead() {
     const auto missing = readFile(path("missing"));
     QVERIFY(!missing);
-    QVERIFY(missing.error().code == TraceError::FileUnreadable);
+    QVERIFY(missing.error().code == FileError::Unreadable);
     QVERIFY(missing.error().text().find("missing: The file cannot be read") != std::string::npos);
     const auto folder = readFile(m_folder.path().toStdString());
     QVERIFY(!folder);
@@ -80,14 +79,14 @@ class TestFile : public QObject {
   void saysWhatCannotBeWritten() {
     const auto missing = writeFile(path("no/such/folder"), "x");
     QVERIFY(!missing);
-    QVERIFY(missing.error().code == TraceError::FileNotWritable);
+    QVERIFY(missing.error().code == FileError::NotWritable);
     const auto folder = writeFile(m_folder.path().toStdString(), "x");
     QVERIFY(!folder);
-    QVERIFY(folder.error().code == TraceError::FileNotWritable);
+    QVERIFY(folder.error().code == FileError::NotWritable);
     // A full disk is noticed, not only a missing one.
     const auto full = writeFile("/dev/full", "x");
     QVERIFY(!full);
-    QVERIFY(full.error().code == TraceError::FileNotWritable);
+    QVERIFY(full.error().code == FileError::NotWritable);
     QCOMPARE(filesInFolder(), std::ptrdiff_t{0});
   }
 };
