@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "recorder/recording_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "base/file.h"
+
+namespace rivulet::recorder {
+
+namespace {
+
+/// Pieces of at least this size are lists: see `append`.
+constexpr std::size_t kListBytes = std::size_t{32} << 10U;
+
+/// Writes everything. @return 0 or the system's error number
+int writeAll(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = write(descriptor, text.data(), text.size());
+    if (count < 0 && errno != EINTR) {
+      return errno;
+    }
+    text.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+  return 0;
+}
+
+/// Pipes and devices refuse to be synchronized, which is not an error.
+int syncAndClose(int descriptor) {
+  const bool failed =
+      fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP;
+  const int error = failed ? errno : 0;
+  return close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
+}  // namespace
+
+struct RecordingFile::State {
+  RecordingLimits limits;
+  int descriptor = -1;
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::string waiting;       ///< to be written
+  std::size_t inFlight = 0;  ///< bytes that are being written
+  std::size_t written = 0;   ///< bytes
+  bool isClosing = false;    ///< nothing more will come
+  bool isDone = false;       ///< the file is closed
+  bool isBehind = false;     ///< there was no room: the recording ends there
+  bool isAbandoned = false;  ///< the file hung at the end
+  int error = 0;             ///< of the system
+
+  void work();
+};
+
+/// The thread of the file. Signals are for the thread of the run; a pipe without its reader and a
+/// file beyond its limit become errors of `write`.
+void RecordingFile::State::work() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  std::unique_lock lock(mutex);
+  for (;;) {
+    changed.wait(lock, [this] { return !waiting.empty() || isClosing; });
+    if (waiting.empty()) {
+      break;
+    }
+    const std::string text = std::exchange(waiting, {});
+    inFlight = text.size();
+    lock.unlock();
+    constexpr std::size_t kPiece = std::size_t{256} << 10U;
+    int failure = 0;
+    for (std::size_t at = 0; at < text.size() && failure == 0; at += kPiece) {
+      const std::string_view piece = std::string_view(text).substr(at, kPiece);
+      failure = writeAll(descriptor, piece);
+      const std::lock_guard counted(mutex);
+      inFlight -= piece.size();
+      written += piece.size();
+      changed.notify_all();
+    }
+    lock.lock();
+    if (failure != 0) {
+      error = failure;
+      waiting.clear();
+      inFlight = 0;
+      isClosing = true;
+    }
+  }
+  lock.unlock();
+  const int failure = syncAndClose(descriptor);
+  lock.lock();
+  error = error != 0 ? error : failure;
+  isDone = true;
+  changed.notify_all();
+}
+
+base::Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::filesystem::path& path,
+                                                                 const RecordingLimits& limits) {
+  // Without O_NONBLOCK, a pipe that nobody reads would be waited for here.
+  constexpr int kRights = 0666;
+  const int descriptor =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, kRights);
+  if (descriptor < 0) {
+    const bool isPipe = errno == ENXIO;
+    return base::fail(base::FileError::NotWritable,
+                      isPipe
+                          ? std::string("The recording cannot be written: nobody reads the pipe.")
+                          : fmt::format("The recording cannot be written: {}. Check the folder "
+                                        "and the permissions.",
+                                        std::generic_category().message(errno)),
+                      path.string());
+  }
+  fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  auto state = std::make_shared<State>();
+  state->limits = limits;
+  state->descriptor = descriptor;
+  std::thread([state] { state->work(); }).detach();
+  return std::unique_ptr<RecordingFile>(new RecordingFile(std::move(state), path));
+}
+
+RecordingFile::~RecordingFile() {
+  static_cast<void>(finish());
+}
+
+bool RecordingFile::append(std::string_view lines) {
+  State& state = *m_state;
+  std::unique_lock lock(state.mutex);
+  const bool isList = lines.size() >= kListBytes;
+  // Lists leave half of the room to the records of the stream.
+  const std::size_t room = state.limits.queueBytesMax / (isList ? 2 : 1);
+  const auto fits = [&] { return state.waiting.size() + state.inFlight + lines.size() <= room; };
+  while (isList && !fits() && !state.isClosing) {
+    const std::size_t before = state.written;
+    if (!state.changed.wait_for(lock, state.limits.patience,
+                                [&] { return state.written != before || state.isClosing; })) {
+      break;
+    }
+  }
+  if (state.isClosing || state.isBehind || !fits()) {
+    state.isBehind = state.isBehind || !state.isClosing;
+    return false;
+  }
+  state.waiting += lines;
+  state.changed.notify_all();
+  return true;
+}
+
+trace::RecordingSink RecordingFile::sink() {
+  return [this](std::string_view lines) { return append(lines); };
+}
+
+base::Result<void> RecordingFile::finish() {
+  State& state = *m_state;
+  std::unique_lock lock(state.mutex);
+  state.isClosing = true;
+  state.changed.notify_all();
+  while (!state.isDone && !state.isAbandoned) {
+    const std::size_t before = state.written;
+    state.isAbandoned = !state.changed.wait_for(
+        lock, state.limits.patience, [&] { return state.isDone || state.written != before; });
+  }
+  return result();
+}
+
+base::Result<void> RecordingFile::result() const {
+  const State& state = *m_state;
+  const auto incomplete = [this](std::string why) {
+    return base::fail(base::FileError::NotWritable,
+                      fmt::format("The recording is incomplete: {}.", why), m_path.string());
+  };
+  if (state.error != 0) {
+    return incomplete(std::generic_category().message(state.error));
+  }
+  if (state.isBehind) {
+    return incomplete("its disk or pipe could not keep up, so it was cut off");
+  }
+  if (state.isAbandoned) {
+    return incomplete("its disk or pipe accepts nothing more");
+  }
+  return {};
+}
+
+}  // namespace rivulet::recorder

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Files and pipes that are slow, full, or hang.
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+#include <string>
+
+#include "base/file.h"
+#include "recorder/recording_file.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using recorder::RecordingFile;
+using recorder::RecordingLimits;
+
+class TestRecordingFile : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+  [[nodiscard]] std::filesystem::path path(const char* name) const {
+    return std::filesystem::path(m_folder.path().toStdString()) / name;
+  }
+
+  /// A pipe with a reader that never reads.
+  int hangingPipe(const char* name) {
+    if (mkfifo(path(name).c_str(), 0600) != 0) {
+      qFatal("no pipe can be made");
+    }
+    return open(path(name).c_str(), O_RDONLY | O_NONBLOCK);
+  }
+
+ private Q_SLOTS:
+  void everythingArrives() {
+    std::string expected;
+    {
+      auto file = RecordingFile::open(path("whole"));
+      QVERIFY(file.has_value());
+      const trace::RecordingSink sink = (*file)->sink();
+      for (int i = 0; i < 20000; ++i) {
+        const std::string line = "line " + std::to_string(i) + "\n";
+        QVERIFY(sink(line));
+        expected += line;
+      }
+      QVERIFY((*file)->finish().has_value());
+      QVERIFY((*file)->finish().has_value());
+      QVERIFY(!sink("too late\n"));
+    }
+    QCOMPARE(base::readFile(path("whole")).value(), expected);
+  }
+
+  /// Lists larger than the queue wait for the disk; nothing of them is lost.
+  void listsWaitForRoom() {
+    auto file = RecordingFile::open(path("list"), {std::size_t{1} << 18U});
+    QVERIFY(file.has_value());
+    const std::string piece(std::size_t{1} << 16U, 'p');
+    for (int i = 0; i < 200; ++i) {
+      QVERIFY((*file)->append(piece));
+    }
+    QVERIFY((*file)->finish().has_value());
+    QCOMPARE(std::filesystem::file_size(path("list")), std::uintmax_t{200} << 16U);
+  }
+
+  /// The records of a stream never wait: this test would not end.
+  void aPipeThatHangsIsLeftAlone() {
+    const int reader = hangingPipe("hangs");
+    QVERIFY(reader >= 0);
+    auto file =
+        RecordingFile::open(path("hangs"), {std::size_t{1} << 20U, std::chrono::milliseconds{50}});
+    QVERIFY(file.has_value());
+    const std::string line(100, 'r');
+    std::size_t taken = 0;
+    while ((*file)->append(line)) {
+      ++taken;
+      QVERIFY(taken * line.size() <= (std::size_t{2} << 20U));
+    }
+    QVERIFY(taken * line.size() > (std::size_t{1} << 19U));
+    QVERIFY(!(*file)->append(std::string(std::size_t{1} << 19U, 'l')));
+    const auto finished = (*file)->finish();
+    QVERIFY(!finished.has_value());
+    QVERIFY(finished.error().message.find("incomplete") != std::string::npos);
+    close(reader);
+  }
+
+  void aPipeWithoutAReaderIsRefused() {
+    QCOMPARE(mkfifo(path("alone").c_str(), 0600), 0);
+    const auto file = RecordingFile::open(path("alone"));
+    QVERIFY(!file.has_value());
+    QVERIFY(file.error().code == base::FileError::NotWritable);
+    QVERIFY(file.error().message.find("nobody reads") != std::string::npos);
+    QVERIFY(!RecordingFile::open("/nowhere/recording").has_value());
+  }
+
+  /// Its reader goes away: no signal ends the program.
+  void aBrokenPipeIsSaid() {
+    const int reader = hangingPipe("broken");
+    auto file = RecordingFile::open(path("broken"));
+    QVERIFY(file.has_value());
+    close(reader);
+    QVERIFY((*file)->append("line\n"));
+    QVERIFY(!(*file)->finish().has_value());
+  }
+
+  void aFullDiskIsSaid() {
+    auto file = RecordingFile::open("/dev/full");
+    QVERIFY(file.has_value());
+    QVERIFY((*file)->append("line\n"));
+    const auto finished = (*file)->finish();
+    QVERIFY(!finished.has_value());
+    QVERIFY(finished.error().message.find("No space left") != std::string::npos);
+    QVERIFY(!(*file)->append("line\n"));
+  }
+
+  /// A limit of the shell on the size of files does not end the program either.
+  void aLimitOfTheShellIsSaid() {
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    auto file = RecordingFile::open(path("limited"));
+    QVERIFY(file.has_value());
+    rlimit small = before;
+    small.rlim_cur = 1000;
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+    QVERIFY((*file)->append(std::string(5000, 'x')));
+    const auto finished = (*file)->finish();
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+    QVERIFY(!finished.has_value());
+    QVERIFY(finished.error().message.find("too large") != std::string::npos);
+  }
+};
+
+RIVULET_TEST(TestRecordingFile)
+#include "tst_recording_file.moc"
