@@ -357,6 +357,10 @@
         <translation>Die Datei kann nicht geschrieben werden. Ordner und freien Speicher prüfen.</translation>
     </message>
     <message>
+        <source>The program has been changed since the interrupted run. Restore it, or start from the beginning.</source>
+        <translation>Das Programm wurde seit dem unterbrochenen Lauf geändert. Wiederherstellen oder von vorn beginnen.</translation>
+    </message>
+    <message>
         <source>No OPC UA server answers at this endpoint. Check address, port and network.</source>
         <translation>An diesem Endpunkt antwortet kein OPC-UA-Server. Adresse, Port und Netzwerk prüfen.</translation>
     </message>

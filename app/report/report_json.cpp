@@ -3,6 +3,8 @@
 
 #include "report/report_json.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/units.h"
@@ -87,6 +89,8 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"points_per_loop", settings.parameters.pointsPerLoop},
           {"windows", settings.parameters.windows},
           {"base_cell", settings.parameters.baseCell},
+          {"slot_stride", settings.parameters.slotStride},
+          {"r_parameters", settings.parameters.rParameterCount},
           {"correction_limit_mm", settings.parameters.correctionLimitMm},
           {"windows_ahead", settings.parameters.windowsAhead},
           {"slow_down", settings.parameters.slowDown},
@@ -97,6 +101,17 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
           {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
           {"grouping", opcua::groupingName(settings.grouping)},
           {"monitor", settings.monitor}};
+}
+
+ordered_json checkpointJson(const streaming::Checkpoint& checkpoint) {
+  return {{"run_number", checkpoint.runNumber},
+          {"first_point", checkpoint.firstPoint},
+          {"granted", checkpoint.granted},
+          {"pauses_placed", checkpoint.pausesPlaced},
+          {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}},
+          {"start_deg", checkpoint.startDeg},
+          {"points", checkpoint.pointCount},
+          {"points_hash", fmt::format("{:016x}", checkpoint.pointsHash)}};
 }
 
 ordered_json runJson(const streaming::RunReport& report) {
@@ -138,14 +153,7 @@ ordered_json runJson(const streaming::RunReport& report) {
     json["faults"] = faultsJson(report.integrity.faults, origin);
   }
   if (report.checkpoint) {
-    const streaming::Checkpoint& checkpoint = *report.checkpoint;
-    json["checkpoint"] = {
-        {"run_number", checkpoint.runNumber},
-        {"first_point", checkpoint.firstPoint},
-        {"granted", checkpoint.granted},
-        {"pauses_placed", checkpoint.pausesPlaced},
-        {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}},
-        {"start_deg", checkpoint.startDeg}};
+    json["checkpoint"] = checkpointJson(*report.checkpoint);
   }
   if (report.stopConfirmedAfter) {
     json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);

@@ -17,6 +17,8 @@
 #include "streaming/access_probe.h"
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
+#include "streaming/resume.h"
+#include "streaming/run_on_control.h"
 #include "streaming/start_policy.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
@@ -158,7 +160,11 @@ class Job {
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
     m_report.checkpoint = m_type.checkpoint(
-        m_settings, m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg}));
+        m_settings, m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg, {}}));
+    if (m_report.checkpoint) {
+      m_report.checkpoint->pointCount = m_flight.pointCount;
+      m_report.checkpoint->pointsHash = m_flight.pointsHash;
+    }
     startRecording();
     return {};
   }
@@ -206,6 +212,9 @@ class Job {
     start.feedMmPerS = m_settings.feedMmPerS;
     start.programName = m_program.name;
     start.programHash = m_program.hash;
+    start.runNumber = m_settings.runNumber;
+    start.user = m_settings.origin.user;
+    start.computer = m_settings.origin.computer;
     m_recorder.writer->start(start);
     m_recorder.writer->points(m_flight.points);
   }
@@ -232,6 +241,8 @@ class Job {
                                              transfer->written ? "written" : "already there",
                                              transfer->compared ? "compared" : "not compared",
                                              transfer->selected ? "selected" : "to be selected")});
+    keepCheckpoint();
+    storeLabel();
     // A number left from an earlier run must not be mistaken for the program's own.
     std::vector<opcua::Assignment> clear;
     for (const int cell : m_cells.cleared) {
@@ -247,6 +258,46 @@ class Job {
       }
     }
     return awaitStart();
+  }
+
+  /// Stores the checkpoint: before the program is started with all points, and again before the
+  /// first window. From then on it is not known without the control's cells whether anything moved.
+  void keepCheckpoint() {
+    if (m_recorder.keeper == nullptr || !m_report.checkpoint) {
+      return;
+    }
+    std::vector<gcode::StreamPoint> all;
+    Checkpoint checkpoint = *m_report.checkpoint;
+    if (m_isArmed) {
+      checkpoint.granted = true;
+    } else if (m_settings.resume) {
+      if (Result<gcode::PointList> list = pointsOnAxes(m_program.trajectory, m_settings.parameters,
+                                                       {checkpoint.startMm, checkpoint.startDeg})) {
+        all = std::move(list->points);
+      }
+    } else {
+      all = m_flight.points.points;
+    }
+    if (const Result<void> kept = m_recorder.keeper->keep(checkpoint, m_settings, all); !kept) {
+      m_ledger.note({m_link.now(),
+                     "the checkpoint could not be stored, so the run cannot be resumed "
+                     "after a crash of this program: " +
+                         kept.error().text()});
+    }
+  }
+
+  /// Says on the control who started the run, where it lets Rivulet store programs.
+  void storeLabel() {
+    if (m_settings.origin.user.empty() || m_settings.transfer != TransferWay::Link ||
+        !m_report.checkpoint) {
+      return;
+    }
+    if (const Result<void> stored = storeRunLabel(m_control, m_settings.parameters.baseCell,
+                                                  m_settings.runNumber, m_settings.origin);
+        !stored) {
+      m_ledger.note(
+          {m_link.now(), "the name of the run could not be stored: " + stored.error().text()});
+    }
   }
 
   /// Until the program on the control has written its layout number: it is the right program,
@@ -341,6 +392,8 @@ class Job {
       }
     }
     driver.watchRotary(shown.index);
+    m_isArmed = true;
+    keepCheckpoint();
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();
     if (m_report.checkpoint) {
@@ -482,6 +535,7 @@ class Job {
   Preflight m_flight;
   RunReport m_report;
   bool m_cancelled = false;
+  bool m_isArmed = false;  ///< the program on the control waits for the run
   bool m_streamed = false;
 };
 
@@ -547,6 +601,8 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
     return base::fail(list.error());
   }
   flight.points = std::move(*list);
+  flight.pointCount = flight.points.points.size();
+  flight.pointsHash = hashOfPoints(flight.points.points);
   if (settings.resume) {
     std::vector<gcode::StreamPoint>& points = flight.points.points;
     const std::size_t done = std::min(settings.resume->point, points.size());

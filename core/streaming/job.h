@@ -9,7 +9,9 @@
 /// @threadsafety runs on the calling thread; the sink is called on that thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "gcode/program.h"
@@ -21,11 +23,13 @@ namespace rivulet::streaming {
 
 /// State of the control before a start; obstacles are errors with text in `base::Error::message`.
 struct Preflight {
-  base::Vec3 toolMm;          ///< position of the tool
-  base::RotaryDeg toolDeg{};  ///< the rotary axes that the control has; 0 for others
-  ControlAxes axes;           ///< their places in the channel
-  double approachMm = 0.0;    ///< straight distance from there to the first point
-  gcode::PointList points;    ///< the points to be streamed
+  base::Vec3 toolMm;             ///< position of the tool
+  base::RotaryDeg toolDeg{};     ///< the rotary axes that the control has; 0 for others
+  ControlAxes axes;              ///< their places in the channel
+  double approachMm = 0.0;       ///< straight distance from there to the first point
+  gcode::PointList points;       ///< the points to be streamed
+  std::size_t pointCount = 0;    ///< of the whole program, those executed already included
+  std::uint64_t pointsHash = 0;  ///< `hashOfPoints` of them
 };
 
 /// Checks the control without changing anything.
@@ -34,10 +38,24 @@ struct Preflight {
 [[nodiscard]] base::Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                                 const RunSettings& settings);
 
-/// Where a job writes its recording; may be null.
+/// Keeps what is needed to resume a run in a place that outlives this program and a loss of power.
+/// @threadsafety called on the thread of the job
+class CheckpointKeeper {
+ public:
+  virtual ~CheckpointKeeper() = default;
+  /// Called before the program on the control is started, and again before the first window. When
+  /// it returns, the checkpoint is stored safely. A failure is noted; the run goes on.
+  /// @param settings  of the run, with its number
+  /// @param points    of the whole program, in the first call; empty in the second
+  virtual base::Result<void> keep(const Checkpoint& checkpoint, const RunSettings& settings,
+                                  std::span<const gcode::StreamPoint> points) = 0;
+};
+
+/// Where a job writes its recording and its checkpoint; both may be null.
 struct JobRecorder {
   trace::RecordingWriter* writer = nullptr;
   trace::RunStart start;  ///< tool version, endpoint and time; the rest is completed
+  CheckpointKeeper* keeper = nullptr;
 };
 
 /// Runs the whole job. Always returns a report; its error says why the job failed.

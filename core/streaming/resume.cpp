@@ -3,12 +3,16 @@
 
 #include "streaming/resume.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <span>
 
 #include "base/contract.h"
+#include "base/hash.h"
 #include "opcua/await.h"
 #include "streaming/control_axes.h"
 #include "streaming/method.h"
@@ -376,10 +380,70 @@ class Resumption {
   base::AxisPosition m_uncorrected;
 };
 
+/// Windows are cut at rapids; other kinds of moves are streamed alike.
+bool isRapid(const gcode::StreamPoint& point) {
+  return point.kind == gcode::MoveKind::Rapid;
+}
+
+bool isSamePoint(const gcode::StreamPoint& a, const gcode::StreamPoint& b) {
+  return a.positionMm == b.positionMm && a.rotaryDeg == b.rotaryDeg && isRapid(a) == isRapid(b);
+}
+
+/// Compares the program with the points of the interrupted run.
+/// @param next  where it is resumed, counted in the earlier points
+/// @return first point that differs; nothing: none. ProgramChanged if it may not
+Result<std::optional<std::size_t>> findChange(std::span<const gcode::StreamPoint> now,
+                                              std::span<const gcode::StreamPoint> earlier,
+                                              std::size_t next) {
+  const auto [a, b] =
+      std::mismatch(now.begin(), now.end(), earlier.begin(), earlier.end(), isSamePoint);
+  if (a == now.end() && b == earlier.end()) {
+    return std::nullopt;
+  }
+  const auto point = static_cast<std::size_t>(a - now.begin());
+  if (point < next) {
+    const auto line = (a != now.end() ? *a : *b).line.value;
+    return base::fail(
+        StreamError::ProgramChanged,
+        fmt::format("The program has been changed since the run: it differs from point {} (line "
+                    "{}) on, but {} points have been executed. Restore it, or start from the "
+                    "beginning.",
+                    point + 1, line, next));
+  }
+  if (now.size() <= next) {
+    return base::fail(StreamError::ProgramChanged,
+                      "The program has been shortened since the run: all points that are left in "
+                      "it have been executed.");
+  }
+  return point;
+}
+
 }  // namespace
 
+std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points) {
+  std::uint64_t hash = base::kHashBasis;
+  const auto mix = [&hash](std::uint64_t word) {
+    hash = (hash ^ word) * base::kHashPrime;
+    hash ^= hash >> 32U;
+  };
+  // -0 and 0 are the same place.
+  const auto mixNumber = [&mix](double value) { mix(std::bit_cast<std::uint64_t>(value + 0.0)); };
+  mix(points.size());
+  for (const gcode::StreamPoint& point : points) {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      mixNumber(point.positionMm[axis]);
+    }
+    for (const double angle : point.rotaryDeg) {
+      mixNumber(angle);
+    }
+    mix(isRapid(point) ? 1 : 0);
+  }
+  return hash != 0 ? hash : 1;
+}
+
 Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
-                          const RunSettings& settings, const Checkpoint& last) {
+                          const RunSettings& settings, const Checkpoint& last,
+                          std::span<const gcode::StreamPoint> earlier) {
   const Result<templates::CellMap> cells = templates::planCells(settings.parameters);
   if (!cells) {
     return base::fail(cells.error());
@@ -390,6 +454,22 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
         StreamError::CannotResume,
         "Only methods window and credit report how far a run came. Start from the beginning.");
   }
+  Result<gcode::PointList> list =
+      pointsOnAxes(program.trajectory, settings.parameters, {last.startMm, last.startDeg});
+  if (!list) {
+    return base::fail(list.error());
+  }
+  const bool isSame = last.pointsHash == 0 || hashOfPoints(list->points) == last.pointsHash;
+  const bool isKept = last.pointsHash != 0 && hashOfPoints(earlier) == last.pointsHash;
+  if (!isSame && !isKept) {
+    return base::fail(
+        StreamError::ProgramChanged,
+        fmt::format(
+            "The program or the options that change its points are not those of the run: "
+            "it had {} points, now there are {}. Restore them, or start from the beginning.",
+            last.pointCount, list->points.size()),
+        program.name);
+  }
   if (Result<void> ended = endOurProgram(link, settings, *cells, last); !ended) {
     return base::fail(ended.error());
   }
@@ -397,13 +477,10 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
   if (!remains) {
     return base::fail(remains.error());
   }
-  Result<gcode::PointList> list =
-      pointsOnAxes(program.trajectory, settings.parameters, {last.startMm, last.startDeg});
-  if (!list) {
-    return base::fail(list.error());
-  }
-  const std::size_t total = list->points.size();
-  const Resumption resumption(settings, last, *remains, std::move(list->points));
+  std::vector<gcode::StreamPoint> run =
+      isSame ? list->points : std::vector(earlier.begin(), earlier.end());
+  const std::size_t total = run.size();
+  const Resumption resumption(settings, last, *remains, std::move(run));
   const Result<std::size_t> next = resumption.nextPoint(takenMax);
   if (!next) {
     return base::fail(next.error());
@@ -412,7 +489,13 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     return base::fail(StreamError::CannotResume, "Every point has been executed already.",
                       program.name);
   }
-  return Resume{*next, last.startMm, last.startDeg};
+  Result<std::optional<std::size_t>> change =
+      isSame ? std::optional<std::size_t>() : findChange(list->points, earlier, *next);
+  if (!change) {
+    change.error().context = program.name;
+    return base::fail(change.error());
+  }
+  return Resume{*next, last.startMm, last.startDeg, *change};
 }
 
 }  // namespace rivulet::streaming

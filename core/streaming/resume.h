@@ -7,6 +7,11 @@
 /// @threadsafety runs on the calling thread.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "streaming/run.h"
 
 namespace rivulet::streaming {
@@ -16,12 +21,21 @@ namespace rivulet::streaming {
 /// awaited. If the control was reset in the middle of them, the place of the tool on their path
 /// decides.
 /// @param settings  of the earlier run
-/// @param last      the checkpoint in its report
+/// @param last      its checkpoint
+/// @param earlier   the points of the whole earlier run, if they were kept. Without them the
+///                  program must be the same. With them it may differ after the place where the run
+///                  is resumed: see `Resume::changedFrom`
 /// @return what `RunSettings::resume` needs. CannotResume if the control has run another program
-///         since, every point is done, or the tool is off the path or where the path passes twice;
-///         ChannelBusy if another program is running; StopNotConfirmed; or a link error
+///         since, every point is done, the tool is off the path or where the path passes twice;
+///         ProgramChanged; ChannelBusy if another program is running; StopNotConfirmed; or a link
+///         error
 [[nodiscard]] base::Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
-                                              const RunSettings& settings, const Checkpoint& last);
+                                              const RunSettings& settings, const Checkpoint& last,
+                                              std::span<const gcode::StreamPoint> earlier = {});
+
+/// A hash of everything that decides how points are streamed: their places and the kinds of their
+/// moves, not their lines. Never 0.
+[[nodiscard]] std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points);
 
 /// Index of the first point ahead of a tool that is on the path.
 /// @param path  start of the tool, then the points; at least two

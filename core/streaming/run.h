@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +55,7 @@ enum class StreamError {
   AxisMissing,               ///< the control has no such axis
   OverlayLeft,               ///< an overlay is already active on the axes (online correction)
   OverlayIntegrates,         ///< the control adds up overlaid values (online correction)
+  ProgramChanged,            ///< the points differ from those of the run to be resumed
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -70,6 +72,18 @@ struct Resume {
   std::size_t point = 0;  ///< the first to be streamed, counted in that list
   base::Vec3 startMm;     ///< the tool's position before the first run
   base::RotaryDeg startDeg{};
+  /// First point, not before `point`, at which the program differs from that of the interrupted
+  /// run; nothing: no difference. The operator must have confirmed it.
+  std::optional<std::size_t> changedFrom{};
+};
+
+/// Who started a run.
+struct RunOrigin {
+  std::string user;
+  std::string computer;
+  std::string startedAtUtc;  ///< ISO 8601
+
+  friend bool operator==(const RunOrigin&, const RunOrigin&) = default;
 };
 
 /// What is needed to resume a run of method window or credit (`resumeFrom`).
@@ -80,6 +94,8 @@ struct Checkpoint {
   bool granted = false;        ///< the control is known to have obeyed this run
   bool pausesPlaced = true;    ///< its windows were cut by `placePauses`, else evenly
   base::RotaryDeg startDeg{};
+  std::size_t pointCount = 0;    ///< of the whole program
+  std::uint64_t pointsHash = 0;  ///< `hashOfPoints` of them; 0: not known
 };
 
 /// What method position watches to see that a point has been passed.
@@ -130,6 +146,9 @@ struct RunSettings {
   /// Method window: end windows where the path stops or turns. Method credit has no pauses there.
   bool placePauses = true;
   bool monitor = true;  ///< read position and feed for the display when the stream has slack
+  /// Stored on the control next to the program (`storeRunLabel`) and in the recording. Without a
+  /// user, nothing is stored on the control.
+  RunOrigin origin{};
 };
 
 struct Counters {

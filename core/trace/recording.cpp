@@ -147,6 +147,12 @@ bool Reader::readRun(Fields fields) {
       start.endpoint = fields.quoted();
     } else if (key == "started_utc") {
       start.startedAtUtc = fields.quoted();
+    } else if (key == "run_number") {
+      start.runNumber = fields.integer<int>();
+    } else if (key == "user") {
+      start.user = fields.quoted();
+    } else if (key == "computer") {
+      start.computer = fields.quoted();
     } else {
       fields.skipValue();
     }
@@ -374,6 +380,13 @@ bool RecordingWriter::start(const RunStart& start) {
   appendText(m_lines, "hash", start.programHash);
   appendText(m_lines, "endpoint", start.endpoint);
   appendText(m_lines, "started_utc", start.startedAtUtc);
+  if (start.runNumber != 0) {
+    appendNumber(m_lines, "run_number", start.runNumber);
+  }
+  if (!start.user.empty()) {
+    appendText(m_lines, "user", start.user);
+    appendText(m_lines, "computer", start.computer);
+  }
   m_lines += '\n';
   return flush();
 }

@@ -37,6 +37,9 @@ struct RunStart {
   std::string endpoint;      ///< of the OPC UA server, or "simulated <preset> <seed>"
   std::string startedAtUtc;  ///< ISO 8601, given by the caller (core reads no clock); may be empty
   std::string axes{};        ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
+  int runNumber = 0;         ///< by which the control knows the run; 0: none
+  std::string user{};        ///< who started it; may be empty
+  std::string computer{};    ///< where; may be empty
 };
 
 /// One live observation. Values that were not read stay empty.

@@ -252,6 +252,10 @@ struct ErrorTexts {
         return tr(
             "The control lacks an axis that the program moves. Use a program for the axes of this "
             "machine.");
+      case StreamError::ProgramChanged:
+        return tr(
+            "The program has been changed since the interrupted run. Restore it, or start from the "
+            "beginning.");
     }
     return {};
   }

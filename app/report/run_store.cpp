@@ -1,0 +1,477 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/run_store.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <pwd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <limits>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "report/report_json.h"
+
+namespace rivulet::report {
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using streaming::StreamError;
+
+constexpr int kFormatVersion = 1;
+constexpr const char* kFormatKey = "rivulet_run";
+/// A report of a long run holds a pause for each window.
+constexpr std::uintmax_t kJsonBytesMax = std::uintmax_t{256} << 20U;
+/// Runs that nobody resumed are removed, the oldest first.
+constexpr std::size_t kRunsMax = 20;
+constexpr double kCountMax = 1e9;
+constexpr double kCellMax = 1e6;
+constexpr double kPlaceMax = 1e9;
+
+static_assert(std::endian::native == std::endian::little,
+              "points are stored as they are in memory");
+
+/// Reads members of a JSON text that may hold anything. The first that is missing, has another type
+/// or is out of range is remembered.
+class Members {
+ public:
+  explicit Members(const json& root) : m_root(root) {}
+
+  [[nodiscard]] bool has(const char* pointer) const { return find(pointer) != nullptr; }
+
+  double number(const char* pointer, double min, double max) {
+    const json* value = find(pointer);
+    if (value != nullptr && value->is_number()) {
+      const double number = value->get<double>();
+      if (number >= min && number <= max) {
+        return number;
+      }
+    }
+    return refuse(pointer), min;
+  }
+  template <class Integer>
+  Integer integer(const char* pointer, double min, double max) {
+    const double value = number(pointer, min, max);
+    if (value != std::floor(value)) {
+      refuse(pointer);
+    }
+    return static_cast<Integer>(value);
+  }
+  bool flag(const char* pointer) {
+    const json* value = find(pointer);
+    if (value != nullptr && value->is_boolean()) {
+      return value->get<bool>();
+    }
+    return refuse(pointer), false;
+  }
+  std::string text(const char* pointer) {
+    const json* value = find(pointer);
+    if (value != nullptr && value->is_string()) {
+      return value->get<std::string>();
+    }
+    return refuse(pointer), std::string();
+  }
+  /// Members that earlier versions did not write keep their value if they are missing.
+  template <class Value, class Read>
+  void ifThere(const char* pointer, Value& value, Read read) {
+    if (has(pointer)) {
+      value = read(pointer);
+    }
+  }
+  void refuse(const char* pointer) {
+    if (m_bad.empty()) {
+      m_bad = pointer;
+    }
+  }
+  /// The first member that cannot be used; empty: none.
+  [[nodiscard]] const std::string& bad() const { return m_bad; }
+  [[nodiscard]] const json* find(const char* pointer) const {
+    const json::json_pointer at(pointer);
+    return m_root.is_object() && m_root.contains(at) ? &m_root.at(at) : nullptr;
+  }
+
+ private:
+  const json& m_root;
+  std::string m_bad;
+};
+
+streaming::RunSettings settingsOf(Members& members) {
+  streaming::RunSettings settings;
+  templates::TemplateParameters& parameters = settings.parameters;
+  const auto text = [&members](const char* at) { return members.text(at); };
+  const auto flag = [&members](const char* at) { return members.flag(at); };
+  std::string method = "window";
+  members.ifThere("/settings/method", method, text);
+  const auto kind = base::methodFromName(method);
+  if (!kind || !base::hasWindows(*kind)) {
+    members.refuse("/settings/method");
+  }
+  parameters.method = kind.value_or(base::MethodKind::Window);
+  parameters.pointsPerLoop = members.integer<int>("/settings/points_per_loop", 1, kCellMax);
+  parameters.windows =
+      members.integer<int>("/settings/windows", 1, templates::WindowProtocol::kWindowsMax);
+  parameters.baseCell = members.integer<int>("/settings/base_cell", 0, kCellMax);
+  const auto cells = [&members](const char* at) { return members.integer<int>(at, 0, kCellMax); };
+  members.ifThere("/settings/slot_stride", parameters.slotStride, cells);
+  members.ifThere("/settings/r_parameters", parameters.rParameterCount, cells);
+  members.ifThere("/settings/windows_ahead", parameters.windowsAhead, cells);
+  members.ifThere("/settings/slow_down", parameters.slowDown, flag);
+  members.ifThere("/settings/correction_limit_mm", parameters.correctionLimitMm,
+                  [&members](const char* at) {
+                    return members.number(at, 0.0, templates::kCorrectionLimitMmMax);
+                  });
+  std::string axes = "XYZ";
+  members.ifThere("/settings/axes", axes, text);
+  if (!templates::chooseAxes(parameters, axes)) {
+    members.refuse("/settings/axes");
+  }
+  if (members.bad().empty() && !templates::planCells(parameters)) {
+    members.refuse("/settings");
+  }
+  if (members.has("/started_by")) {
+    settings.origin = {members.text("/started_by/user"), members.text("/started_by/computer"),
+                       members.text("/started_by/at_utc")};
+  }
+  return settings;
+}
+
+streaming::Checkpoint checkpointOf(Members& members) {
+  constexpr double kRunNumberMax = 999'999;
+  streaming::Checkpoint checkpoint;
+  const auto flag = [&members](const char* at) { return members.flag(at); };
+  checkpoint.runNumber = members.integer<int>("/checkpoint/run_number", 1, kRunNumberMax);
+  checkpoint.firstPoint = members.integer<std::size_t>("/checkpoint/first_point", 0, kCountMax);
+  checkpoint.granted = true;
+  members.ifThere("/checkpoint/granted", checkpoint.granted, flag);
+  members.ifThere("/checkpoint/pauses_placed", checkpoint.pausesPlaced, flag);
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const std::string at = fmt::format("/checkpoint/start_mm/{}", axis);
+    checkpoint.startMm.set(axis, members.number(at.c_str(), -kPlaceMax, kPlaceMax));
+    const std::string turned = fmt::format("/checkpoint/start_deg/{}", axis);
+    members.ifThere(turned.c_str(), checkpoint.startDeg[axis], [&members](const char* place) {
+      return members.number(place, -kPlaceMax, kPlaceMax);
+    });
+  }
+  members.ifThere("/checkpoint/points", checkpoint.pointCount, [&members](const char* at) {
+    return members.integer<std::size_t>(at, 0, kCountMax);
+  });
+  // As text: JSON numbers are doubles in many programs.
+  std::string hash;
+  members.ifThere("/checkpoint/points_hash", hash,
+                  [&members](const char* at) { return members.text(at); });
+  if (!hash.empty()) {
+    constexpr int kHexadecimal = 16;
+    const auto [end, status] = std::from_chars(hash.data(), hash.data() + hash.size(),
+                                               checkpoint.pointsHash, kHexadecimal);
+    if (status != std::errc{} || end != hash.data() + hash.size() || checkpoint.pointsHash == 0) {
+      members.refuse("/checkpoint/points_hash");
+    }
+  }
+  return checkpoint;
+}
+
+ordered_json savedRunJson(const SavedRun& run) {
+  const streaming::RunOrigin& origin = run.settings.origin;
+  return {{kFormatKey, kFormatVersion},
+          {"program", run.programName},
+          {"program_file", run.programFile},
+          {"endpoint", run.endpoint},
+          {"started_by",
+           {{"user", origin.user}, {"computer", origin.computer}, {"at_utc", origin.startedAtUtc}}},
+          {"tool_version", run.toolVersion},
+          {"recording", run.recording},
+          {"command", run.command},
+          {"settings", settingsJson(run.settings)},
+          {"checkpoint", checkpointJson(run.checkpoint)}};
+}
+
+/// "rivulet-points 1\n", then per point six coordinates and whether its move is a rapid.
+constexpr std::string_view kPointsBegin = "rivulet-points 1\n";
+constexpr std::size_t kPlacesPerPoint = base::kAxisCount + base::kRotaryAxisCount;
+constexpr std::size_t kPointBytes = kPlacesPerPoint * sizeof(double) + sizeof(std::uint32_t) + 1;
+
+std::string printPoints(std::span<const gcode::StreamPoint> points) {
+  std::string text(kPointsBegin);
+  text.reserve(text.size() + points.size() * kPointBytes);
+  for (const gcode::StreamPoint& point : points) {
+    std::array<char, kPointBytes> bytes{};
+    std::array<double, kPlacesPerPoint> places{};
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      places[axis] = point.positionMm[axis];
+    }
+    std::copy(point.rotaryDeg.begin(), point.rotaryDeg.end(), places.begin() + base::kAxisCount);
+    const std::uint32_t line = point.line.value;
+    std::memcpy(bytes.data(), places.data(), sizeof places);
+    std::memcpy(bytes.data() + sizeof places, &line, sizeof line);
+    bytes.back() = static_cast<char>(point.kind == gcode::MoveKind::Rapid);
+    text.append(bytes.data(), bytes.size());
+  }
+  return text;
+}
+
+std::vector<gcode::StreamPoint> parsePoints(std::string_view text) {
+  if (!text.starts_with(kPointsBegin) || (text.size() - kPointsBegin.size()) % kPointBytes != 0) {
+    return {};
+  }
+  text.remove_prefix(kPointsBegin.size());
+  std::vector<gcode::StreamPoint> points(text.size() / kPointBytes);
+  for (gcode::StreamPoint& point : points) {
+    std::array<double, kPlacesPerPoint> places{};
+    std::uint32_t line = 0;
+    std::memcpy(places.data(), text.data(), sizeof places);
+    std::memcpy(&line, text.data() + sizeof places, sizeof line);
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      point.positionMm.set(axis, places[axis]);
+    }
+    std::copy(places.begin() + base::kAxisCount, places.end(), point.rotaryDeg.begin());
+    point.line.value = line;
+    point.kind = text[kPointBytes - 1] != 0 ? gcode::MoveKind::Rapid : gcode::MoveKind::Feed;
+    text.remove_prefix(kPointBytes);
+  }
+  return points;
+}
+
+fs::path pointsPathOf(const fs::path& file) {
+  return fs::path(file).replace_extension(".points");
+}
+
+/// A name that can stand in a file name on any system.
+std::string plainName(std::string_view name) {
+  constexpr std::size_t kLongest = 60;
+  std::string plain(name.substr(0, kLongest));
+  std::replace_if(
+      plain.begin(), plain.end(),
+      [](char c) { return !base::isNameLetter(c) && !base::isDigit(c) && c != '.' && c != '-'; },
+      '-');
+  return plain.empty() || plain.front() == '.' ? "run" + plain : plain;
+}
+
+}  // namespace
+
+std::string SavedRun::name() const {
+  return fmt::format("{}-{}", plainName(fs::path(programName).filename().string()),
+                     checkpoint.runNumber);
+}
+
+streaming::RunOrigin thisUser() {
+  constexpr std::size_t kHostNameMax = 256;
+  std::array<char, kHostNameMax> host{};
+  const bool hasHost = gethostname(host.data(), host.size() - 1) == 0;
+  const passwd* user = getpwuid(getuid());
+  return {user != nullptr ? user->pw_name : std::to_string(getuid()),
+          hasHost ? host.data() : "unknown",
+          fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)))};
+}
+
+base::Result<SavedRun> savedRunOf(const json& json, const fs::path& file) {
+  Members members(json);
+  if (!members.has("/checkpoint") || !members.has("/settings")) {
+    return base::fail(StreamError::CannotResume,
+                      "This is not the report of a run of method window or credit. Give the output "
+                      "of stream --json of the run to be resumed, or its file from "
+                      "rivulet-cli runs.",
+                      file.string());
+  }
+  if (members.has("/rivulet_run") &&
+      members.integer<int>("/rivulet_run", 1, kCellMax) > kFormatVersion) {
+    return base::fail(StreamError::CannotResume,
+                      "The run was kept by a later version of Rivulet. Use that one.",
+                      file.string());
+  }
+  SavedRun run;
+  const auto text = [&members](const char* at) { return members.text(at); };
+  run.file = file;
+  run.settings = settingsOf(members);
+  run.checkpoint = checkpointOf(members);
+  run.settings.runNumber = run.checkpoint.runNumber;
+  run.settings.placePauses = run.checkpoint.pausesPlaced;
+  members.ifThere("/program", run.programName, text);
+  members.ifThere("/program_file", run.programFile, text);
+  members.ifThere("/endpoint", run.endpoint, text);
+  members.ifThere("/tool_version", run.toolVersion, text);
+  members.ifThere("/recording", run.recording, text);
+  if (const nlohmann::json* words = members.find("/command"); words != nullptr) {
+    const bool isList = words->is_array();
+    for (const nlohmann::json& word : isList ? *words : nlohmann::json::array()) {
+      if (word.is_string()) {
+        run.command.push_back(word.get<std::string>());
+      }
+    }
+    if (!isList || run.command.size() != words->size()) {
+      members.refuse("/command");
+    }
+  }
+  if (!members.bad().empty()) {
+    return base::fail(StreamError::CannotResume,
+                      fmt::format("The file of the run is damaged: its member {} is missing or "
+                                  "cannot be right. Start from the beginning.",
+                                  members.bad()),
+                      file.string());
+  }
+  return run;
+}
+
+base::Result<SavedRun> readSavedRun(const fs::path& file) {
+  const base::Result<std::string> text = base::readFile(file, kJsonBytesMax);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  return savedRunOf(json::parse(*text, nullptr, false), file);
+}
+
+fs::path RunStore::folderOfUser() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  const fs::path state = variable("XDG_STATE_HOME");
+  return (state.is_absolute() ? state : variable("HOME") / ".local/state") / "rivulet" / "runs";
+}
+
+fs::path RunStore::pathOf(const SavedRun& run) const {
+  return m_folder / (run.name() + ".json");
+}
+
+base::Result<void> RunStore::save(const SavedRun& run,
+                                  std::span<const gcode::StreamPoint> points) const {
+  std::error_code ignored;  // writing says what is wrong
+  fs::create_directories(m_folder, ignored);
+  const fs::path path = pathOf(run);
+  // The points first: a run that is listed is complete.
+  if (!points.empty()) {
+    if (base::Result<void> written = base::writeFile(pointsPathOf(path), printPoints(points));
+        !written) {
+      return written;
+    }
+  }
+  return base::writeFile(
+      path, savedRunJson(run).dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+}
+
+std::vector<SavedRun> RunStore::runs() const {
+  std::vector<SavedRun> runs;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, ignored)) {
+    if (entry.path().extension() != ".json") {
+      continue;
+    }
+    if (base::Result<SavedRun> run = readSavedRun(entry.path())) {
+      runs.push_back(std::move(*run));
+    }
+  }
+  std::sort(runs.begin(), runs.end(), [](const SavedRun& a, const SavedRun& b) {
+    return std::pair(a.settings.origin.startedAtUtc, a.checkpoint.runNumber) >
+           std::pair(b.settings.origin.startedAtUtc, b.checkpoint.runNumber);
+  });
+  return runs;
+}
+
+std::optional<SavedRun> RunStore::find(int runNumber) const {
+  for (SavedRun& run : runs()) {
+    if (run.checkpoint.runNumber == runNumber) {
+      return std::move(run);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<gcode::StreamPoint> RunStore::points(const SavedRun& run) const {
+  const base::Result<std::string> text = base::readFile(pointsPathOf(pathOf(run)));
+  return text ? parsePoints(*text) : std::vector<gcode::StreamPoint>();
+}
+
+void RunStore::remove(const SavedRun& run) const {
+  std::error_code ignored;  // somebody else may have removed it
+  const fs::path path = pathOf(run);
+  fs::remove(path, ignored);
+  fs::remove(pointsPathOf(path), ignored);
+}
+
+base::Result<void> RunKeeper::keep(const streaming::Checkpoint& checkpoint,
+                                   const streaming::RunSettings& settings,
+                                   std::span<const gcode::StreamPoint> points) {
+  m_run.checkpoint = checkpoint;
+  m_run.settings = settings;
+  if (base::Result<void> saved = m_store.save(m_run, points); !saved) {
+    return saved;
+  }
+  m_isKept = true;
+  std::size_t kept = 0;
+  for (const SavedRun& other : m_store.runs()) {
+    const bool isThis = other.checkpoint.runNumber == checkpoint.runNumber;
+    // Once this run has its program, the cells of earlier runs on this control are gone.
+    const bool isReplaced = checkpoint.granted && other.endpoint == m_run.endpoint &&
+                            other.settings.parameters.baseCell == settings.parameters.baseCell &&
+                            other.settings.origin.computer == settings.origin.computer;
+    if (!isThis && (isReplaced || ++kept >= kRunsMax)) {
+      m_store.remove(other);
+    }
+  }
+  return {};
+}
+
+void RunKeeper::finish(const streaming::RunReport& report) {
+  if (!m_isKept) {
+    return;
+  }
+  const bool hasMoved = !report.checkpoint || report.checkpoint->granted;
+  const bool isUnused = report.outcome == streaming::Outcome::Stopped && !hasMoved;
+  if (report.outcome == streaming::Outcome::Completed || isUnused) {
+    m_store.remove(m_run);
+    m_isKept = false;
+  }
+}
+
+std::optional<fs::path> RunKeeper::file() const {
+  return m_isKept ? std::optional(m_store.pathOf(m_run)) : std::nullopt;
+}
+
+base::Result<std::optional<FoundRun>> findRun(const RunStore& store, opcua::Link& link,
+                                              opcua::Control& control, int baseCell,
+                                              base::Duration watchFor) {
+  base::Result<std::optional<streaming::RunOnControl>> found =
+      streaming::findRun(link, control, baseCell, watchFor);
+  if (!found) {
+    return base::fail(found.error());
+  }
+  if (!*found) {
+    return std::nullopt;
+  }
+  FoundRun run;
+  run.onControl = std::move(**found);
+  run.saved = run.onControl.number != 0 ? store.find(run.onControl.number) : std::nullopt;
+  return run;
+}
+
+std::string describeRun(const FoundRun& run) {
+  std::string text = run.onControl.number == 0 ? "a program without a run"
+                                               : fmt::format("run {}", run.onControl.number);
+  const std::optional<streaming::RunOrigin> origin = run.onControl.origin ? run.onControl.origin
+                                                     : run.saved
+                                                         ? std::optional(run.saved->settings.origin)
+                                                         : std::nullopt;
+  if (run.saved) {
+    text += fmt::format(" of {}", run.saved->programName);
+  }
+  if (origin && !origin->user.empty()) {
+    text += fmt::format(", started by {} on {} at {}", origin->user, origin->computer,
+                        origin->startedAtUtc);
+  }
+  return text;
+}
+
+}  // namespace rivulet::report

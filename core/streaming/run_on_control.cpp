@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/run_on_control.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "base/text.h"
+#include "opcua/await.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::Result;
+using opcua::Variable;
+using opcua::VariableKind;
+using templates::WindowProtocol;
+
+constexpr double kReset = 0.0;
+constexpr Duration kDeadline = std::chrono::seconds{2};
+constexpr Duration kPollInterval = std::chrono::milliseconds{100};
+constexpr std::size_t kLabelFieldMax = 60;
+
+Variable cell(int baseCell, WindowProtocol::Header place) {
+  return opcua::rParameter(baseCell + place);
+}
+
+/// Whole numbers only: another program may have left anything in the cells.
+std::size_t countOf(double number) {
+  constexpr double kCountMax = 1e9;
+  return number >= 0.0 && number <= kCountMax ? static_cast<std::size_t>(number) : 0;
+}
+
+/// First cell according to a name like "RIVULET_WINDOW_7X2B30.MPF"; nothing: not a flexible program
+/// with windows. The control may show the name with its folder.
+std::optional<int> baseCellOf(std::string_view programName, int otherwise) {
+  constexpr std::string_view kPrefix = "RIVULET_";
+  const std::string name = base::toUpper(programName);
+  const std::size_t begin = name.rfind(kPrefix);
+  if (begin == std::string::npos) {
+    return std::nullopt;
+  }
+  std::string_view rest = std::string_view(name).substr(begin + kPrefix.size());
+  if (base::isDigit(rest.empty() ? 'X' : rest.front())) {
+    return otherwise;  // the name was too long and is a number
+  }
+  const auto skipDigits = [&rest] {
+    const auto end = std::find_if_not(rest.begin(), rest.end(), base::isDigit);
+    const std::string_view digits = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+    rest.remove_prefix(digits.size());
+    return digits;
+  };
+  const auto skip = [&rest](std::string_view word) {
+    const bool is = rest.substr(0, word.size()) == word;
+    rest.remove_prefix(is ? word.size() : 0);
+    return is;
+  };
+  if (!skip("WINDOW_") && !skip("CREDIT_") && !skip("FILE_")) {
+    return std::nullopt;
+  }
+  if (skipDigits().empty() || !skip("X") || skipDigits().empty()) {
+    return std::nullopt;
+  }
+  return skip("B") ? base::parseInteger(skipDigits()).value_or(0) : 0;
+}
+
+/// Letters that cannot end a comment or a block of an NC program.
+std::string labelField(std::string_view text) {
+  std::string field(text.substr(0, kLabelFieldMax));
+  std::replace_if(
+      field.begin(), field.end(), [](char c) { return c < ' ' || c > '~' || c == '@'; }, '_');
+  return field.empty() ? "-" : field;
+}
+
+/// The rest of the line that begins with `begin`.
+std::optional<std::string> lineAfter(std::string_view text, std::string_view begin) {
+  const std::size_t at = text.find(begin);
+  if (at == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::string_view rest = text.substr(at + begin.size());
+  return std::string(base::trim(rest.substr(0, rest.find('\n'))));
+}
+
+/// Waits without reading anything. @return the error of the link if it is lost
+Result<void> sleepUntil(opcua::Link& link, Instant until) {
+  while (link.now() < until) {
+    if (const auto event = link.wait(until);
+        event && event->kind == opcua::EventKind::ConnectionLost) {
+      return base::fail(event->error);
+    }
+  }
+  return {};
+}
+
+/// Whether the heartbeat changes within that time.
+Result<bool> beats(opcua::Link& link, int baseCell, double before, Duration watchFor) {
+  const std::array<Variable, 1> heartbeat{cell(baseCell, WindowProtocol::Heartbeat)};
+  const Instant until = link.now() + watchFor;
+  while (link.now() < until) {
+    if (Result<void> slept = sleepUntil(link, std::min(until, link.now() + kPollInterval));
+        !slept) {
+      return base::fail(slept.error());
+    }
+    const auto now = opcua::readNumbers(link, heartbeat, kDeadline);
+    if (!now) {
+      return base::fail(now.error());
+    }
+    if ((*now)[0] != before) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string runLabelName(int baseCell) {
+  return fmt::format("RIVULET_RUN_{}.SPF", baseCell);
+}
+
+std::string runLabelText(int number, const RunOrigin& origin) {
+  return fmt::format(
+      "; RIVULET RUN {}\n; user: {}\n; computer: {}\n; started: {}\n; Says who started the run. "
+      "It is never called.\nM17\n",
+      number, labelField(origin.user), labelField(origin.computer),
+      labelField(origin.startedAtUtc));
+}
+
+std::optional<RunOrigin> runLabelOf(std::string_view text, int number) {
+  const auto run = lineAfter(text, "; RIVULET RUN ");
+  const auto user = lineAfter(text, "; user: ");
+  const auto computer = lineAfter(text, "; computer: ");
+  const auto started = lineAfter(text, "; started: ");
+  if (!run || *run != std::to_string(number) || !user || !computer || !started) {
+    return std::nullopt;
+  }
+  return RunOrigin{*user, *computer, *started};
+}
+
+Result<void> storeRunLabel(opcua::Control& control, int baseCell, int number,
+                           const RunOrigin& origin) {
+  return control.uploadProgram(runLabelName(baseCell), runLabelText(number, origin), true);
+}
+
+Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& control,
+                                            int baseCell, Duration watchFor) {
+  const std::array<Variable, 2> channel{
+      {{VariableKind::ChannelStatus, 0}, {VariableKind::ProgramName, 0}}};
+  const auto shown = opcua::readNow(link, channel, kDeadline);
+  if (!shown) {
+    return base::fail(shown.error());
+  }
+  const std::optional<int> first =
+      (*shown)[1].status ? std::optional(baseCell) : baseCellOf((*shown)[1].text, baseCell);
+  if ((*shown)[0].status || (*shown)[0].number == kReset || !first) {
+    return std::nullopt;
+  }
+  RunOnControl run;
+  run.programName = (*shown)[1].text;
+  run.baseCell = *first;
+  const std::array<Variable, 6> header{
+      cell(*first, WindowProtocol::Delivered), cell(*first, WindowProtocol::Latched),
+      cell(*first, WindowProtocol::Executed),  cell(*first, WindowProtocol::State),
+      cell(*first, WindowProtocol::Owner),     cell(*first, WindowProtocol::Heartbeat)};
+  const auto numbers = opcua::readNumbers(link, header, kDeadline);
+  if (!numbers) {
+    return base::fail(numbers.error());
+  }
+  run.delivered = countOf((*numbers)[0]);
+  run.latched = countOf((*numbers)[1]);
+  run.executed = countOf((*numbers)[2]);
+  run.state = static_cast<templates::WindowState>(countOf((*numbers)[3]));
+  run.number = static_cast<int>(countOf((*numbers)[4]));
+  if (run.number != 0) {
+    const Result<std::string> label = control.downloadProgram(runLabelName(*first));
+    run.origin = label ? runLabelOf(*label, run.number) : std::nullopt;
+  }
+  const Result<bool> lives = beats(link, *first, (*numbers)[5], watchFor);
+  if (!lives) {
+    return base::fail(lives.error());
+  }
+  run.hasClient = *lives;
+  return run;
+}
+
+Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings) {
+  const std::array<Variable, 2> watched{
+      {{VariableKind::ChannelStatus, 0}, cell(run.baseCell, WindowProtocol::Owner)}};
+  const opcua::Assignment end{cell(run.baseCell, WindowProtocol::Run),
+                              static_cast<double>(WindowProtocol::kEnd)};
+  const Instant until = link.now() + settings.stopDeadline;
+  for (bool told = false;; told = true) {
+    const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    if ((*numbers)[0] == kReset) {
+      return {};
+    }
+    if ((*numbers)[1] != static_cast<double>(run.number)) {
+      return base::fail(StreamError::ChannelBusy,
+                        "Another run has begun on the control. Nothing was changed.");
+    }
+    if (link.now() >= until) {
+      return base::fail(StreamError::StopNotConfirmed,
+                        "The program on the control did not end. Reset the control.");
+    }
+    if (!told) {
+      if (Result<void> done = opcua::writeNow(link, {&end, 1}, settings.requestDeadline); !done) {
+        return done;
+      }
+    }
+    if (Result<void> slept = sleepUntil(link, link.now() + kPollInterval); !slept) {
+      return slept;
+    }
+  }
+}
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Finds a run on a control, whoever started it: what its program reports in its cells, whether its
+/// client is still there, and who started it. The latter is in a small program next to the flexible
+/// program, because R-parameters hold no text.
+/// Methods window, credit and file. @threadsafety runs on the calling thread.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "opcua/link.h"
+#include "streaming/run.h"
+#include "templates/window_protocol.h"
+
+namespace rivulet::streaming {
+
+/// A flexible program that is active on the control.
+struct RunOnControl {
+  std::string programName;    ///< e.g. "RIVULET_WINDOW_7X2.MPF"
+  int baseCell = 0;           ///< R number of its first cell
+  int number = 0;             ///< number of the run it obeys; 0: it waits for the first client
+  std::size_t delivered = 0;  ///< windows
+  std::size_t latched = 0;
+  std::size_t executed = 0;
+  templates::WindowState state = templates::WindowState::Runs;
+  bool hasClient = false;           ///< its heartbeat changed while it was watched
+  std::optional<RunOrigin> origin;  ///< nothing: not named, or not readable
+};
+
+/// Looks for a run. Nothing is changed on the control.
+/// @param baseCell  first cell of the program if its name does not say it
+/// @param watchFor  how long the heartbeat is watched; clients change it once a second. 0: not at
+///                  all, `hasClient` is then false
+/// @return nothing if the channel is in reset or executes a program of somebody else; otherwise a
+///         link error
+[[nodiscard]] base::Result<std::optional<RunOnControl>> findRun(opcua::Link& link,
+                                                                opcua::Control& control,
+                                                                int baseCell,
+                                                                base::Duration watchFor);
+
+/// Commands the program of this run to end, and waits for it. It executes only the windows it has
+/// copied. @return StopNotConfirmed, ChannelBusy if it obeys another run by now, or a link error
+[[nodiscard]] base::Result<void> endRun(opcua::Link& link, const RunOnControl& run,
+                                        const RunSettings& settings);
+
+/// How long a heartbeat has to be watched to be sure that the client is gone, if the network is
+/// not very slow.
+inline constexpr base::Duration kHeartbeatWatch = std::chrono::milliseconds{2500};
+
+/// Name on the control of the program that says who started the run with this first cell.
+[[nodiscard]] std::string runLabelName(int baseCell);
+/// Its text: comments, and an end.
+[[nodiscard]] std::string runLabelText(int number, const RunOrigin& origin);
+/// Inverse of `runLabelText`; nothing for another run or another text.
+[[nodiscard]] std::optional<RunOrigin> runLabelOf(std::string_view text, int number);
+
+/// Stores the label; to be called while the channel is in reset.
+[[nodiscard]] base::Result<void> storeRunLabel(opcua::Control& control, int baseCell, int number,
+                                               const RunOrigin& origin);
+
+}  // namespace rivulet::streaming
