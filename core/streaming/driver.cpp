@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "base/quantile.h"
 #include "streaming/calibration.h"
 
 namespace rivulet::streaming {
@@ -30,8 +29,6 @@ constexpr Duration kInferredSettles = std::chrono::milliseconds{200};
 constexpr Duration kNoteInterval = std::chrono::seconds{1};
 /// A display read may take this many times its estimate before the method is due.
 constexpr int kSlackFactor = 2;
-/// Request durations the live margin is computed from.
-constexpr std::size_t kRecentMax = 100;
 
 /// Files travel more slowly than variables.
 constexpr Duration kStoreDeadline = std::chrono::seconds{10};
@@ -183,13 +180,11 @@ Duration Driver::expectedRead(int nodes) const {
 
 std::optional<Duration> Driver::slowAccess() const {
   std::optional<Duration> slow;
-  if (!m_recentAccess.empty()) {
-    std::vector<Duration> sorted(m_recentAccess.begin(), m_recentAccess.end());
-    std::sort(sorted.begin(), sorted.end());
-    slow = base::quantile(sorted, 990);
+  if (!m_recentAccess.isEmpty()) {
+    slow = m_recentAccess.quantile(990);
   }
   // A hundredth is seen among a hundred; until then what was measured before speaks too.
-  if (m_recentAccess.size() < kRecentMax && m_calibratedTail) {
+  if (!m_recentAccess.isFull() && m_calibratedTail) {
     slow = std::max(slow.value_or(*m_calibratedTail), *m_calibratedTail);
   }
   return slow;
@@ -300,10 +295,7 @@ void Driver::handle(const opcua::Event& event) {
   }
   m_sink.access({event.sent, event.at - event.sent, pending.write, pending.nodes});
   if (pending.nodes > 0) {
-    m_recentAccess.push_back(event.at - event.sent);
-  }
-  if (m_recentAccess.size() > kRecentMax) {
-    m_recentAccess.pop_front();
+    m_recentAccess.add(event.at - event.sent);
   }
   for (const opcua::Reading& reading : event.readings) {
     if (reading.status) {

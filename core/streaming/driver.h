@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/recent_values.h"
 #include "streaming/correction.h"
 #include "streaming/method.h"
 #include "trace/analysis/pauses.h"
@@ -76,6 +77,8 @@ class Driver {
     int nodes = 0;
     std::size_t points = 0;
   };
+  /// Request durations the live margin is computed from.
+  static constexpr std::size_t kRecentMax = 100;
 
   void submitMethod();
   void submitMonitor();
@@ -134,7 +137,7 @@ class Driver {
   std::vector<trace::Pause> m_pauses;
   std::size_t m_stopsSeen = 0;
   std::size_t m_brokenSeen = 0;
-  std::deque<base::Duration> m_recentAccess;
+  base::RecentValues<base::Duration> m_recentAccess{kRecentMax};
   std::optional<base::Duration> m_calibratedTail;  // of the longest request of the method
   StreamEnd m_end;
   bool m_done = false;
