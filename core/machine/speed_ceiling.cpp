@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/contract.h"
 
@@ -75,6 +76,101 @@ SpeedProfile withJerk(const SpeedState& from, double jerk, double lengthMm) {
                         : std::max(0.0, -2.0 * a / jerk) + std::cbrt(6.0 * lengthMm / jerk),
               jerk);
   return profile;
+}
+
+/// Closes in on the place where a value changes its sign: regula falsi, in which an end that stays
+/// counts half, and a halving every fourth step, for the value may have bends.
+class SignChange {
+ public:
+  SignChange(double lowAt, double low, double highAt, double high)
+      : m_lowAt(lowAt), m_low(low), m_highAt(highAt), m_high(high) {}
+
+  /// The place to look at next, between the ends.
+  [[nodiscard]] double next() {
+    const double at = m_lowAt + width() * m_low / (m_low - m_high);
+    const bool isBetween = at > m_lowAt && at < m_highAt;
+    return m_steps++ % 4 == 3 || !isBetween ? 0.5 * (m_lowAt + m_highAt) : at;
+  }
+  /// What was found there, and of which end it has the sign.
+  void take(double at, double value, bool isLow) {
+    m_moved = isLow ? at - m_lowAt : m_highAt - at;
+    if (isLow) {
+      m_lowAt = at;
+      m_low = value;
+      m_high *= m_wasLow ? 0.5 : 1.0;
+    } else {
+      m_highAt = at;
+      m_high = value;
+      m_low *= m_wasLow ? 1.0 : 0.5;
+    }
+    m_wasLow = isLow;
+  }
+
+  [[nodiscard]] double width() const { return m_highAt - m_lowAt; }
+  /// By how much the last step moved an end.
+  [[nodiscard]] double moved() const { return m_moved; }
+  [[nodiscard]] double lowAt() const { return m_lowAt; }
+  [[nodiscard]] double high() const { return m_high; }
+
+ private:
+  double m_lowAt;
+  double m_low;
+  double m_highAt;
+  double m_high;
+  double m_moved = 0.0;
+  int m_steps = 0;
+  bool m_wasLow = true;
+};
+
+/// Where a motion is as steep as the ceiling: there it touches it, passes it or misses it.
+struct Touch {
+  double seconds = 0.0;    ///< of the motion
+  double gapMmPerS = 0.0;  ///< the ceiling above the motion
+};
+
+/// The first such moment until `endS`, or none. @param mm  where the motion begins on the ceiling
+/// @param steepnessNow  at its beginning, not 0   @param accurateS  what the moment may be off
+std::optional<Touch> firstTouch(const SpeedProfile& motion, double endS,
+                                const SpeedProfile& ceiling, double mm, double steepnessNow,
+                                double accurateS) {
+  const bool falls = steepnessNow > 0.0;
+  double beforeS = 0.0;
+  double before = steepnessNow;
+  for (std::size_t k = 0; k < ceiling.phaseCount(); ++k) {
+    const double phaseMm = ceiling.phaseEndMm(k) - mm;
+    if (phaseMm <= 0.0) {
+      continue;
+    }
+    const bool reached = phaseMm < motion.lengthMm();
+    const double afterS = reached ? std::min(endS, motion.secondsAt(phaseMm)) : endS;
+    const SpeedState there = motion.stateAt(afterS);
+    const SpeedState above =
+        reached ? ceiling.phaseEnd(k) : ceiling.stateAtMm(mm + motion.lengthMm());
+    const double after = steepness(there, above);
+    if ((after > 0.0) == falls && after != 0.0) {
+      if (!reached) {
+        return std::nullopt;
+      }
+      beforeS = afterS;
+      before = after;
+      continue;
+    }
+    Touch touch{afterS, above.speedMmPerS - there.speedMmPerS};
+    SignChange change(beforeS, before, afterS, after);
+    for (int i = 0; i < kSearchSteps && change.high() != 0.0; ++i) {
+      const double atS = change.next();
+      const SpeedState ours = motion.stateAt(atS);
+      const SpeedState theirs = ceiling.stateAtMm(mm + motion.lengthMmAt(atS));
+      touch = {atS, theirs.speedMmPerS - ours.speedMmPerS};
+      const double found = steepness(ours, theirs);
+      change.take(atS, found, (found > 0.0) == falls);
+      if (change.width() <= accurateS || change.moved() <= kAccurateShare * accurateS) {
+        break;
+      }
+    }
+    return touch;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -269,56 +365,9 @@ SpeedCeiling::Meeting SpeedCeiling::meet(std::size_t index, double mm,
     const SpeedProfile motion = withJerk(state, jerk, leftMm);
     const double endS = motion.lengthMm() > leftMm ? motion.secondsAt(leftMm) : motion.durationS();
     const double accurateS = std::sqrt(kRoundingMmPerS / given.limits.jerkMmPerS3);
-    double beforeS = 0.0;
-    double before = steepnessNow;
-    for (std::size_t k = 0; k < ceiling.phaseCount(); ++k) {
-      const double phaseMm = ceiling.phaseEndMm(k) - mm;
-      if (phaseMm <= 0.0) {
-        continue;
-      }
-      const bool reached = phaseMm < motion.lengthMm();
-      double afterS = reached ? std::min(endS, motion.secondsAt(phaseMm)) : endS;
-      const SpeedState there = motion.stateAt(afterS);
-      double after = reached ? steepness(there, ceiling.phaseEnd(k))
-                             : steepness(there, ceiling.stateAtMm(mm + motion.lengthMm()));
-      if ((after > 0.0) == falls && after != 0.0) {
-        if (!reached) {
-          break;
-        }
-        beforeS = afterS;
-        before = after;
-        continue;
-      }
-      double middleS = afterS;
-      SpeedState met1 = there;
-      SpeedState met2 = reached ? ceiling.phaseEnd(k) : ceiling.stateAtMm(mm + motion.lengthMm());
-      bool wasBefore = true;
-      for (int i = 0; i < kSearchSteps && after != 0.0; ++i) {
-        middleS = beforeS + (afterS - beforeS) * before / (before - after);
-        if (i % 4 == 3 || !(middleS > beforeS && middleS < afterS)) {
-          middleS = 0.5 * (beforeS + afterS);
-        }
-        met1 = motion.stateAt(middleS);
-        met2 = ceiling.stateAtMm(mm + motion.lengthMmAt(middleS));
-        const double found = steepness(met1, met2);
-        const bool isBefore = (found > 0.0) == falls;
-        const double movedS = isBefore ? middleS - beforeS : afterS - middleS;
-        if (isBefore) {
-          beforeS = middleS;
-          before = found;
-          after *= wasBefore ? 0.5 : 1.0;
-        } else {
-          afterS = middleS;
-          after = found;
-          before *= wasBefore ? 1.0 : 0.5;
-        }
-        wasBefore = isBefore;
-        if (afterS - beforeS <= accurateS || movedS <= kAccurateShare * accurateS) {
-          break;
-        }
-      }
-      return met(std::min(given.lengthMm, mm + motion.lengthMmAt(middleS)),
-                 met2.speedMmPerS - met1.speedMmPerS);
+    if (const auto touch = firstTouch(motion, endS, ceiling, mm, steepnessNow, accurateS)) {
+      return met(std::min(given.lengthMm, mm + motion.lengthMmAt(touch->seconds)),
+                 touch->gapMmPerS);
     }
     if (motion.lengthMm() < leftMm) {
       const double faded = fadedSpeedMmPerS(state, given.limits.jerkMmPerS3);
@@ -399,31 +448,18 @@ SpeedProfile SpeedCeiling::profile(double mm, const SpeedState& state, std::size
     *reach = std::max(*reach, meeting.index);
     return meeting.marginMmPerS + 2.0 * touchMmPerS;
   };
-  double safeS = 0.0;
-  double unsafeS = climb.durationS();
   double margin = marginAt(0.0);
-  double safe = margin;
-  double unsafe = std::min(marginAt(unsafeS), -touchMmPerS);
-  bool wasSafe = true;
-  for (int i = 0; i < kSearchSteps && margin > touchMmPerS && unsafeS - safeS > kTimeS; ++i) {
-    // Regula falsi; halving in between, for the margin may have bends.
-    double middleS = safeS + (unsafeS - safeS) * safe / (safe - unsafe);
-    if (i % 4 == 3 || !(middleS > safeS && middleS < unsafeS)) {
-      middleS = 0.5 * (safeS + unsafeS);
-    }
-    const double found = marginAt(middleS);
+  SignChange change(0.0, margin, climb.durationS(),
+                    std::min(marginAt(climb.durationS()), -touchMmPerS));
+  for (int i = 0; i < kSearchSteps && margin > touchMmPerS && change.width() > kTimeS; ++i) {
+    const double atS = change.next();
+    const double found = marginAt(atS);
     if (found >= 0.0) {
-      safeS = middleS;
-      margin = safe = found;
-      unsafe *= wasSafe ? 0.5 : 1.0;
-    } else {
-      unsafeS = middleS;
-      unsafe = found;
-      safe *= wasSafe ? 1.0 : 0.5;
+      margin = found;
     }
-    wasSafe = found >= 0.0;
+    change.take(atS, found, found >= 0.0);
   }
-  climb.cut(safeS);
+  climb.cut(change.lowAt());
   const double fromMm = mm + climb.lengthMm();
   const Meeting meeting = meet(0, fromMm, climb.end());
   const double gap = std::abs(meeting.gapMmPerS);
