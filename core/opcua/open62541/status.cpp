@@ -107,10 +107,33 @@ std::string sentenceOf(LinkError error) {
   base::contractViolated("every LinkError has a sentence", __FILE__, __LINE__);
 }
 
+namespace {
+
+/// A request or an answer that could not be understood. The rights of the user are not to blame.
+bool meansDamage(UA_StatusCode status) {
+  switch (status) {
+    case UA_STATUSCODE_BADDECODINGERROR:
+    case UA_STATUSCODE_BADENCODINGERROR:
+    case UA_STATUSCODE_BADUNKNOWNRESPONSE:
+    case UA_STATUSCODE_BADDATAENCODINGINVALID:
+    case UA_STATUSCODE_BADSTRUCTUREMISSING:
+    case UA_STATUSCODE_BADINVALIDARGUMENT:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
 base::Error requestError(UA_StatusCode status, Operation operation, const std::string& context) {
   const LinkError error = linkErrorOf(status, operation);
-  return base::makeError(
-      error, fmt::format("{} ({})", sentenceOf(error), UA_StatusCode_name(status)), context);
+  const std::string sentence =
+      meansDamage(status)
+          ? "A request or its answer was damaged on its way. Check the network, then try again."
+          : sentenceOf(error);
+  return base::makeError(error, fmt::format("{} ({})", sentence, UA_StatusCode_name(status)),
+                         context);
 }
 
 }  // namespace rivulet::opcua

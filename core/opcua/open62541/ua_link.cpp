@@ -311,7 +311,6 @@ class UaLink::Impl {
 
   [[nodiscard]] base::Error error(LinkError code) const;
   [[nodiscard]] base::Error connectError(UA_StatusCode status) const;
-  [[nodiscard]] std::string place() const;
 
   [[nodiscard]] base::Result<void> handshake();
   /// After the server has closed the connection while connecting. @return the new status
@@ -577,18 +576,13 @@ base::Result<ReadResponse> UaLink::Impl::readAttribute(const UA_NodeId& node,
     status = UA_STATUSCODE_BADUNKNOWNRESPONSE;
   }
   if (isBad(status)) {
-    return base::fail(requestError(status, Operation::Read, place()));
+    return base::fail(requestError(status, Operation::Read, endpoint()));
   }
   return response;
 }
 
 base::Error UaLink::Impl::error(LinkError code) const {
-  return base::makeError(code, sentenceOf(code), place());
-}
-
-std::string UaLink::Impl::place() const {
-  const std::string message = m_logger.lastMessage();
-  return message.empty() ? endpoint() : fmt::format("{} ({})", endpoint(), message);
+  return base::makeError(code, sentenceOf(code), endpoint());
 }
 
 base::Error UaLink::Impl::connectError(UA_StatusCode status) const {
@@ -608,16 +602,16 @@ base::Error UaLink::Impl::connectError(UA_StatusCode status) const {
           fmt::format(
               "The server does not accept a connection with these security and user settings ({}).",
               UA_StatusCode_name(status)),
-          place());
+          endpoint());
     case UA_STATUSCODE_BADTOOMANYSESSIONS:
       return base::makeError(LinkError::Rejected,
                              "The server has no session left. Close another OPC UA client.",
-                             place());
+                             endpoint());
     default:
       return base::makeError(
           LinkError::NotReachable,
           fmt::format("{} ({})", sentenceOf(LinkError::NotReachable), UA_StatusCode_name(status)),
-          place());
+          endpoint());
   }
 }
 
@@ -921,7 +915,7 @@ void UaLink::Impl::finishAnswered() {
       continue;
     }
     if (isBad(pending.failure)) {
-      fail(pending, requestError(pending.failure, pending.operation, place()));
+      fail(pending, requestError(pending.failure, pending.operation, endpoint()));
     } else {
       m_events.push_back(std::move(pending.event));
     }
