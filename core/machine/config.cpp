@@ -9,12 +9,11 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "base/file.h"
 #include "base/units.h"
 
 namespace rivulet::machine {
@@ -258,6 +257,19 @@ void readAccess(Reader& reader, AccessCost& access) {
   access.programBytesPerS = 1e3 * reader.number("access.programKilobytesPerS", 1e-3, 1e9);
 }
 
+/// Presets have a few kilobytes.
+constexpr std::uintmax_t kPresetBytesMax = std::uintmax_t{1} << 20U;
+
+/// The parser calls itself for each part of a dotted key, without a limit.
+bool hasEndlessKey(std::string_view text) {
+  constexpr int kDotsMax = 500;
+  int dots = 0;
+  return std::any_of(text.begin(), text.end(), [&dots](char c) {
+    dots = c == '\n' ? 0 : dots + (c == '.' ? 1 : 0);
+    return dots > kDotsMax;
+  });
+}
+
 }  // namespace
 
 std::error_code make_error_code(MachineError code) {
@@ -293,6 +305,10 @@ std::vector<std::string> presetNames() {
 }
 
 Result<MachineConfig> parsePreset(std::string_view text, const std::string& origin) {
+  if (hasEndlessKey(text)) {
+    return base::fail(MachineError::PresetMalformed,
+                      "This is not a machine preset: a key has too many parts.", origin);
+  }
   toml::table root;
   try {
     root = toml::parse(text);
@@ -333,14 +349,11 @@ Result<MachineConfig> loadPreset(const std::string& nameOrPath) {
                                   "the path of a .toml file.",
                                   nameOrPath, fmt::join(presetNames(), ", ")));
   }
-  std::ifstream file(nameOrPath, std::ios::binary);
-  if (!file) {
-    return base::fail(MachineError::PresetMissing,
-                      "The preset file cannot be opened. Check the path and its permissions.",
-                      nameOrPath);
+  const Result<std::string> text = base::readFile(nameOrPath, kPresetBytesMax);
+  if (!text) {
+    return base::fail(MachineError::PresetMissing, text.error().message, nameOrPath);
   }
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  Result<MachineConfig> config = parsePreset(text, nameOrPath);
+  Result<MachineConfig> config = parsePreset(*text, nameOrPath);
   if (config) {
     config->name = std::filesystem::path(nameOrPath).stem().string();
   }
