@@ -38,10 +38,6 @@ using opcua::VariableKind;
 /// How often the control is asked while the operator goes to press cycle start.
 constexpr Duration kStartPollInterval = std::chrono::milliseconds{50};
 
-/// R-parameters are doubles on both sides: a point arrives as it was sent. A thousandth of a
-/// micrometre leaves room for a control that rounds its display values.
-constexpr double kPointToleranceMm = 1e-6;
-
 constexpr double kReset = 0.0;
 
 /// Passes everything on and keeps what the report and the recording need.
@@ -488,14 +484,14 @@ class Job {
           {m_link.now(), "the control's trace could not be fetched: " + trace.error().text()});
       return;
     }
+    m_report.integrity = trace::judgeRun(m_flight.points.points, *trace, m_cells.rotaryAxes);
     if (trace->truncated) {
+      // Its pauses and its time are those of a part of the run.
       m_ledger.note({m_link.now(), "the control's trace is incomplete: the run is not judged"});
     } else {
-      m_report.integrity = trace::judgeIntegrity(m_flight.points.points, trace->blocks,
-                                                 kPointToleranceMm, m_cells.rotaryAxes);
+      m_report.pauses = trace::findPauses(*trace);
     }
-    m_report.pauses = trace::findPauses(*trace);
-    if (!trace->samples.empty()) {
+    if (!trace->truncated && !trace->samples.empty()) {
       m_report.duration = trace->samples.back().at - trace->samples.front().at;
     }
     if (m_recorder.writer != nullptr) {

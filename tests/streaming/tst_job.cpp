@@ -181,6 +181,9 @@ class TestJob : public QObject {
     QVERIFY(!report.integrity.judged);
     QVERIFY(!report.isFaultless());
     QVERIFY(report.finding() == streaming::RunFinding::NotJudged);
+    // The time is that of the run, not of the second that was recorded.
+    QVERIFY(report.duration > std::chrono::seconds{60});
+    QVERIFY(report.pauses.size() > 20);
   }
 
   /// The display reads only where the stream has slack: with and without it nothing changes for

@@ -397,4 +397,10 @@ Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
   return Judge(points, blocks, toleranceMm, rotaryAxes).judge();
 }
 
+Integrity judgeRun(const std::vector<gcode::StreamPoint>& points, const ControlTrace& trace,
+                   const base::RotarySet& rotaryAxes) {
+  return trace.truncated ? Integrity{}
+                         : judgeIntegrity(points, trace.blocks, kPointToleranceMm, rotaryAxes);
+}
+
 }  // namespace rivulet::trace

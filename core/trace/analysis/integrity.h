@@ -56,4 +56,13 @@ struct Integrity {
                                        const std::vector<ExecutedBlock>& blocks, double toleranceMm,
                                        const base::RotarySet& rotaryAxes = {});
 
+/// R-parameters are doubles on both sides: a point arrives as it was sent. A thousandth of a
+/// micrometre leaves room for a control that rounds its display values.
+inline constexpr double kPointToleranceMm = 1e-6;
+
+/// The judgement of a run from the control's trace, for the run itself and for its recording alike.
+/// A trace of which a part is missing is not judged.
+[[nodiscard]] Integrity judgeRun(const std::vector<gcode::StreamPoint>& points,
+                                 const ControlTrace& trace, const base::RotarySet& rotaryAxes);
+
 }  // namespace rivulet::trace
