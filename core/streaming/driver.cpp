@@ -35,6 +35,21 @@ constexpr Duration kStoreDeadline = std::chrono::seconds{10};
 
 constexpr double kChannelReset = 0.0;
 
+/// One variable of a request could not be accessed: the remedy depends on the reason.
+base::Error itemError(const std::error_code& status, const std::string& what) {
+  const char* remedy = "The control rejected it. Check its messages.";
+  if (status == opcua::LinkError::NotWritable) {
+    remedy = "Give this OPC UA user access to it on the control.";
+  } else if (status == opcua::LinkError::VariableMissing) {
+    remedy = "Check the number of R-parameters on the control (MD28050).";
+  } else if (status == opcua::LinkError::BadValue) {
+    remedy =
+        "The answer was damaged on its way, or is not a number. Check network and server, then "
+        "resume.";
+  }
+  return base::makeError(status, what + ' ' + remedy);
+}
+
 }  // namespace
 
 Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
@@ -299,17 +314,13 @@ void Driver::handle(const opcua::Event& event) {
   }
   for (const opcua::Reading& reading : event.readings) {
     if (reading.status) {
-      abandon(base::makeError(reading.status,
-                              "A variable that the stream needs cannot be read. Check the access "
-                              "rights on the control."));
+      abandon(itemError(reading.status, "A variable that the stream needs cannot be read."));
       return;
     }
   }
   for (const std::error_code& status : event.statuses) {
     if (status) {
-      abandon(base::makeError(status,
-                              "A cell that the stream needs cannot be written. Check the access "
-                              "rights and the number of R-parameters on the control."));
+      abandon(itemError(status, "A cell that the stream needs cannot be written."));
       return;
     }
   }

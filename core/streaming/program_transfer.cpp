@@ -29,13 +29,19 @@ base::Error refused(const base::Error& cause) {
       cause.context);
 }
 
+/// Some controls store line ends of their own; the blocks are the same.
+std::string withPlainLineEnds(std::string text) {
+  std::erase(text, '\r');
+  return text;
+}
+
 /// @return true: the same; false: it may not be read
 Result<bool> compare(opcua::Control& control, const std::string& name, const std::string& text) {
   const Result<std::string> there = control.downloadProgram(name);
   if (!there) {
     return isRefusal(there.error()) ? Result<bool>(false) : Result<bool>(base::fail(there.error()));
   }
-  if (*there != text) {
+  if (withPlainLineEnds(*there) != withPlainLineEnds(text)) {
     return base::fail(StreamError::WrongProgram,
                       "The program on the control differs from the one for these settings. Delete "
                       "it there and start again.",

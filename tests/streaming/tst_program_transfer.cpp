@@ -79,6 +79,17 @@ class TestProgramTransfer : public QObject {
     QCOMPARE(control.selected, kName);
   }
 
+  /// A control that stores line ends of its own has the same program.
+  void lineEndsOfTheControlAreItsOwn() {
+    ScriptedControl control;
+    control.files[kName] = "G1 X=R11\r\nM30\r\n";
+    control.writeError = LinkError::Rejected;
+    const auto transfer = transferProgram(control, kName, kText, TransferWay::Link);
+    QVERIFY(transfer && transfer->compared);
+    control.files[kName] = "G1 X=R12\r\nM30\r\n";
+    QVERIFY(!transferProgram(control, kName, kText, TransferWay::Link));
+  }
+
   void aPersonSelectsWhereWeMayNot() {
     ScriptedControl control;
     control.selectError = LinkError::MethodMissing;

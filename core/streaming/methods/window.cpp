@@ -408,6 +408,9 @@ std::optional<ProgramEnd> WindowMethodType::askEnd(
   end.isKnown = true;
   const auto state = static_cast<templates::WindowState>((*numbers)[0]);
   const double executed = (*numbers)[1];
+  if ((*numbers)[2] == 0.0) {
+    return end;  // it was ended before it obeyed any run
+  }
   if ((*numbers)[2] != static_cast<double>(settings.runNumber)) {
     end.error = base::makeError(StreamError::Restarted,
                                 "The program on the control has been started for another run. "
