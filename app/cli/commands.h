@@ -98,9 +98,22 @@ struct StreamOptions {
   bool noMonitor = false;
   bool evenPauses = false;
   bool acceptInfeasible = false;
+  bool acceptChanges = false;        ///< the program differs where nothing has been executed
+  std::vector<std::string> command;  ///< the words of the command line
   bool json = false;
 };
 [[nodiscard]] Exit stream(const StreamOptions& options);
+
+struct RunsOptions {
+  std::string endpoint;  ///< control that is asked, too; empty: none
+  int baseCell = 0;      ///< of a program whose name does not say it
+  bool watch = false;
+  bool stop = false;
+  int forget = 0;  ///< number of a run that is not kept any longer; 0: none
+  bool json = false;
+};
+/// Lists the runs that can be resumed; watches or stops the one on a control.
+[[nodiscard]] Exit runs(const RunsOptions& options);
 
 struct AnalyseOptions {
   std::string file;

@@ -58,8 +58,15 @@ base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed)
 }
 
 void watchForInterrupt() {
-  std::signal(SIGINT, onInterrupt);
-  std::signal(SIGTERM, onInterrupt);
+  struct sigaction action {};
+  action.sa_handler = &onInterrupt;
+  // A terminal that is closed and a limit of the shell stop a run in order, too.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
+    sigaction(number, &action, nullptr);
+  }
+  // A reader of our output that has gone stops nothing.
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, nullptr);
 }
 
 bool wasInterrupted() {

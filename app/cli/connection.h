@@ -22,7 +22,8 @@ using opcua::Connection;
 /// @param preset  name or file
 [[nodiscard]] base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed);
 
-/// From now on Ctrl-C and SIGTERM do not end the program; `wasInterrupted` reports them.
+/// From now on Ctrl-C, SIGTERM, SIGHUP and SIGXFSZ do not end the program; `wasInterrupted` reports
+/// them.
 void watchForInterrupt();
 [[nodiscard]] bool wasInterrupted();
 

@@ -210,8 +210,9 @@ void addTemplateCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] { exit = rivulet::cli::makeTemplate(*options); });
 }
 
-void addStreamCommand(CLI::App& app, Exit& exit) {
+void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   const auto options = std::make_shared<rivulet::cli::StreamOptions>();
+  options->command = std::move(words);
   CLI::App* command = app.add_subcommand("stream", "Stream an NC program to a control");
   command->add_option("FILE", options->file, "NC program")->required();
   addLoading(command, options->loading);
@@ -236,7 +237,10 @@ void addStreamCommand(CLI::App& app, Exit& exit) {
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
   command->add_option("--resume", options->resume,
-                      "Resume the run of this JSON report (methods window and credit)");
+                      "Resume the run of this file: one that runs lists, or a JSON report "
+                      "(methods window and credit)");
+  command->add_flag("--accept-changes", options->acceptChanges,
+                    "Resume although the program has been changed where nothing was executed yet");
   command
       ->add_option("--access", options->access,
                    "How several R-parameters travel; auto: the best form the control understands")
@@ -270,6 +274,27 @@ void addStreamCommand(CLI::App& app, Exit& exit) {
     }
     exit = rivulet::cli::stream(*options);
   });
+}
+
+void addRunsCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::RunsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "runs", "List runs that can be resumed; watch or stop the run on a control");
+  auto* endpoint =
+      command->add_option("--endpoint", options->endpoint, "Control that is asked for its run");
+  command
+      ->add_option("--base-cell", options->baseCell,
+                   "First R-parameter of its program, if the name of the program does not say it")
+      ->check(CLI::Range(0, 1000000));
+  auto* watched =
+      command->add_flag("--watch", options->watch, "Show how far the run is")->needs(endpoint);
+  command
+      ->add_flag("--stop", options->stop, "End the program that executes the run or waits for it")
+      ->needs(endpoint)
+      ->excludes(watched);
+  command->add_option("--forget", options->forget, "Number of a run that is not to be kept");
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::runs(*options); });
 }
 
 void addAnalyseCommand(CLI::App& app, Exit& exit) {
@@ -395,7 +420,8 @@ int main(int argc, char** argv) {
   addPointsCommand(app, exit);
   addFeasibilityCommand(app, exit);
   addTemplateCommand(app, exit);
-  addStreamCommand(app, exit);
+  addStreamCommand(app, exit, {argv, argv + argc});
+  addRunsCommand(app, exit);
   addAnalyseCommand(app, exit);
   addCalibrateCommand(app, exit);
   addCommissionCommand(app, exit);

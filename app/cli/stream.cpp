@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "base/file.h"
@@ -14,14 +14,17 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/correction_source.h"
+#include "cli/found_run.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "log/log.h"
 #include "machine/config.h"
+#include "recorder/recording_file.h"
 #include "report/calibration_json.h"
 #include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/report_json.h"
+#include "report/run_store.h"
 #include "streaming/access_policy.h"
 #include "streaming/commissioning.h"
 #include "streaming/control_axes.h"
@@ -134,68 +137,6 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
   return settings;
 }
 
-/// Asks the control where the run of a `stream --json` report resumes.
-base::Result<streaming::Resume> resumeOf(const std::string& path, const Connection& connection,
-                                         const gcode::Program& program,
-                                         const streaming::RunSettings& settings) {
-  const base::Result<std::string> text = base::readFile(path);
-  if (!text) {
-    return base::fail(text.error());
-  }
-  const auto json = nlohmann::json::parse(*text, nullptr, false);
-  const auto number = [&json](const char* pointer) {
-    const nlohmann::json::json_pointer at(pointer);
-    return json.is_object() && json.contains(at) && json.at(at).is_number()
-               ? std::optional(json.at(at).get<double>())
-               : std::nullopt;
-  };
-  const auto run = number("/checkpoint/run_number");
-  const auto first = number("/checkpoint/first_point");
-  const auto points = number("/settings/points_per_loop");
-  const auto windows = number("/settings/windows");
-  const auto baseCell = number("/settings/base_cell");
-  const std::array<std::optional<double>, 3> start{number("/checkpoint/start_mm/0"),
-                                                   number("/checkpoint/start_mm/1"),
-                                                   number("/checkpoint/start_mm/2")};
-  if (!run || !first || *first < 0.0 || !points || !windows || !baseCell || !start[0] ||
-      !start[1] || !start[2]) {
-    return base::fail(streaming::StreamError::CannotResume,
-                      "This is not the report of a run of method window or credit. Give the output "
-                      "of stream --json of the run to be resumed.",
-                      path);
-  }
-  streaming::RunSettings earlier = settings;
-  const auto method = base::methodFromName(
-      json.value(nlohmann::json::json_pointer("/settings/method"), std::string("window")));
-  earlier.parameters.method =
-      method && base::hasWindows(*method) ? *method : base::MethodKind::Window;
-  earlier.parameters.windowsAhead =
-      static_cast<int>(number("/settings/windows_ahead").value_or(earlier.parameters.windowsAhead));
-  earlier.parameters.slowDown =
-      json.value(nlohmann::json::json_pointer("/settings/slow_down"), earlier.parameters.slowDown);
-  earlier.parameters.pointsPerLoop = static_cast<int>(*points);
-  earlier.parameters.windows = static_cast<int>(*windows);
-  earlier.parameters.baseCell = static_cast<int>(*baseCell);
-  earlier.parameters.correctionLimitMm = number("/settings/correction_limit_mm").value_or(0.0);
-  const std::string axes =
-      json.value(nlohmann::json::json_pointer("/settings/axes"), std::string("XYZ"));
-  if (const auto chosen = templates::chooseAxes(earlier.parameters, axes); !chosen) {
-    return base::fail(chosen.error());
-  }
-  streaming::Checkpoint checkpoint;
-  checkpoint.runNumber = static_cast<int>(*run);
-  checkpoint.firstPoint = static_cast<std::size_t>(*first);
-  checkpoint.granted = json.value(nlohmann::json::json_pointer("/checkpoint/granted"), true);
-  checkpoint.pausesPlaced =
-      json.value(nlohmann::json::json_pointer("/checkpoint/pauses_placed"), true);
-  checkpoint.startMm = {*start[0], *start[1], *start[2]};
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    checkpoint.startDeg[axis] =
-        number(fmt::format("/checkpoint/start_deg/{}", axis).c_str()).value_or(0.0);
-  }
-  return streaming::resumeFrom(*connection.link, program, earlier, checkpoint);
-}
-
 void print(const streaming::RunReport& report, const CalibrationChoice& calibrated,
            const Judgement& judged) {
   fmt::print("{}: {} of {} points executed", streaming::outcomeName(report.outcome),
@@ -296,10 +237,14 @@ class StreamCommand {
   base::Result<void> load();
   base::Result<void> openSource();
   base::Result<void> connect();
+  base::Result<void> lookForRun();
   base::Result<void> judge();
   base::Result<void> findResume();
   base::Result<void> openRecording();
-  [[nodiscard]] Exit show(const streaming::RunReport& done) const;
+  [[nodiscard]] base::Result<streaming::Resume> askResume(const report::SavedRun& run);
+  [[nodiscard]] report::SavedRun savedRun() const;
+  [[nodiscard]] Exit show(const streaming::RunReport& done, const base::Result<void>& recorded,
+                          const report::RunKeeper* keeper) const;
 
   const StreamOptions& m_options;
   gcode::Program m_program;
@@ -308,14 +253,15 @@ class StreamCommand {
   Connection m_connection;
   CalibrationChoice m_calibrated;
   Judgement m_judged;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> m_file{nullptr, std::fclose};
+  report::RunStore m_runs;
+  std::unique_ptr<recorder::RecordingFile> m_file;
   std::unique_ptr<trace::RecordingWriter> m_writer;
 };
 
 base::Result<void> StreamCommand::prepare() {
-  for (const auto step :
-       {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
-        &StreamCommand::judge, &StreamCommand::findResume, &StreamCommand::openRecording}) {
+  for (const auto step : {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
+                          &StreamCommand::lookForRun, &StreamCommand::judge,
+                          &StreamCommand::findResume, &StreamCommand::openRecording}) {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;
     }
@@ -420,31 +366,89 @@ base::Result<void> StreamCommand::judge() {
   return base::fail(error);
 }
 
-base::Result<void> StreamCommand::findResume() {
-  if (!m_options.resume.empty()) {
-    const auto resume = resumeOf(m_options.resume, m_connection, m_program, m_settings);
-    if (!resume) {
-      return base::fail(resume.error());
-    }
-    m_settings.resume = *resume;
+/// A run that is on the control already is not refused without a way to go on.
+base::Result<void> StreamCommand::lookForRun() {
+  if (m_options.simulate) {
+    return {};
   }
+  m_settings.origin = report::thisUser();
+  const auto found = report::findRun(m_runs, *m_connection.link, *m_connection.control,
+                                     m_settings.parameters.baseCell);
+  if (!found) {
+    return base::fail(found.error());
+  }
+  if (!*found) {
+    return {};
+  }
+  const report::FoundRun& run = **found;
+  if (!m_options.resume.empty() && !run.onControl.hasClient) {
+    return {};  // whether it is the right one is checked before it is ended
+  }
+  return base::fail(streaming::StreamError::ChannelBusy, adviceFor(run, m_connection.name));
+}
+
+base::Result<void> StreamCommand::findResume() {
+  if (m_options.resume.empty()) {
+    return {};
+  }
+  const auto run = report::readSavedRun(m_options.resume);
+  if (!run) {
+    return base::fail(run.error());
+  }
+  const auto resume = askResume(*run);
+  if (!resume) {
+    return base::fail(resume.error());
+  }
+  if (resume->changedFrom) {
+    const std::string change = fmt::format(
+        "From point {} on, the program differs from that of the interrupted run. None "
+        "of these points has been executed.",
+        *resume->changedFrom + 1);
+    if (!m_options.acceptChanges) {
+      return base::fail(streaming::StreamError::ProgramChanged,
+                        change + " Check the new path, then give --accept-changes.",
+                        m_program.name);
+    }
+    log::logger().warn(change);
+  }
+  m_settings.resume = *resume;
   return {};
+}
+
+/// Asks the control where the run is to be resumed.
+base::Result<streaming::Resume> StreamCommand::askResume(const report::SavedRun& run) {
+  streaming::RunSettings earlier = m_settings;
+  earlier.parameters = run.settings.parameters;
+  const std::optional<report::SavedRun> kept = m_runs.find(run.checkpoint.runNumber);
+  const std::vector<gcode::StreamPoint> points =
+      kept ? m_runs.points(*kept) : std::vector<gcode::StreamPoint>();
+  return streaming::resumeFrom(*m_connection.link, m_program, earlier, run.checkpoint, points);
 }
 
 base::Result<void> StreamCommand::openRecording() {
   if (m_options.record.empty()) {
     return {};
   }
-  m_file.reset(std::fopen(m_options.record.c_str(), "wb"));
-  if (!m_file) {
-    return base::fail(base::FileError::NotWritable,
-                      "The recording cannot be written. Check the folder and the permissions.",
-                      m_options.record);
+  auto file = recorder::RecordingFile::open(m_options.record);
+  if (!file) {
+    return base::fail(file.error());
   }
-  m_writer = std::make_unique<trace::RecordingWriter>([file = m_file.get()](std::string_view text) {
-    return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-  });
+  m_file = std::move(*file);
+  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
   return {};
+}
+
+/// All that is known of the run before it starts.
+report::SavedRun StreamCommand::savedRun() const {
+  report::SavedRun run;
+  std::error_code ignored;
+  run.programName = m_program.name;
+  run.programFile = std::filesystem::absolute(m_options.file, ignored).string();
+  run.endpoint = m_connection.name;
+  run.toolVersion = RIVULET_VERSION;
+  run.recording = m_options.record;
+  run.command = m_options.command;
+  return run;
 }
 
 Exit StreamCommand::run() {
@@ -453,7 +457,11 @@ Exit StreamCommand::run() {
   recorder.start.toolVersion = RIVULET_VERSION;
   recorder.start.endpoint = m_connection.name;
   recorder.start.startedAtUtc = utcNow();
-  watchForInterrupt();
+  std::optional<report::RunKeeper> keeper;
+  if (!m_options.simulate) {
+    keeper.emplace(m_runs, savedRun());
+    recorder.keeper = &*keeper;
+  }
   ConsoleOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr);
   streaming::RunReport done;
   {
@@ -461,11 +469,15 @@ Exit StreamCommand::run() {
     done = streaming::runJob(*m_connection.link, *m_connection.control, m_program, m_settings,
                              orders, sink, recorder);
   }
-  return show(done);
+  if (keeper) {
+    keeper->finish(done);
+  }
+  return show(done, m_file ? m_file->finish() : base::Result<void>(), keeper ? &*keeper : nullptr);
 }
 
-Exit StreamCommand::show(const streaming::RunReport& done) const {
-  const bool isRecorded = !m_writer || m_writer->ok();
+Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<void>& recorded,
+                         const report::RunKeeper* keeper) const {
+  const auto left = keeper != nullptr ? keeper->file() : std::nullopt;
   if (m_options.json) {
     nlohmann::ordered_json json = report::runJson(done);
     json["feasible"] = m_judged.feasible;
@@ -475,26 +487,32 @@ Exit StreamCommand::show(const streaming::RunReport& done) const {
     json["endpoint"] = m_connection.name;
     if (!m_options.record.empty()) {
       json["recording"] = m_options.record;
+      json["recording_complete"] = recorded.has_value();
+    }
+    if (left) {
+      json["saved_run"] = left->string();
     }
     printJson(json);
   } else {
     print(done, m_calibrated, m_judged);
   }
-  if (!isRecorded) {
-    fmt::print(
-        stderr,
-        "rivulet-cli: {}: The recording is incomplete: the disk is full or cannot be written.\n",
-        m_options.record);
+  if (!recorded) {
+    log::logger().error(recorded.error().text());
+  }
+  if (left) {
+    fmt::print(stderr, "The run is not complete. To go on:\n  {}\n",
+               resumeCommand(m_options.command, *left));
   }
   if (done.error.code && exitFor(done.error) == Exit::Connection) {
     return Exit::Connection;
   }
-  return done.finding() != streaming::RunFinding::Faulty && isRecorded ? Exit::Done : Exit::Wrong;
+  return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
 }
 
 }  // namespace
 
 Exit stream(const StreamOptions& options) {
+  watchForInterrupt();
   StreamCommand command(options);
   if (const base::Result<void> prepared = command.prepare(); !prepared) {
     return reportError(prepared.error(), options.json);

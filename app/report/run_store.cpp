@@ -428,11 +428,15 @@ void RunKeeper::finish(const streaming::RunReport& report) {
   if (!m_isKept) {
     return;
   }
-  const bool hasMoved = !report.checkpoint || report.checkpoint->granted;
-  const bool isUnused = report.outcome == streaming::Outcome::Stopped && !hasMoved;
+  // Nothing moves for a run that was not granted.
+  const bool isUnused =
+      report.checkpoint && !report.checkpoint->granted && report.checkpoint->firstPoint == 0;
   if (report.outcome == streaming::Outcome::Completed || isUnused) {
     m_store.remove(m_run);
     m_isKept = false;
+  } else if (report.checkpoint) {
+    m_run.checkpoint = *report.checkpoint;
+    static_cast<void>(m_store.save(m_run, {}));  // what is there already is not wrong
   }
 }
 

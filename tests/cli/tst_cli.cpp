@@ -3,6 +3,10 @@
 
 /// The program itself: exit codes, JSON, and one clear sentence for bad input.
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -203,6 +207,62 @@ class TestCli : public QObject {
     QCOMPARE(analyse.parsed()["executed"].get<int>(), 270);
     QCOMPARE(analyse.parsed()["pauses"].size(), std::size_t{77});
     QVERIFY(analyse.parsed()["complete"].get<bool>());
+  }
+
+  /// Run and recording say the same of a trace that is shorter than the run, and of a recording
+  /// that a full disk has cut off.
+  void incompleteTracesAreNotCalledGood() {
+    QFile preset(QStringLiteral(RIVULET_SOURCE_DIR "/resources/presets/dmu75.toml"));
+    QVERIFY(preset.open(QIODevice::ReadOnly));
+    QByteArray text = preset.readAll();
+    const qsizetype at = text.indexOf("traceMinutes");
+    QVERIFY(at >= 0);
+    text.replace(at, text.indexOf('\n', at) - at, "traceMinutes = 0.05");
+    const QString forgetful = file("forgetful.toml", text);
+    const QString path = m_folder.filePath(QStringLiteral("long.rivulet"));
+    const Outcome stream = run(QStringList{QStringLiteral("stream"), kScorpion}
+                               << words("--feed 3000 --simulate --json --record") << path
+                               << QStringLiteral("--preset") << forgetful);
+    QCOMPARE(stream.exit, 0);
+    const json report = stream.parsed();
+    QVERIFY(!report["judged"].get<bool>());
+    QVERIFY(!report["faultless"].get<bool>());
+    QVERIFY(report["duration_s"].get<double>() > 30.0);
+    QVERIFY(report["recording_complete"].get<bool>());
+    const json analysed = run({QStringLiteral("analyse"), path, QStringLiteral("--json")}).parsed();
+    for (const char* key : {"judged", "faultless", "finding", "duration_s"}) {
+      QVERIFY2(analysed[key] == report[key], key);
+    }
+
+    const Outcome full = run(QStringList{QStringLiteral("stream"), kScorpion}
+                             << words("--feed 3000 --simulate --json --record /dev/full"));
+    QCOMPARE(full.exit, 1);
+    QVERIFY(!full.parsed()["recording_complete"].get<bool>());
+    QVERIFY(full.errors.contains(QStringLiteral("incomplete")));
+    QFile recording(path);
+    QVERIFY(recording.open(QIODevice::ReadOnly));
+    const QByteArray all = recording.readAll();
+    const QString cut = file("cut.rivulet", all.left(all.size() / 2));
+    const Outcome half = run({QStringLiteral("analyse"), cut, QStringLiteral("--json")});
+    QCOMPARE(half.exit, 1);
+    QVERIFY(!half.parsed()["complete"].get<bool>());
+    QVERIFY(!half.parsed()["faultless"].get<bool>());
+    QVERIFY(run({QStringLiteral("analyse"), cut})
+                .output.contains(QStringLiteral("cut off before the end")));
+  }
+
+  /// A pipe that nobody empties holds up neither the run nor its end.
+  void aRecordingThatHangsIsCut() {
+    const QString pipe = m_folder.filePath(QStringLiteral("pipe"));
+    QCOMPARE(mkfifo(pipe.toUtf8().constData(), 0600), 0);
+    const int reader = ::open(pipe.toUtf8().constData(), O_RDONLY | O_NONBLOCK);
+    QVERIFY(reader >= 0);
+    const Outcome stream = run(QStringList{QStringLiteral("stream"), kScorpion}
+                               << words("--feed 3000 --simulate --json --record") << pipe);
+    ::close(reader);
+    QCOMPARE(stream.exit, 1);
+    QCOMPARE(stream.parsed()["outcome"].get<std::string>(), std::string("completed"));
+    QVERIFY(!stream.parsed()["recording_complete"].get<bool>());
   }
 
   /// Method credit runs where its test is passed, without a pause; elsewhere it does not start.
@@ -505,6 +565,23 @@ class TestCli : public QObject {
                                        words("--points 7 --delta 0 --feed 500 --simulate")
                                 << 2;
     QTest::newRow("unknown preset") << stream(kScorpion) + point + words("--preset dmu76") << 2;
+    QTest::newRow("preset is a folder")
+        << stream(kScorpion) + point + QStringList{QStringLiteral("--preset"), m_folder.path()}
+        << 2;
+    QTest::newRow("preset without an end")
+        << stream(kScorpion) + point + words("--preset /dev/zero") << 2;
+    const QString huge = file("huge.toml", "");
+    QFile(huge).resize(qint64{20} << 30);  // a hole
+    QTest::newRow("preset of 20 GB")
+        << stream(kScorpion) + point + QStringList{QStringLiteral("--preset"), huge} << 2;
+    const QString deep = file("deep.toml", QByteArray("a.").repeated(100'000) + "b = 1\n");
+    QTest::newRow("preset with an endless key")
+        << stream(kScorpion) + point + QStringList{QStringLiteral("--preset"), deep} << 2;
+    const QString report = file("wrong.json",
+                                "{\"checkpoint\": {\"run_number\": 1, \"granted\": 3}, "
+                                "\"settings\": {\"method\": []}}");
+    QTest::newRow("report with wrong types")
+        << stream(kScorpion) + point + QStringList{QStringLiteral("--resume"), report} << 2;
     QTest::newRow("unknown method") << stream(kScorpion) + point + words("--method fast") << 2;
     QTest::newRow("neither endpoint nor simulation")
         << stream(kScorpion) + words("--feed 500") << 2;

@@ -205,13 +205,14 @@ class TestRunStore : public QObject {
   void keepsWhatCanBeResumed() {
     store().remove(someRun());
     const auto keepRun = [this](int number, const char* endpoint, streaming::Outcome outcome,
-                                bool granted = true) {
+                                bool granted = true, std::size_t firstPoint = 0) {
       report::SavedRun run = someRun();
       run.endpoint = endpoint;
       report::RunKeeper keeper(store(), run);
       streaming::Checkpoint checkpoint = run.checkpoint;
       checkpoint.runNumber = number;
       checkpoint.granted = false;
+      checkpoint.firstPoint = firstPoint;
       if (!keeper.keep(checkpoint, run.settings, somePoints()) || !keeper.file()) {
         qFatal("the store cannot be written");
       }
@@ -232,6 +233,9 @@ class TestRunStore : public QObject {
     keepRun(4, "opc.tcp://a", streaming::Outcome::Stopped, false);  // nothing moved for it
     QCOMPARE(store().runs().size(), std::size_t{2});
     QVERIFY(store().find(2).has_value());
+    // Part of it had been executed when it was resumed.
+    keepRun(5, "opc.tcp://d", streaming::Outcome::Stopped, false, 7);
+    QVERIFY(!store().find(5)->checkpoint.granted);
     keepRun(5, "opc.tcp://a", streaming::Outcome::Failed);
     QVERIFY(!store().find(2).has_value());
     QVERIFY(store().find(3).has_value());

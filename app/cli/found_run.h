@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What can be done with a run that was found, as commands that can be copied.
+/// @threadsafety pure.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/run_store.h"
+
+namespace rivulet::cli {
+
+/// A word as a shell takes it.
+[[nodiscard]] std::string shellWord(const std::string& word);
+
+/// The command that resumes a run.
+/// @param command  the words that started it; empty: it was started in the HMI
+/// @param file     where it is kept
+[[nodiscard]] std::string resumeCommand(const std::vector<std::string>& command,
+                                        const std::filesystem::path& file);
+
+/// Whose run is on the control, and the commands to resume, watch and stop it.
+[[nodiscard]] std::string adviceFor(const report::FoundRun& run, const std::string& endpoint);
+
+}  // namespace rivulet::cli

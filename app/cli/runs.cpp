@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "cli/commands.h"
+#include "cli/connection.h"
+#include "cli/found_run.h"
+#include "report/report_json.h"
+#include "report/run_store.h"
+#include "streaming/pause_placement.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::chrono::milliseconds kWatchInterval{500};
+
+ordered_json originJson(const streaming::RunOrigin& origin) {
+  return {{"user", origin.user}, {"computer", origin.computer}, {"at_utc", origin.startedAtUtc}};
+}
+
+ordered_json savedJson(const report::SavedRun& run) {
+  return {{"run_number", run.checkpoint.runNumber},        {"program", run.programName},
+          {"points", run.checkpoint.pointCount},           {"endpoint", run.endpoint},
+          {"started_by", originJson(run.settings.origin)}, {"file", run.file.string()},
+          {"resume", resumeCommand(run.command, run.file)}};
+}
+
+ordered_json foundJson(const report::FoundRun& run) {
+  ordered_json json{
+      {"run_number", run.onControl.number},       {"flexible_program", run.onControl.programName},
+      {"base_cell", run.onControl.baseCell},      {"windows_delivered", run.onControl.delivered},
+      {"windows_latched", run.onControl.latched}, {"windows_executed", run.onControl.executed},
+      {"has_client", run.onControl.hasClient},    {"can_resume", run.canResume()}};
+  if (run.onControl.origin) {
+    json["started_by"] = originJson(*run.onControl.origin);
+  }
+  if (run.saved) {
+    json["saved_run"] = savedJson(*run.saved);
+  }
+  return json;
+}
+
+/// Points after each window of a run that is kept here; empty: not known.
+std::vector<std::size_t> windowEnds(const report::RunStore& store, const report::FoundRun& run) {
+  std::vector<gcode::StreamPoint> points =
+      run.saved ? store.points(*run.saved) : std::vector<gcode::StreamPoint>();
+  const std::size_t first = run.saved ? run.saved->checkpoint.firstPoint : 0;
+  std::vector<std::size_t> ends;
+  if (first < points.size()) {
+    const streaming::PausePlacement cut = streaming::cutWindows(
+        std::span(points).subspan(first),
+        static_cast<std::size_t>(run.saved->settings.parameters.pointsPerLoop),
+        run.saved->checkpoint.pausesPlaced);
+    for (const std::size_t begin : cut.begins) {
+      ends.push_back(first + begin);
+    }
+    ends.push_back(points.size());
+  }
+  return ends;
+}
+
+/// Shows how far the run is until it ends, or until Ctrl-C.
+Exit watch(const report::RunStore& store, const Connection& connection,
+           const RunsOptions& options) {
+  std::optional<std::size_t> shown;
+  std::vector<std::size_t> ends;
+  int number = 0;
+  while (!wasInterrupted()) {
+    const auto found = report::findRun(store, *connection.link, *connection.control,
+                                       options.baseCell, base::Duration{0});
+    if (!found) {
+      return reportError(found.error(), options.json);
+    }
+    if (!*found) {
+      fmt::print("{}\n", shown ? "The run has ended." : "There is no run on the control.");
+      return Exit::Done;
+    }
+    const report::FoundRun& run = **found;
+    if (!shown || run.onControl.number != number) {
+      number = run.onControl.number;
+      ends = windowEnds(store, run);
+      shown.reset();
+      fmt::print("{}\n", report::describeRun(run));
+    }
+    const std::size_t executed = run.onControl.executed;
+    if (shown != executed) {
+      shown = executed;
+      fmt::print("{} windows executed", executed);
+      if (executed < ends.size()) {
+        fmt::print(", {} of {} points", ends[executed], ends.back());
+      }
+      fmt::print("\n");
+      std::fflush(stdout);
+    }
+    std::this_thread::sleep_for(kWatchInterval);
+  }
+  return Exit::Done;
+}
+
+Exit stop(const Connection& connection, const report::FoundRun& run, const RunsOptions& options) {
+  if (const auto ended = streaming::endRun(*connection.link, run.onControl, {}); !ended) {
+    return reportError(ended.error(), options.json);
+  }
+  if (options.json) {
+    printJson({{"stopped", foundJson(run)}});
+  } else {
+    fmt::print("Stopped: {}. It executed the windows that it had copied.\n",
+               report::describeRun(run));
+    if (run.saved) {
+      fmt::print("To go on: {}\n", resumeCommand(run.saved->command, run.saved->file));
+    }
+  }
+  return Exit::Done;
+}
+
+void printList(const std::vector<report::SavedRun>& runs) {
+  if (runs.empty()) {
+    fmt::print("No run of this computer is left to be resumed.\n");
+  }
+  for (const report::SavedRun& run : runs) {
+    const streaming::RunOrigin& origin = run.settings.origin;
+    fmt::print("run {}: {}, {} points, {}\n  started by {} on {} at {}\n  resume: {}\n",
+               run.checkpoint.runNumber, run.programName, run.checkpoint.pointCount, run.endpoint,
+               origin.user, origin.computer, origin.startedAtUtc,
+               resumeCommand(run.command, run.file));
+  }
+}
+
+}  // namespace
+
+Exit runs(const RunsOptions& options) {
+  watchForInterrupt();
+  const report::RunStore store;
+  if (options.forget != 0) {
+    const auto run = store.find(options.forget);
+    if (!run) {
+      return reportError(base::makeError(streaming::StreamError::CannotResume,
+                                         "No run of this number is kept. See rivulet-cli runs."),
+                         options.json);
+    }
+    store.remove(*run);
+  }
+  ordered_json json{{"runs", ordered_json::array()}};
+  const std::vector<report::SavedRun> kept = store.runs();
+  for (const report::SavedRun& run : kept) {
+    json["runs"].push_back(savedJson(run));
+  }
+  if (options.endpoint.empty()) {
+    options.json ? printJson(json) : printList(kept);
+    return Exit::Done;
+  }
+  const auto connection = connectTo(options.endpoint);
+  if (!connection) {
+    return reportError(connection.error(), options.json);
+  }
+  if (options.watch) {
+    return watch(store, *connection, options);
+  }
+  const auto found =
+      report::findRun(store, *connection->link, *connection->control, options.baseCell);
+  if (!found) {
+    return reportError(found.error(), options.json);
+  }
+  if (options.stop && *found) {
+    return stop(*connection, **found, options);
+  }
+  json["on_control"] = *found ? foundJson(**found) : ordered_json(nullptr);
+  if (options.json) {
+    printJson(json);
+  } else {
+    printList(kept);
+    fmt::print("{}\n", *found ? adviceFor(**found, connection->name)
+                              : std::string("There is no run on the control."));
+  }
+  return Exit::Done;
+}
+
+}  // namespace rivulet::cli
