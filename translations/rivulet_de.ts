@@ -675,10 +675,6 @@
         <translation>Ruhe</translation>
     </message>
     <message>
-        <source>Armed</source>
-        <translation>Bereit</translation>
-    </message>
-    <message>
         <source>Running</source>
         <translation>Läuft</translation>
     </message>
@@ -691,12 +687,20 @@
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Aborted</source>
-        <translation>Abgebrochen</translation>
-    </message>
-    <message>
         <source>Holding</source>
         <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fehlgeschlagen</translation>
     </message>
 </context>
 <context>
@@ -819,6 +823,133 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A run is in progress. Press Stop, wait until the run has ended, then close.</source>
         <translation>Ein Lauf ist aktiv. Stopp drücken, das Ende des Laufs abwarten, dann schließen.</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Connecting …</source>
+        <translation>Verbinden …</translation>
+    </message>
+    <message>
+        <source>Virtual machine</source>
+        <translation>Virtuelle Maschine</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Connection and state of the machine</source>
+        <translation>Verbindung und Zustand der Maschine</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>Method, feed and verdict</source>
+        <translation>Verfahren, Vorschub und Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Preflight</name>
+    <message>
+        <source>In the way</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>%1, version %2, %3 points</source>
+        <translation>%1, Fassung %2, %3 Punkte</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>%1: a virtual machine, no real axis moves</source>
+        <translation>%1: eine virtuelle Maschine, keine echte Achse bewegt sich</translation>
+    </message>
+    <message>
+        <source>%1: the axes of this machine will move</source>
+        <translation>%1: die Achsen dieser Maschine werden sich bewegen</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Erste Bewegung</translation>
+    </message>
+    <message>
+        <source>The position of the tool is not known.</source>
+        <translation>Die Position des Werkzeugs ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line over %2 to point 1 at %3</source>
+        <translation>Von %1 geradlinig über %2 zu Punkt 1 bei %3</translation>
+    </message>
+    <message>
+        <source>The last run was left at %1 of %2 points. This start does not go on there: it moves from where the tool stands, perhaps in the cut, to the first point.</source>
+        <translation>Der letzte Lauf endete bei %1 von %2 Punkten. Dieser Start macht dort nicht weiter: Er fährt von der Stelle, an der das Werkzeug steht, vielleicht im Schnitt, zum ersten Punkt.</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>%1 for every block, set here</source>
+        <translation>%1 für jeden Satz, hier eingestellt</translation>
+    </message>
+    <message>
+        <source>%1. The program names no feed.</source>
+        <translation>%1. Das Programm nennt keinen Vorschub.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1. The program&apos;s own feed, %2, is not used.</source>
+        <translation>%1. Der Vorschub des Programms, %2, wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Some blocks will be cut %1 times as fast as programmed.</source>
+        <translation>Manche Sätze werden %1-mal so schnell gefahren wie programmiert.</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>F = %1 verwenden</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>There is no verdict.</source>
+        <translation>Es gibt kein Urteil.</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest feed without waiting: %1.</source>
+        <translation>Sicher, aber die Maschine wird auf Punkte warten. Größter Vorschub ohne Warten: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest feed %2</source>
+        <translation>Reserve %1 ×, größter Vorschub %2</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Zugriff</translation>
     </message>
 </context>
 <context>
@@ -1089,14 +1220,6 @@ GPL-3.0-or-later</translation>
         <translation>OPC-UA-Endpunkt</translation>
     </message>
     <message>
-        <source>Actual position</source>
-        <translation>Istposition</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>Vorschub</translation>
-    </message>
-    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
@@ -1147,26 +1270,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Virtual machine: no real axis moves</source>
         <translation>Virtuelle Maschine: keine echte Achse bewegt sich</translation>
-    </message>
-    <message>
-        <source>Old values: not connected</source>
-        <translation>Alte Werte: nicht verbunden</translation>
-    </message>
-    <message>
-        <source>No data</source>
-        <translation>Keine Daten</translation>
-    </message>
-    <message>
-        <source>Stale: %1 old</source>
-        <translation>Veraltet: %1 alt</translation>
-    </message>
-    <message>
-        <source>Stale</source>
-        <translation>Veraltet</translation>
-    </message>
-    <message>
-        <source>Live</source>
-        <translation>Live</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -2003,6 +2106,48 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::PositionLine</name>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Keine Daten</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Last executed point, %1. The axes were read %2 ago.</source>
+        <translation>Zuletzt ausgeführter Punkt, %1. Achsen vor %2 gelesen.</translation>
+    </message>
+    <message>
+        <source>Old: read %1 ago</source>
+        <translation>Alt: vor %1 gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PreflightSheet</name>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the machine moves.</source>
+        <translation>Noch hat sich nichts bewegt. Start eine Sekunde lang halten: Dann fährt die Maschine.</translation>
+    </message>
+    <message>
+        <source>Start is not possible yet.</source>
+        <translation>Start ist noch nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Before the start</source>
+        <translation>Vor dem Start</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ProgramPage</name>
     <message>
         <source>Program text</source>
@@ -2504,31 +2649,23 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Das Werkzeug fährt zuerst %1 geradeaus zu diesem Punkt.</translation>
     </message>
     <message>
-        <source>Resume at point %1</source>
-        <translation>Bei Punkt %1 fortsetzen</translation>
-    </message>
-    <message>
         <source>The run cannot be resumed: %1</source>
         <translation>Der Lauf kann nicht fortgesetzt werden: %1</translation>
+    </message>
+    <message>
+        <source>Hold: resume at point %1</source>
+        <translation>Halten: weiter bei Punkt %1</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Eine Sekunde lang halten. Dann fährt die Maschine.</translation>
     </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Ends the run at the end of the loop. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Beendet den Lauf am Ende der Schleife. Ersetzt nicht den Not-Halt der Maschine.</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Sent</source>
@@ -2549,22 +2686,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
         <translation>Zeit, bis die Steuerung den nächsten Punkt braucht, minus 99. Perzentil der Zugriffszeit</translation>
-    </message>
-    <message>
-        <source>Waiting for</source>
-        <translation>Wartet auf</translation>
-    </message>
-    <message>
-        <source>transfer of the template to the control</source>
-        <translation>Übertragung der Vorlage zur Steuerung</translation>
-    </message>
-    <message>
-        <source>cycle start at the control</source>
-        <translation>NC-Start an der Steuerung</translation>
-    </message>
-    <message>
-        <source>the control&apos;s own trace</source>
-        <translation>die Aufzeichnung der Steuerung</translation>
     </message>
     <message>
         <source>Start is not possible: %1</source>
@@ -2599,20 +2720,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>(zu spät)</translation>
     </message>
     <message>
-        <source>selection of the template and cycle start at the control</source>
-        <translation>Anwahl der Vorlage und NC-Start an der Steuerung</translation>
-    </message>
-    <message>
         <source>Resume …</source>
         <translation>Fortsetzen …</translation>
-    </message>
-    <message>
-        <source>Continue; the machine is waiting before the next window</source>
-        <translation>Weiter; die Maschine wartet vor dem nächsten Fenster</translation>
-    </message>
-    <message>
-        <source>test of the template on the virtual machine</source>
-        <translation>Test der Vorlage an der virtuellen Maschine</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -2633,6 +2742,86 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Beendet den Lauf am Ende der Schleife. Escape tut dasselbe, von überall im Fenster. Ersetzt nicht den Not-Halt der Maschine.</translation>
+    </message>
+    <message>
+        <source>Waiting for the test of the template on the virtual machine</source>
+        <translation>Wartet auf die Prüfung der Vorlage an der virtuellen Maschine</translation>
+    </message>
+    <message>
+        <source>Waiting for the transfer of the template to the control</source>
+        <translation>Wartet auf die Übertragung der Vorlage an die Steuerung</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start at the control</source>
+        <translation>Wartet auf NC-Start an der Steuerung</translation>
+    </message>
+    <message>
+        <source>Waiting for selection of the template and cycle start at the control</source>
+        <translation>Wartet auf Anwahl der Vorlage und NC-Start an der Steuerung</translation>
+    </message>
+    <message>
+        <source>Waiting for the control&apos;s own trace</source>
+        <translation>Wartet auf die Aufzeichnung der Steuerung</translation>
+    </message>
+    <message>
+        <source>Waiting for %1</source>
+        <translation>Wartet auf %1</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Halten: Start</translation>
+    </message>
+    <message>
+        <source>Start over …</source>
+        <translation>Von vorn …</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Start …</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Eine Sekunde lang halten. Dann fährt die Maschine.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Zeigt, was zuerst geschehen wird. Noch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>Nicht bereit</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Gestoppt bei %1</translation>
+    </message>
+    <message>
+        <source>Failed at %1</source>
+        <translation>Fehlgeschlagen bei %1</translation>
+    </message>
+    <message>
+        <source>Wrong motion</source>
+        <translation>Falsche Bewegung</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report.</source>
+        <translation>Der Lauf hat falsche Punkte ausgeführt: siehe Bericht.</translation>
+    </message>
+    <message>
+        <source>Resume goes on where the run was left.</source>
+        <translation>Fortsetzen macht dort weiter, wo der Lauf verlassen wurde.</translation>
+    </message>
+    <message>
+        <source>A new start begins at the first point.</source>
+        <translation>Ein neuer Start beginnt beim ersten Punkt.</translation>
     </message>
 </context>
 <context>

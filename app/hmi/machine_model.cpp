@@ -3,6 +3,8 @@
 
 #include "hmi/machine_model.h"
 
+#include <chrono>
+
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -14,16 +16,42 @@ namespace {
 /// Values of a control that executes the flexible program.
 constexpr int kChannelActive = 1;
 constexpr int kProgramRunning = 3;
+/// How often what is shown is asked for its age.
+constexpr int kAgeIntervalMs = 100;
 
 }  // namespace
 
 MachineModel::MachineModel(session::StreamSession& session, report::MachineStore store,
-                           Messages& messages)
-    : m_session(session), m_store(std::move(store)), m_messages(messages) {
+                           Messages& messages, Clock clock)
+    : m_session(session),
+      m_store(std::move(store)),
+      m_messages(messages),
+      m_clock(std::move(clock)) {
+  m_ageTimer.setInterval(kAgeIntervalMs);
+  connect(&m_ageTimer, &QTimer::timeout, this, &MachineModel::showAges);
+  m_ageTimer.start();
   connect(&m_session, &session::StreamSession::linkChanged, this, &MachineModel::takeLink);
   connect(&m_session, &session::StreamSession::machineSeen, this, &MachineModel::takeSeen);
   connect(&m_session, &session::StreamSession::calibrationFinished, this,
           &MachineModel::takeCalibration);
+}
+
+double MachineModel::steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void MachineModel::showAges() {
+  const double nowS = m_clock();
+  const auto age = [nowS](const std::optional<double>& atS) {
+    return atS ? std::optional(nowS - *atS) : std::nullopt;
+  };
+  m_view.positionAgeS = age(m_positionAtS);
+  m_view.feedAgeS = age(m_feedAtS);
+  m_view.stateAgeS = age(m_stateAtS);
+  if (m_view.executed) {
+    m_view.executed->ageS = nowS - m_executedAtS;
+  }
+  Q_EMIT viewChanged();
 }
 
 void MachineModel::setEndpoint(const QString& endpoint) {
@@ -37,16 +65,23 @@ void MachineModel::connectTo(const QString& endpoint) {
 }
 
 std::optional<base::Vec3> MachineModel::positionNowMm() const {
-  return m_view.isStale ? std::nullopt : m_view.positionMm;
+  return widgets::isFresh(m_view.positionAgeS) ? m_view.positionMm : std::nullopt;
 }
 
 void MachineModel::takeLink(const session::LinkChanged& change) {
   m_link = change;
   m_view.isVirtualMachine = change.isVirtualMachine;
   if (!isConnected()) {
-    m_view.isStale = m_view.positionMm.has_value();
+    // What the control does now is not known. Where the tool was is kept, with its age.
+    m_view.channelStatus.reset();
+    m_view.programStatus.reset();
+    m_view.alarmNumber.reset();
+    m_view.programName.reset();
+    m_view.message.reset();
+    m_view.executed.reset();
+    m_stateAtS.reset();
   }
-  Q_EMIT viewChanged();
+  showAges();
   if (isConnected()) {
     m_messages.clear();
     loadCalibration();
@@ -70,8 +105,8 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
   m_view.feedMmPerS = seen.feedMmPerS;
   m_view.rotaryAxes = seen.rotaryAxes;
   m_view.rotaryDeg = seen.rotaryDeg;
-  m_view.isStale = false;
-  Q_EMIT viewChanged();
+  m_positionAtS = m_feedAtS = m_stateAtS = m_clock();
+  showAges();
   Q_EMIT this->seen();
 }
 
@@ -79,21 +114,37 @@ void MachineModel::showRunning(const QString& programName) {
   m_view.channelStatus = kChannelActive;
   m_view.programStatus = kProgramRunning;
   m_view.programName = programName;
-  Q_EMIT viewChanged();
+  m_stateAtS = m_clock();
+  showAges();
+}
+
+void MachineModel::showExecuted(std::size_t number, const base::Vec3& positionMm) {
+  m_stateAtS = m_executedAtS = m_clock();
+  if (number > 0) {
+    m_view.executed = widgets::MachineView::Executed{number, positionMm, 0.0};
+  }
+  showAges();
+}
+
+void MachineModel::forgetExecuted() {
+  m_view.executed.reset();
+  showAges();
 }
 
 void MachineModel::showSample(const trace::LiveSample& sample) {
+  const double nowS = m_clock();
   if (sample.positionMm) {
     m_view.positionMm = sample.positionMm;
+    m_positionAtS = nowS;
   }
   if (sample.rotaryDeg) {
     m_view.rotaryDeg = sample.rotaryDeg;
   }
   if (sample.feedMmPerS) {
     m_view.feedMmPerS = sample.feedMmPerS;
+    m_feedAtS = nowS;
   }
-  m_view.isStale = false;
-  Q_EMIT viewChanged();
+  showAges();
 }
 
 void MachineModel::takeCalibration(const session::CalibrationFinished& finished) {

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -21,7 +23,11 @@ class MachineModel final : public QObject {
   Q_OBJECT
 
  public:
-  MachineModel(session::StreamSession& session, report::MachineStore store, Messages& messages);
+  /// Seconds on a clock that never goes back.
+  using Clock = std::function<double()>;
+  MachineModel(session::StreamSession& session, report::MachineStore store, Messages& messages,
+               Clock clock = steadySeconds);
+  [[nodiscard]] static double steadySeconds();
 
   void setEndpoint(const QString& endpoint);
   [[nodiscard]] const QString& endpoint() const { return m_endpoint; }
@@ -31,11 +37,16 @@ class MachineModel final : public QObject {
   [[nodiscard]] const session::LinkChanged& link() const { return m_link; }
   [[nodiscard]] bool isConnected() const { return m_link.state == session::LinkState::Connected; }
   [[nodiscard]] const widgets::MachineView& view() const { return m_view; }
-  /// The position, if it is fresh.
+  /// The position, if it was read just now.
   [[nodiscard]] std::optional<base::Vec3> positionNowMm() const;
 
   /// During a run the stream leaves no time to look at the control; these are what it knows.
   void showRunning(const QString& programName);
+  /// The stream has reported; this is the last point that it knows to be executed.
+  /// @param number  1: the first of the program; 0: none yet
+  void showExecuted(std::size_t number, const base::Vec3& positionMm);
+  /// No run is in progress any more: no point stands in for the position.
+  void forgetExecuted();
   void showSample(const trace::LiveSample& sample);
 
   /// Null: this machine was never calibrated.
@@ -60,6 +71,8 @@ class MachineModel final : public QObject {
   void takeSeen(const session::MachineSeen& seen);
   void takeCalibration(const session::CalibrationFinished& finished);
   void loadCalibration();
+  /// Ages of what is shown, at the present time.
+  void showAges();
 
   session::StreamSession& m_session;
   report::MachineStore m_store;
@@ -69,6 +82,12 @@ class MachineModel final : public QObject {
   widgets::MachineView m_view;
   std::shared_ptr<const streaming::CalibrationRecord> m_calibration;
   bool m_isOutdated = false;
+  Clock m_clock;
+  QTimer m_ageTimer;
+  std::optional<double> m_positionAtS;
+  std::optional<double> m_feedAtS;
+  std::optional<double> m_stateAtS;
+  double m_executedAtS = 0.0;
 };
 
 }  // namespace rivulet::hmi

@@ -12,13 +12,18 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QScrollArea>
-#include <QSplitter>
-#include <QStyle>
+#include <QStackedWidget>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "hmi/input_guard.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/blocked_text.h"
+#include "widgets/common/folding_columns.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/status_label.h"
+#include "widgets/common/theme.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/trace/trace_page.h"
@@ -27,29 +32,36 @@ namespace rivulet::hmi {
 
 namespace {
 
-/// A column that scrolls when the window is lower than its page. It is never narrower than its
-/// page: a cut button cannot be pressed.
-class Column final : public QScrollArea {
- public:
-  Column(QWidget* page, QWidget* parent) : QScrollArea(parent) {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setWidget(page);
-  }
+constexpr int kHeaderHeightPx = 48;
 
- protected:
-  bool eventFilter(QObject* object, QEvent* event) override {
-    if (object == widget() && event->type() == QEvent::LayoutRequest) {
-      const QSize page = widget()
-                             ->sizeHint()
-                             .expandedTo(widget()->minimumSizeHint())
-                             .expandedTo(widget()->minimumSize());
-      setMinimumWidth(page.width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-    }
-    return QScrollArea::eventFilter(object, event);
+QString linkText(const session::LinkChanged& link) {
+  switch (link.state) {
+    case session::LinkState::Disconnected:
+      return MainWindow::tr("Not connected");
+    case session::LinkState::Connecting:
+      return MainWindow::tr("Connecting …");
+    case session::LinkState::Connected:
+      return link.isVirtualMachine ? MainWindow::tr("Virtual machine")
+                                   : MainWindow::tr("Connected");
+    case session::LinkState::Lost:
+      return MainWindow::tr("Connection lost");
   }
-};
+  return {};
+}
+
+widgets::Status linkStatus(const session::LinkChanged& link) {
+  switch (link.state) {
+    case session::LinkState::Disconnected:
+      return widgets::Status::Unknown;
+    case session::LinkState::Connecting:
+      return widgets::Status::Busy;
+    case session::LinkState::Connected:
+      return link.isVirtualMachine ? widgets::Status::Simulated : widgets::Status::Good;
+    case session::LinkState::Lost:
+      return widgets::Status::Fault;
+  }
+  return widgets::Status::Unknown;
+}
 
 }  // namespace
 
@@ -61,13 +73,23 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_session(std::move(connector), report::MachineStore()),
       m_document(m_settings.stream),
       m_machine(m_session, report::MachineStore(), m_messages),
-      m_runs(m_session, m_document, m_machine, m_messages) {
+      m_runs(m_session, m_document, m_machine, m_messages),
+      m_preflight(m_document, m_machine, m_runs) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
   m_machine.setEndpoint(m_settings.endpoint);
+  // Before there are fields: they are polished as soon as a layout asks for their size.
+  new InputGuard(
+      [this] {
+        if (isRunning() && !std::exchange(m_isStopRequested, true)) {
+          m_runs.stop();
+        }
+      },
+      this);
   buildPages();
   buildMenus();
+  connect(&m_runs, &RunController::started, this, [this] { m_isStopRequested = false; });
   connect(&m_document, &Document::programLoaded, this, &MainWindow::retranslate);
   connect(&m_runs, &RunController::permissionsChanged, this,
           [this] { m_openAction->setEnabled(!isRunning()); });
@@ -87,37 +109,83 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_machine, m_document, m_runs};
+  const Models models{m_settings, m_messages, m_machine, m_document, m_runs, m_preflight};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
-  rows->addWidget(makeMessageArea(models, central));
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(makeHeader(models, central));
+  rows->addWidget(makePositionLine(models, central));
   rows->addWidget(makeLoadBar(models, central));
   rows->addWidget(makeFileBanner(models, central));
 
-  auto* columns = new QSplitter(Qt::Horizontal, central);
-  columns->addWidget(new Column(makeConnectionPanel(models), columns));
-  m_tabs = new QTabWidget(columns);
+  m_centre = new QStackedWidget(central);
+  m_tabs = new QTabWidget(m_centre);
   for (const PageEntry& entry : pageEntries()) {
-    m_tabs->addTab(entry.make(models, m_tabs), QString());
+    m_tabs->addTab(widgets::makeScrolling(entry.make(models, nullptr)), QString());
   }
-  columns->addWidget(m_tabs);
-  auto* right = new QWidget;
-  auto* rightRows = new QVBoxLayout(right);
-  rightRows->setContentsMargins(0, 0, 0, 0);
-  rightRows->setSpacing(0);
-  rightRows->addWidget(makeCorrectionPanel(models));
-  rightRows->addWidget(makeMethodPanel(models), 1);
-  columns->addWidget(new Column(right, columns));
-  columns->setStretchFactor(0, 0);
-  columns->setStretchFactor(1, 1);
-  columns->setStretchFactor(2, 0);
-  columns->setChildrenCollapsible(false);
-  rows->addWidget(columns, 1);
+  m_centre->addWidget(m_tabs);
+  m_centre->addWidget(widgets::makeColumn(makePreflightSheet(models, nullptr)));
+  auto* setUp = new QWidget;
+  auto* setUpRows = new QVBoxLayout(setUp);
+  setUpRows->setContentsMargins(0, 0, 0, 0);
+  setUpRows->setSpacing(0);
+  setUpRows->addWidget(makeCorrectionPanel(models));
+  setUpRows->addWidget(makeMethodPanel(models), 1);
+  m_columns = new widgets::FoldingColumns(makeConnectionPanel(models), m_centre, setUp, central);
+  rows->addWidget(m_columns, 1);
+  connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showHeader);
+  connect(&m_preflight, &Preflight::openChanged, this, [this] {
+    m_centre->setCurrentIndex(m_preflight.isOpen() ? 1 : 0);
+    if (m_preflight.isOpen()) {
+      m_columns->uncover();
+    }
+  });
 
   rows->addWidget(makeResumeBar(models, central));
-  rows->addWidget(makeRunTitle(models, central));
   rows->addWidget(makeRunPanel(models, central));
   setCentralWidget(central);
+}
+
+QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
+  auto* header = new QWidget(parent);
+  header->setFixedHeight(kHeaderHeightPx);
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(4, 0, 4, 0);
+  m_machineButton = new QToolButton(header);
+  m_setUpButton = new QToolButton(header);
+  const auto add = [this](QToolButton* button, widgets::FoldingColumns::Side side) {
+    button->setCheckable(true);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setMinimumHeight(widgets::kTouchHeightPx);
+    connect(button, &QToolButton::clicked, this, [this, side](bool open) {
+      m_columns->setOpen(side, open);
+      showHeader();
+    });
+  };
+  add(m_machineButton, widgets::FoldingColumns::Left);
+  add(m_setUpButton, widgets::FoldingColumns::Right);
+  row->addWidget(m_machineButton);
+  row->addWidget(makeMessageArea(models, header), 1);
+  row->addStretch();
+  row->addWidget(m_setUpButton);
+  connect(&m_machine, &MachineModel::linkChanged, this, &MainWindow::showHeader);
+  return header;
+}
+
+void MainWindow::showHeader() {
+  const session::LinkChanged& link = m_machine.link();
+  const widgets::Status status = linkStatus(link);
+  m_machineButton->setText(linkText(link));
+  m_machineButton->setIcon(widgets::themedIcon(widgets::statusIconName(status),
+                                               widgets::statusColor(status, palette())));
+  m_machineButton->setToolTip(tr("Connection and state of the machine"));
+  m_setUpButton->setText(tr("Set-up"));
+  m_setUpButton->setToolTip(tr("Method, feed and verdict"));
+  if (m_columns != nullptr) {
+    m_machineButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::Left));
+    m_setUpButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::Right));
+  }
 }
 
 void MainWindow::buildMenus() {
@@ -180,12 +248,15 @@ void MainWindow::retranslate() {
   themes[2]->setText(tr("As the system"));
   m_helpMenu->setTitle(tr("&Help"));
   m_aboutAction->setText(tr("&About Rivulet"));
+  showHeader();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange && m_aboutAction != nullptr) {
     retranslate();
     m_document.judge();
+  } else if (event->type() == QEvent::PaletteChange && m_aboutAction != nullptr) {
+    showHeader();
   }
   QMainWindow::changeEvent(event);
 }

@@ -22,10 +22,13 @@
 class QAction;
 class QActionGroup;
 class QMenu;
+class QStackedWidget;
 class QTabWidget;
+class QToolButton;
 
 namespace rivulet::widgets {
 class CalibrationPage;
+class FoldingColumns;
 class ProgramPage;
 class TracePage;
 }  // namespace rivulet::widgets
@@ -55,6 +58,8 @@ class MainWindow final : public QMainWindow {
   /// These four: see `RunController`.
   bool start() { return m_runs.start(); }
   void stop() { m_runs.stop(); }
+  /// Shows what a start would do; nothing moves.
+  void showPreflight() { m_preflight.open(); }
   void askResume() { m_runs.askResume(); }
   bool resume() { return m_runs.resume(); }
 
@@ -94,6 +99,8 @@ class MainWindow final : public QMainWindow {
  private:
   void buildPages();
   void buildMenus();
+  [[nodiscard]] QWidget* makeHeader(const Models& models, QWidget* parent);
+  void showHeader();
   void retranslate();
 
   Settings m_settings;
@@ -104,7 +111,14 @@ class MainWindow final : public QMainWindow {
   Document m_document;
   MachineModel m_machine;
   RunController m_runs;
+  Preflight m_preflight;
 
+  bool m_isStopRequested = false;  ///< by Escape, of the run in progress
+
+  QToolButton* m_machineButton = nullptr;
+  QToolButton* m_setUpButton = nullptr;
+  widgets::FoldingColumns* m_columns = nullptr;
+  QStackedWidget* m_centre = nullptr;  ///< the pages, or the preflight
   QTabWidget* m_tabs = nullptr;
   QMenu* m_fileMenu = nullptr;
   QMenu* m_viewMenu = nullptr;

@@ -100,6 +100,10 @@ std::optional<streaming::Blocked> RunController::calibrationBlocked() const {
   return streaming::calibrationBlocked(facts());
 }
 
+bool RunController::hasRunToResume() const {
+  return m_left && base::hasWindows(m_document.settings().parameters.method);
+}
+
 bool RunController::canHold() const {
   return base::hasWindows(m_document.settings().parameters.method);
 }
@@ -244,6 +248,7 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
     m_firstMotion = update.at;
   }
   const base::Instant origin = m_firstMotion.value_or(update.at);
+  showExecuted();
   Q_EMIT updated(m_update);
   if (isNewState && isMoving) {
     m_machine.showRunning(
@@ -259,6 +264,14 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   }
   if (isNewState) {
     Q_EMIT permissionsChanged();
+  }
+}
+
+void RunController::showExecuted() {
+  const auto& points = m_document.points();
+  const std::size_t number = m_update.counters.executed;
+  if (m_firstMotion && number <= points.size()) {
+    m_machine.showExecuted(number, number > 0 ? points[number - 1].positionMm : base::Vec3{});
   }
 }
 
@@ -280,11 +293,11 @@ void RunController::takeFinished(const session::RunFinished& finished) {
         session::ResumeQuestion{m_document.program(), m_report->settings, *m_report->checkpoint};
   }
   m_document.setHeld(m_left.has_value());
-  m_update.state = m_report->outcome == streaming::Outcome::Failed ? streaming::RunState::Aborted
-                                                                   : streaming::RunState::Done;
+  m_update.state = streaming::endState(m_report->outcome);
   m_update.counters = inProgram(m_report->counters, m_firstPoint);
   m_update.stopConfirmedAfter = m_report->stopConfirmedAfter;
   m_update.waitingFor.clear();
+  m_machine.forgetExecuted();
   Q_EMIT updated(m_update);
   logOutcome(finished);
   m_document.setRunning(false);

@@ -31,6 +31,8 @@ class RunController final : public QObject {
   [[nodiscard]] std::optional<streaming::Blocked> startBlocked() const;
   [[nodiscard]] std::optional<streaming::Blocked> resumeBlocked() const;
   [[nodiscard]] std::optional<streaming::Blocked> calibrationBlocked() const;
+  /// A run was left, and its method can resume it: that is offered before a new start.
+  [[nodiscard]] bool hasRunToResume() const;
   /// The method of the settings can be held before a window.
   [[nodiscard]] bool canHold() const;
 
@@ -83,6 +85,8 @@ class RunController final : public QObject {
   bool startRun(const std::optional<streaming::Resume>& resume);
   void announceStart(const streaming::RunSettings& settings);
   void takeUpdate(const streaming::LiveUpdate& update);
+  /// Where the run is, for when the axes cannot be read.
+  void showExecuted();
   void takeSample(const trace::LiveSample& sample, base::Instant origin);
   void takeResume(const session::ResumeFound& found);
   void takeFinished(const session::RunFinished& finished);

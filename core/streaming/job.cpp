@@ -468,7 +468,7 @@ class Job {
                               m_report.counters.total, m_report.duration,
                               m_report.error.code ? m_report.error.text() : std::string()});
     }
-    publish(m_report.outcome == Outcome::Failed ? RunState::Aborted : RunState::Done, "");
+    publish(endState(m_report.outcome), "");
   }
 
   /// The control's own trace replaces the client's view.

@@ -24,10 +24,24 @@ std::string_view runStateName(RunState state) {
       return "stopping";
     case RunState::Done:
       return "done";
+    case RunState::Stopped:
+      return "stopped";
     case RunState::Aborted:
       return "aborted";
   }
   return "";
+}
+
+RunState endState(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::Completed:
+      return RunState::Done;
+    case Outcome::Stopped:
+      return RunState::Stopped;
+    case Outcome::Failed:
+      break;
+  }
+  return RunState::Aborted;
 }
 
 std::string_view outcomeName(Outcome outcome) {

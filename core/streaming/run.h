@@ -61,7 +61,7 @@ enum class StreamError {
 [[nodiscard]] std::error_code make_error_code(StreamError code);
 
 /// The states an operator sees.
-enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding };
+enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding, Stopped };
 
 /// "idle", "armed", ...
 [[nodiscard]] std::string_view runStateName(RunState state);
@@ -189,6 +189,9 @@ struct LiveUpdate {
 };
 
 enum class Outcome { Completed, Stopped, Failed };
+
+/// The state of a run that has ended so.
+[[nodiscard]] RunState endState(Outcome outcome);
 
 /// "completed", "stopped", "failed".
 [[nodiscard]] std::string_view outcomeName(Outcome outcome);

@@ -4,12 +4,14 @@
 /// The main job on the real window, with its threads, on a virtual machine in virtual time; see
 /// tst_window_over_opcua for the real connection. Pictures of every page stay in the build folder.
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QProcess>
 #include <QProgressBar>
 #include <QPushButton>
@@ -19,6 +21,7 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QUdpSocket>
+#include <QWheelEvent>
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -33,12 +36,16 @@
 #include "trace/analysis/integrity.h"
 #include "trace/recording.h"
 #include "widgets/calibration/calibration_page.h"
+#include "widgets/common/hold_button.h"
 #include "widgets/common/message_area.h"
+#include "widgets/connection/connection_panel.h"
+#include "widgets/connection/position_line.h"
 #include "widgets/feasibility/feasibility_page.h"
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
 #include "widgets/streaming/correction_panel.h"
+#include "widgets/streaming/preflight_sheet.h"
 #include "widgets/streaming/resume_bar.h"
 #include "widgets/streaming/run_panel.h"
 #include "widgets/trace/trace_page.h"
@@ -188,6 +195,15 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(m_window->accessSource().isUsed(), kRunMs);
   }
 
+  /// Start as an operator does it: look at the preflight, then hold.
+  void startByHand() {
+    auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
+    QTest::mouseClick(start, Qt::LeftButton);
+    QTest::mousePress(start, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isRunning(), kSoonMs);
+    QTest::mouseRelease(start, Qt::LeftButton);
+  }
+
   [[nodiscard]] QPushButton* button(const QString& text) const {
     for (QPushButton* candidate : m_window->findChildren<QPushButton*>()) {
       if (candidate->text() == text) {
@@ -268,6 +284,187 @@ class TestMainWindow : public QObject {
     QVERIFY(button->isEnabled());
   }
 
+  /// From half of FullHD (200 %) up, and at the quarter of 1024x768: the window takes the size, and
+  /// the whole of Stop, Start and the state can be seen, whatever is being said.
+  void stopIsNeverCut_data() {
+    QTest::addColumn<QSize>("size");
+    for (const QSize size : {QSize(1024, 768), QSize(1280, 800), QSize(1920, 1080),
+                             QSize(1280, 720), QSize(960, 540), QSize(683, 512), QSize(512, 384)}) {
+      QTest::addRow("%dx%d", size.width(), size.height()) << size;
+    }
+  }
+
+  void stopIsNeverCut() {
+    QFETCH(QSize, size);
+    const auto isWhole = [this, size](const QWidget* widget) {
+      const QRect place(widget->mapTo(m_window.get(), QPoint()), widget->size());
+      return widget->isVisible() && m_window->size() == size && m_window->rect().contains(place) &&
+             widget->visibleRegion().boundingRect() == widget->rect();
+    };
+    for (const QString& language : {QStringLiteral("en"), QStringLiteral("de")}) {
+      m_window->setLanguage(language);
+      m_window->setStreamSettings(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+      m_window->openProgram(kScorpion);
+      connectToMachine();
+      QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+      for (const bool isLost : {false, true}) {
+        if (isLost) {
+          m_machine->kill();
+          QTRY_VERIFY_WITH_TIMEOUT(!m_window->startBlockedReason().isEmpty(), kSoonMs);
+        }
+        m_window->resize(size);
+        for (int page = 0; page < m_window->pages()->count(); ++page) {
+          m_window->pages()->setCurrentIndex(page);
+          QCoreApplication::processEvents();
+          for (const char* name : {"stop", "start", "state"}) {
+            const auto* widget = m_window->findChild<QWidget*>(QLatin1String(name));
+            QVERIFY2(widget != nullptr && isWhole(widget), name);
+          }
+          QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("stop"))->height() >= 56);
+          QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("start"))->height() >= 56);
+        }
+        QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+        m_window->pages()->setCurrentIndex(0);
+        m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/frame-%1-%2%3.png")
+                                  .arg(QString::number(size.width()), language,
+                                       isLost ? QStringLiteral("-lost") : QString()));
+      }
+      startMachine();
+    }
+    m_window->setLanguage(QStringLiteral("en"));
+  }
+
+  /// A click, a key that is tapped, or a hold without the preflight moves nothing.
+  void startNeedsPreflightAndHold() {
+    open(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+    auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
+    auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
+    QSignalSpy held(start, &widgets::HoldButton::held);
+    QVERIFY(!sheet->isVisible());
+    start->setFocus();
+    QTest::keyClick(start, Qt::Key_Space);
+    QVERIFY(sheet->isVisible() && !m_window->isRunning());
+    QVERIFY(shows(sheet, QStringLiteral("Nothing has moved yet")));
+    QVERIFY(shows(sheet, QStringLiteral("scorpion.tap, version ") +
+                             QString::fromStdString(m_window->program()->hash)));
+    QVERIFY(shows(sheet, QStringLiteral("in a straight line over")));
+    QTest::keyClick(start, Qt::Key_Space);
+    QTest::mouseClick(start, Qt::LeftButton);
+    QVERIFY(held.isEmpty() && !m_window->isRunning());
+    // A finger that slides off the button lets go.
+    QTest::mousePress(start, Qt::LeftButton);
+    QTest::mouseMove(start, QPoint(-50, -50));
+    QVERIFY(!start->isDown());
+    QTest::mouseRelease(start, Qt::LeftButton);
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/preflight.png")));
+    // "Not now" takes the meaning back.
+    QTest::mouseClick(button(QStringLiteral("Not now")), Qt::LeftButton);
+    QVERIFY(!sheet->isVisible());
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QTest::keyClick(start, Qt::Key_Space);
+    QTest::keyPress(start, Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isRunning(), kSoonMs);
+    QTest::keyRelease(start, Qt::Key_Space);
+    QVERIFY(!sheet->isVisible());
+    m_window->stop();
+    QVERIFY(finished.wait(kRunMs));
+  }
+
+  /// Escape, wherever the focus is.
+  void escapeStopsFromAnywhere_data() {
+    QTest::addColumn<QString>("where");
+    QTest::newRow("a field") << QStringLiteral("QLineEdit");
+    QTest::newRow("a table") << QStringLiteral("QTableView");
+    QTest::newRow("a menu") << QStringLiteral("QMenu");
+    QTest::newRow("the window") << QString();
+  }
+
+  void escapeStopsFromAnywhere() {
+    QFETCH(QString, where);
+    open(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 7, kRunMs);
+    QWidget* target = m_window.get();
+    for (QWidget* widget : m_window->findChildren<QWidget*>()) {
+      if (widget->inherits(where.toLatin1()) &&
+          (where == QStringLiteral("QMenu") || widget->isVisible())) {
+        target = widget;
+        break;
+      }
+    }
+    if (auto* menu = qobject_cast<QMenu*>(target)) {
+      menu->popup(m_window->mapToGlobal(QPoint(10, 10)));
+    }
+    QTest::keyClick(target, Qt::Key_Escape);
+    QVERIFY(finished.wait(kRunMs));
+    QVERIFY(m_window->lastReport()->outcome == Outcome::Stopped);
+    QVERIFY(m_window->lastReport()->integrity.isFaultless());
+  }
+
+  /// No setting anywhere in the window changes because a pointer hovers over it.
+  void wheelChangesNoSetting() {
+    open(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+    m_window->resize(1920, 1080);
+    int tried = 0;
+    for (int page = 0; page < m_window->pages()->count(); ++page) {
+      m_window->pages()->setCurrentIndex(page);
+      QCoreApplication::processEvents();
+      for (QWidget* widget : m_window->findChildren<QWidget*>()) {
+        const bool isSetting = qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
+                               qobject_cast<QComboBox*>(widget) != nullptr ||
+                               qobject_cast<QSlider*>(widget) != nullptr;
+        if (!isSetting || !widget->isVisible() || !widget->isEnabled()) {
+          continue;
+        }
+        const auto value = [widget] {
+          const auto* combo = qobject_cast<QComboBox*>(widget);
+          const auto* slider = qobject_cast<QSlider*>(widget);
+          return combo != nullptr    ? combo->currentText()
+                 : slider != nullptr ? QString::number(slider->value())
+                                     : widget->property("text").toString();
+        };
+        const QString before = value();
+        for (const int step : {120, -120, -120}) {
+          const QPoint middle = widget->rect().center();
+          QWheelEvent wheel(middle, widget->mapToGlobal(middle), QPoint(), QPoint(0, step),
+                            Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+          QApplication::sendEvent(widget, &wheel);
+        }
+        QCOMPARE(value(), before);
+        QVERIFY(widget->focusPolicy() != Qt::WheelFocus);
+        ++tried;
+      }
+    }
+    QVERIFY2(tried > 8, qPrintable(QString::number(tried)));
+  }
+
+  /// The control no longer answers, with the connection still up: after half a second nothing is
+  /// shown as live. When the connection is lost, what the control does is not known.
+  void nothingOldIsShownAsLive() {
+    open(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+    auto* line = m_window->findChild<widgets::PositionLine*>();
+    QTRY_VERIFY_WITH_TIMEOUT(shows(line, QStringLiteral("Live")), kSoonMs);
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 7, kRunMs);
+    m_machine->setPace(1e-6);
+    QTRY_VERIFY_WITH_TIMEOUT(shows(line, QStringLiteral("Old: read")), kSoonMs);
+    const auto struck = [line] {
+      const auto labels = line->findChildren<QLabel*>();
+      return std::count_if(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->font().strikeOut();
+      });
+    };
+    QVERIFY(struck() >= 3);
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/old-values.png")));
+    m_machine->kill();
+    QVERIFY(finished.wait(kRunMs));
+    auto* panel = m_window->findChild<widgets::ConnectionPanel*>();
+    QVERIFY(!shows(panel, QStringLiteral("Active")) && !shows(panel, QStringLiteral("Running")));
+    QVERIFY(struck() >= 3);
+  }
+
   void badFileKeepsTheProgram() {
     open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0));
     QTemporaryDir folder;
@@ -327,7 +524,7 @@ class TestMainWindow : public QObject {
   void stopsInTheMiddle() {
     open(streamSettings(base::MethodKind::Signal, 7, 0.3, 3000.0));
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
-    QTest::mouseClick(button(QStringLiteral("Start")), Qt::LeftButton);
+    startByHand();
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
     QVERIFY(m_window->lastUpdate().state == streaming::RunState::Running);
     QTest::mouseClick(button(QStringLiteral("Stop")), Qt::LeftButton);
@@ -449,9 +646,9 @@ class TestMainWindow : public QObject {
 
     auto* hold = button(QStringLiteral("Hold"));
     auto* resume = button(QStringLiteral("Resume …"));
-    QVERIFY(!hold->isEnabled() && !resume->isEnabled());
+    QVERIFY(!hold->isEnabled() && !resume->isVisible());
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
-    QTest::mouseClick(button(QStringLiteral("Start")), Qt::LeftButton);
+    startByHand();
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().state == streaming::RunState::Holding, kRunMs);
@@ -471,7 +668,7 @@ class TestMainWindow : public QObject {
     picturePages(*m_window, QStringLiteral("holding"));
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed > held, kRunMs);
-    QVERIFY(!resume->isEnabled());
+    QVERIFY(!resume->isVisible());
     QTest::mouseClick(button(QStringLiteral("Stop")), Qt::LeftButton);
     QVERIFY(finished.wait(kRunMs));
     const auto first = m_window->lastReport();
@@ -499,9 +696,10 @@ class TestMainWindow : public QObject {
     m_window->setTheme(widgets::Theme::Light);
     QTRY_COMPARE(m_window->pages()->tabText(0), QStringLiteral("Program"));
     finished.clear();
-    QTest::mouseClick(button(QStringLiteral("Resume at point %1").arg(bar->place()->point + 1)),
-                      Qt::LeftButton);
-    QVERIFY(m_window->isRunning());
+    auto* goOn = button(QStringLiteral("Hold: resume at point %1").arg(bar->place()->point + 1));
+    QTest::mousePress(goOn, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isRunning(), kSoonMs);
+    QTest::mouseRelease(goOn, Qt::LeftButton);
     QVERIFY(!bar->isVisible());
     m_machine->setPace(tests::SimulatedControl::kUnlimited);
     QVERIFY(finished.wait(kRunMs));
@@ -518,7 +716,7 @@ class TestMainWindow : public QObject {
     QCOMPARE(integrity.executed, kScorpionPoints);
     // It has come to its end: there is nothing to resume.
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
-    QVERIFY(!resume->isEnabled());
+    QVERIFY(!resume->isVisible());
     picturePages(*m_window, QStringLiteral("resumed"));
   }
 

@@ -11,12 +11,15 @@
 #include <QToolButton>
 
 #include "widgets/common/diagnostic_text.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
 namespace {
+
+constexpr int kRoomyPx = 420;
 
 QColor severityColor(gcode::Severity severity, const QPalette& palette) {
   const ThemeColors& colors = themeColors(palette);
@@ -37,7 +40,7 @@ MessageArea::MessageArea(QWidget* parent)
     : Page(parent),
       m_icon(new QLabel(this)),
       m_severityText(makeHeading(this)),
-      m_text(makeValueLabel(this)),
+      m_text(new ElidedLabel(2, this)),
       m_copy(new QToolButton(this)),
       m_dismiss(new QToolButton(this)) {
   auto* layout = new QHBoxLayout(this);
@@ -48,7 +51,6 @@ MessageArea::MessageArea(QWidget* parent)
   layout->addWidget(m_text, 1);
   layout->addWidget(m_copy);
   layout->addWidget(m_dismiss);
-  m_text->setWordWrap(true);
   for (QToolButton* button : {m_copy, m_dismiss}) {
     button->setAutoRaise(true);
     button->setFixedSize(kTouchHeightPx, kTouchHeightPx);
@@ -99,6 +101,14 @@ void MessageArea::restyle() {
   const QColor neutral = themeColors(palette()).text;
   m_copy->setIcon(themedIcon(QStringLiteral("copy"), neutral));
   m_dismiss->setIcon(themedIcon(QStringLiteral("dismiss"), neutral));
+}
+
+void MessageArea::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  // In a small window the text is more important; the shape of the icon says the same.
+  const bool hasRoom = width() >= kRoomyPx;
+  m_severityText->setVisible(hasRoom);
+  m_copy->setVisible(hasRoom);
 }
 
 void MessageArea::paintEvent(QPaintEvent* /*event*/) {

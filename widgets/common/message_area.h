@@ -3,7 +3,8 @@
 
 /// @file
 /// The one place for messages to the operator: the newest message, with its severity as shape and
-/// text, to be copied or dismissed. Hidden while there is none.
+/// text, to be copied or dismissed. Hidden while there is none. Two lines: the tool tip and the log
+/// have all of a longer one.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -14,6 +15,8 @@ class QLabel;
 class QToolButton;
 
 namespace rivulet::widgets {
+
+class ElidedLabel;
 
 class MessageArea final : public Page {
   Q_OBJECT
@@ -35,12 +38,13 @@ class MessageArea final : public Page {
   void retranslate() override;
   void restyle() override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   Severity m_severity = Severity::Note;
   QLabel* m_icon;
   QLabel* m_severityText;
-  QLabel* m_text;
+  ElidedLabel* m_text;
   QToolButton* m_copy;
   QToolButton* m_dismiss;
 };

@@ -74,6 +74,10 @@ QString durationText(double seconds) {
       QStringLiteral("h"));
 }
 
+QString ageText(double seconds) {
+  return seconds < 10.0 || seconds >= 59.5 ? durationText(seconds) : secondsText(seconds, 0);
+}
+
 QString millisecondsText(double milliseconds, int decimals) {
   return withUnit(numberText(milliseconds, decimals), QStringLiteral("ms"));
 }

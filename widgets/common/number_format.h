@@ -36,6 +36,9 @@ namespace rivulet::widgets {
 /// "12.3 s", "2:05 min" or "1:02:05 h": how long something takes.
 [[nodiscard]] QString durationText(double seconds);
 
+/// "0.7 s" or "12 s" or "3:20 min": how old something is.
+[[nodiscard]] QString ageText(double seconds);
+
 /// "41.2 ms".
 [[nodiscard]] QString millisecondsText(double milliseconds, int decimals = 1);
 [[nodiscard]] QString millisecondsText(base::Duration duration, int decimals = 1);

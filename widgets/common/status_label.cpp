@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include "widgets/common/elided_label.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/theme.h"
 
@@ -50,13 +51,23 @@ QColor statusColor(Status status, const QPalette& palette) {
   return colors.text;
 }
 
-StatusLabel::StatusLabel(QWidget* parent)
-    : QWidget(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)) {
+StatusLabel::StatusLabel(QWidget* parent) : StatusLabel(parent, new QLabel) {
+}
+
+StatusLabel::StatusLabel(QWidget* parent, Elided elided)
+    : StatusLabel(parent, new ElidedLabel(elided.lines)) {
+}
+
+StatusLabel::StatusLabel(QWidget* parent, QLabel* text)
+    : QWidget(parent), m_icon(new QLabel(this)), m_text(text) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
   layout->addWidget(m_icon, 0, Qt::AlignTop);
   layout->addWidget(m_text, 1);
+  if (qobject_cast<ElidedLabel*>(m_text) != nullptr) {
+    layout->setAlignment(m_icon, Qt::AlignVCenter);  // its text is centred, too
+  }
   m_text->setTextFormat(Qt::PlainText);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   restyle();
@@ -89,6 +100,16 @@ void StatusLabel::setWordWrap(bool wrap) {
   m_text->setWordWrap(wrap);
 }
 
+void StatusLabel::setOutdated(bool isOutdated) {
+  if (isOutdated != m_isOutdated) {
+    m_isOutdated = isOutdated;
+    QFont font = m_text->font();
+    font.setStrikeOut(isOutdated);
+    m_text->setFont(font);
+    restyle();
+  }
+}
+
 void StatusLabel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) {
     restyle();
@@ -97,7 +118,8 @@ void StatusLabel::changeEvent(QEvent* event) {
 }
 
 void StatusLabel::restyle() {
-  const QColor color = statusColor(m_status, palette());
+  const QColor color =
+      m_isOutdated ? themeColors(palette()).mutedText : statusColor(m_status, palette());
   const int size = QFontMetrics(m_text->font()).height();
   m_icon->setVisible(m_status != Status::Plain);
   if (m_status != Status::Plain) {

@@ -32,6 +32,11 @@ class StatusLabel final : public QWidget {
 
  public:
   explicit StatusLabel(QWidget* parent = nullptr);
+  /// The text takes the room it is given, in this many lines (`ElidedLabel`).
+  struct Elided {
+    int lines = 1;
+  };
+  StatusLabel(QWidget* parent, Elided elided);
 
   void setStatus(Status status, const QString& text);
   [[nodiscard]] Status status() const { return m_status; }
@@ -39,6 +44,8 @@ class StatusLabel final : public QWidget {
   /// Size of the text in points and whether it is bold; the icon follows.
   void setEmphasis(qreal pointSize, bool bold);
   void setWordWrap(bool wrap);
+  /// What is shown may not be true any more: grey and crossed out.
+  void setOutdated(bool isOutdated);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -46,7 +53,10 @@ class StatusLabel final : public QWidget {
  private:
   void restyle();
 
+  StatusLabel(QWidget* parent, QLabel* text);
+
   Status m_status = Status::Unknown;
+  bool m_isOutdated = false;
   QLabel* m_icon;
   QLabel* m_text;
 };

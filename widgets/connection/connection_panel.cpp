@@ -9,28 +9,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <cmath>
-#include <limits>
 
-#include "base/units.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
-
-namespace {
-
-/// The large figures of the position display.
-QFont readoutFont(const QFont& base, qreal pointSize) {
-  QFont font = base;
-  font.setPointSizeF(pointSize);
-  font.setBold(true);
-  return font;
-}
-
-}  // namespace
 
 ConnectionPanel::ConnectionPanel(QWidget* parent)
     : Page(parent),
@@ -40,11 +25,6 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
       m_connect(makeTouchButton(this)),
       m_connectionStatus(new StatusLabel(this)),
       m_virtualBadge(new StatusLabel(this)),
-      m_positionGroup(new QGroupBox(this)),
-      m_feedName(new QLabel(this)),
-      m_feedValue(makeValueLabel(this)),
-      m_feedUnit(new QLabel(this)),
-      m_freshness(new StatusLabel(this)),
       m_machineGroup(new QGroupBox(this)),
       m_channelLabel(new QLabel(this)),
       m_channel(new StatusLabel(this)),
@@ -57,15 +37,12 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
       m_messageLabel(new QLabel(this)),
       m_message(makeValueLabel(this)) {
   buildConnection();
-  buildReadouts();
   buildMachine();
 
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_connectionGroup);
-  layout->addWidget(m_positionGroup);
   layout->addWidget(m_machineGroup);
   layout->addStretch();
-  setMinimumWidth(330);
 
   const auto request = [this] {
     if (m_state == ConnectionState::Connected || m_state == ConnectionState::Connecting) {
@@ -99,36 +76,6 @@ void ConnectionPanel::buildConnection() {
   connection->addWidget(m_connectionStatus, 2, 0, 1, 2);
   connection->addWidget(m_virtualBadge, 3, 0, 1, 2);
   connection->setColumnStretch(0, 1);
-}
-
-void ConnectionPanel::buildReadouts() {
-  auto* position = new QGridLayout(m_positionGroup);
-  position->setHorizontalSpacing(10);
-  position->setVerticalSpacing(2);
-  position->setColumnStretch(1, 1);
-  int row = 0;
-  for (std::size_t axis = 0; axis < kReadoutCount; ++axis, ++row) {
-    const bool isRotary = axis >= base::kAxisCount;
-    const char name =
-        isRotary ? base::kRotaryAxisNames[axis - base::kAxisCount] : base::kAxisNames[axis];
-    m_axisNames[axis] = new QLabel(QString(QLatin1Char(name)), this);
-    m_axisNames[axis]->setFont(readoutFont(font(), 18.0));
-    m_axisValues[axis] = makeValueLabel(this);
-    m_axisValues[axis]->setFont(readoutFont(font(), 22.0));
-    m_axisValues[axis]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_axisUnits[axis] = new QLabel(isRotary ? QStringLiteral("°") : QStringLiteral("mm"), this);
-    position->addWidget(m_axisNames[axis], row, 0);
-    position->addWidget(m_axisValues[axis], row, 1);
-    position->addWidget(m_axisUnits[axis], row, 2);
-  }
-  m_feedName->setFont(readoutFont(font(), 11.0));
-  m_feedValue->setFont(readoutFont(font(), 16.0));
-  m_feedValue->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  m_feedUnit->setText(QStringLiteral("mm/min"));
-  position->addWidget(m_feedName, row, 0);
-  position->addWidget(m_feedValue, row, 1);
-  position->addWidget(m_feedUnit, row, 2);
-  position->addWidget(m_freshness, row + 1, 0, 1, 3);
 }
 
 void ConnectionPanel::buildMachine() {
@@ -174,8 +121,6 @@ void ConnectionPanel::setDisconnectEnabled(bool enabled) {
 void ConnectionPanel::retranslate() {
   m_connectionGroup->setTitle(tr("Connection"));
   m_endpointLabel->setText(tr("OPC UA endpoint"));
-  m_positionGroup->setTitle(tr("Actual position"));
-  m_feedName->setText(tr("Feed"));
   m_machineGroup->setTitle(tr("Machine"));
   m_channelLabel->setText(tr("Channel"));
   m_programStatusLabel->setText(tr("Program"));
@@ -192,11 +137,8 @@ void ConnectionPanel::restyle() {
   m_connect->setIcon(themedIcon(connects ? QStringLiteral("link") : QStringLiteral("unlink"),
                                 themeColors(palette()).text));
   for (QLabel* label : {m_channelLabel, m_programStatusLabel, m_programNameLabel, m_alarmLabel,
-                        m_messageLabel, m_endpointLabel, m_feedUnit}) {
+                        m_messageLabel, m_endpointLabel}) {
     setMuted(label, palette());
-  }
-  for (QLabel* unit : m_axisUnits) {
-    setMuted(unit, palette());
   }
 }
 
@@ -236,27 +178,6 @@ void ConnectionPanel::showMachine() {
   m_virtualBadge->setVisible(connected && m_machine.isVirtualMachine);
   m_virtualBadge->setStatus(Status::Simulated, tr("Virtual machine: no real axis moves"));
 
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    m_axisValues[axis]->setText(numberText(m_machine.positionMm
-                                               ? (*m_machine.positionMm)[axis]
-                                               : std::numeric_limits<double>::quiet_NaN(),
-                                           3));
-  }
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    const std::size_t readout = base::kAxisCount + axis;
-    m_axisValues[readout]->setText(numberText(m_machine.rotaryDeg
-                                                  ? (*m_machine.rotaryDeg)[axis]
-                                                  : std::numeric_limits<double>::quiet_NaN(),
-                                              3));
-    for (QLabel* label : {m_axisNames[readout], m_axisValues[readout], m_axisUnits[readout]}) {
-      label->setVisible(m_machine.rotaryAxes[axis]);
-    }
-  }
-  m_feedValue->setText(m_machine.feedMmPerS
-                           ? numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0)
-                           : noValue());
-
-  showFreshness(connected);
   showChannel();
   showProgramStatus();
 
@@ -277,20 +198,9 @@ void ConnectionPanel::showMachine() {
                            ? number
                            : QStringLiteral("%1: %2").arg(number, m_machine.alarmText));
   }
-}
-
-void ConnectionPanel::showFreshness(bool connected) {
-  const bool hasValues = m_machine.positionMm || m_machine.feedMmPerS;
-  if (!connected) {
-    m_freshness->setStatus(hasValues ? Status::Attention : Status::Unknown,
-                           hasValues ? tr("Old values: not connected") : tr("No data"));
-  } else if (m_machine.isStale) {
-    m_freshness->setStatus(
-        Status::Attention,
-        m_machine.ageS ? tr("Stale: %1 old").arg(secondsText(*m_machine.ageS)) : tr("Stale"));
-  } else {
-    m_freshness->setStatus(hasValues ? Status::Good : Status::Unknown,
-                           hasValues ? tr("Live") : tr("No data"));
+  const bool isOld = !isFresh(m_machine.stateAgeS);
+  for (StatusLabel* label : {m_channel, m_programStatus, m_alarm}) {
+    label->setOutdated(isOld && label->text() != noValue());
   }
 }
 

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the operator connects to a machine and sees its state: what it does, its position and
-/// speed, and whether the values are up to date.
+/// Where the operator connects to a machine and sees what it does, and whether that is up to date.
 /// @threadsafety GUI thread.
 #pragma once
-
-#include <array>
 
 #include "widgets/common/page.h"
 #include "widgets/connection/machine_view.h"
@@ -46,11 +43,9 @@ class ConnectionPanel final : public Page {
 
  private:
   void buildConnection();
-  void buildReadouts();
   void buildMachine();
   void showConnection();
   void showMachine();
-  void showFreshness(bool connected);
   void showChannel();
   void showProgramStatus();
 
@@ -65,17 +60,6 @@ class ConnectionPanel final : public Page {
   QPushButton* m_connect;
   StatusLabel* m_connectionStatus;
   StatusLabel* m_virtualBadge;
-
-  QGroupBox* m_positionGroup;
-  /// X Y Z, then A B C, which are hidden if the machine has none.
-  static constexpr std::size_t kReadoutCount = base::kAxisCount + base::kRotaryAxisCount;
-  std::array<QLabel*, kReadoutCount> m_axisNames{};
-  std::array<QLabel*, kReadoutCount> m_axisValues{};
-  std::array<QLabel*, kReadoutCount> m_axisUnits{};
-  QLabel* m_feedName;
-  QLabel* m_feedValue;
-  QLabel* m_feedUnit;
-  StatusLabel* m_freshness;
 
   QGroupBox* m_machineGroup;
   QLabel* m_channelLabel;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
 #include <optional>
 
 #include "base/axes.h"
@@ -21,6 +22,13 @@ enum class ConnectionState {
   Lost,  ///< it was there and is gone; the operator has to connect again
 };
 
+/// What is older is not shown as the present state of the machine.
+inline constexpr double kFreshS = 0.5;
+
+[[nodiscard]] inline bool isFresh(std::optional<double> ageS) {
+  return ageS && *ageS <= kFreshS;
+}
+
 struct MachineView {
   std::optional<int> channelStatus;  ///< opcua::VariableKind::ChannelStatus
   std::optional<int> programStatus;  ///< opcua::VariableKind::ProgramStatus
@@ -32,9 +40,25 @@ struct MachineView {
   base::RotarySet rotaryAxes{};  ///< those that the machine is known to have
   std::optional<base::RotaryDeg> rotaryDeg;
   std::optional<double> feedMmPerS;
-  bool isStale = false;        ///< the values are older than they should be
-  std::optional<double> ageS;  ///< how old, if known
   bool isVirtualMachine = false;
+
+  /// How long ago each group was read, in s; nothing: never, or before the connection was lost.
+  std::optional<double> positionAgeS;
+  std::optional<double> feedAgeS;
+  std::optional<double> stateAgeS;  ///< channel, program, alarm
+
+  /// The last point of the run in progress that the stream knows to be executed.
+  struct Executed {
+    std::size_t number = 0;  ///< 1: the first of the program
+    base::Vec3 positionMm;
+    double ageS = 0.0;  ///< since the stream last reported
+  };
+  std::optional<Executed> executed;
+
+  /// The position is old, but the stream says where the run is.
+  [[nodiscard]] bool standsIn() const {
+    return executed && isFresh(executed->ageS) && !isFresh(positionAgeS);
+  }
 };
 
 }  // namespace rivulet::widgets

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPushButton>
 
+#include "widgets/common/hold_button.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -19,7 +20,7 @@ ResumeBar::ResumeBar(QWidget* parent)
     : Page(parent),
       m_icon(new QLabel(this)),
       m_text(makeValueLabel(this)),
-      m_goOn(makeTouchButton(this)),
+      m_goOn(new HoldButton(this)),
       m_dismiss(makeTouchButton(this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(12, 2, 12, 2);
@@ -29,7 +30,7 @@ ResumeBar::ResumeBar(QWidget* parent)
   layout->addWidget(m_goOn);
   layout->addWidget(m_dismiss);
   m_text->setWordWrap(true);
-  connect(m_goOn, &QPushButton::clicked, this, &ResumeBar::goOnRequested);
+  connect(m_goOn, &HoldButton::held, this, &ResumeBar::goOnRequested);
   connect(m_dismiss, &QPushButton::clicked, this, [this] {
     showNothing();
     Q_EMIT dismissed();
@@ -92,7 +93,8 @@ void ResumeBar::retranslate() {
                                        .arg(lengthText(*m_place->approachMm));
       }
       m_text->setText(text);
-      m_goOn->setText(tr("Resume at point %1").arg(countText(m_place->point + 1)));
+      m_goOn->setText(tr("Hold: resume at point %1").arg(countText(m_place->point + 1)));
+      m_goOn->setToolTip(tr("Hold for one second. Then the machine moves."));
       break;
     }
     case State::Refusal:

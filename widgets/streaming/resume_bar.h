@@ -18,6 +18,8 @@ class QPushButton;
 
 namespace rivulet::widgets {
 
+class HoldButton;
+
 /// Where a run would resume.
 struct ResumePlace {
   std::size_t point = 0;  ///< index of the first to be executed
@@ -60,7 +62,7 @@ class ResumeBar final : public Page {
   QString m_reason;
   QLabel* m_icon;
   QLabel* m_text;
-  QPushButton* m_goOn;
+  HoldButton* m_goOn;
   QPushButton* m_dismiss;
 };
 

@@ -3,17 +3,20 @@
 
 #include "widgets/streaming/run_panel.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
-#include <QGroupBox>
 #include <QLabel>
+#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QResizeEvent>
 
+#include "widgets/common/elided_label.h"
+#include "widgets/common/hold_button.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
-#include "widgets/streaming/state_strip.h"
 
 namespace rivulet::widgets {
 
@@ -22,105 +25,180 @@ using streaming::RunState;
 namespace {
 
 constexpr int kRunButtonHeightPx = 60;
+constexpr int kWidthPxMin = 480;
+constexpr int kFiguresHeightPx = 28;
+constexpr int kFigureGapPx = 16;
+constexpr int kPairGapPx = 6;
+constexpr int kProgressWidthPx = 90;
 constexpr int kProgressSteps = 1000;
+/// Below this width the state has a row of its own.
+constexpr int kOneRowWidthPx = 860;
+
+struct RunStateTexts {
+  Q_DECLARE_TR_FUNCTIONS(RunStateTexts)
+
+ public:
+  static QString text(RunState state) {
+    switch (state) {
+      case RunState::Idle:
+        return tr("Idle");
+      case RunState::Armed:
+        return tr("Preparing");
+      case RunState::Running:
+        return tr("Running");
+      case RunState::Holding:
+        return tr("Holding");
+      case RunState::Stopping:
+        return tr("Stopping");
+      case RunState::Done:
+        return tr("Done");
+      case RunState::Stopped:
+        return tr("Stopped");
+      case RunState::Aborted:
+        return tr("Failed");
+    }
+    return {};
+  }
+};
 
 }  // namespace
 
+QString runStateText(RunState state) {
+  return RunStateTexts::text(state);
+}
+
 RunPanel::RunPanel(QWidget* parent)
     : Page(parent),
-      m_strip(new StateStrip(this)),
-      m_start(makeTouchButton(this)),
-      m_stop(makeTouchButton(this)),
-      m_hold(makeTouchButton(this)),
-      m_resume(makeTouchButton(this)),
-      m_startReason(new StatusLabel(this)),
-      m_stopStatus(new StatusLabel(this)),
-      m_progressGroup(new QGroupBox(this)),
-      m_progress(new QProgressBar(this)),
-      m_marginName(new QLabel(this)),
-      m_margin(new StatusLabel(this)),
-      m_waitingName(new QLabel(this)),
-      m_waiting(new QLabel(this)) {
-  QFont buttonFont = font();
-  buttonFont.setPointSizeF(14.0);
-  buttonFont.setBold(true);
-  for (QPushButton* button : {m_start, m_stop, m_hold, m_resume}) {
-    button->setMinimumHeight(kRunButtonHeightPx);
-    button->setIconSize(QSize(24, 24));
-    button->setFont(buttonFont);
-  }
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(24);  // wide enough apart that one is not hit for the other
-  buttons->addWidget(m_start, 1);
-  buttons->addWidget(m_hold, 1);
-  buttons->addWidget(m_resume, 1);
-  buttons->addWidget(m_stop, 1);
-  m_startReason->setWordWrap(true);
-  m_stopStatus->setWordWrap(true);
+      m_rows(new QGridLayout(this)),
+      m_state(new QWidget(this)),
+      m_stateLabel(new StatusLabel(m_state, StatusLabel::Elided{1})),
+      m_reason(new StatusLabel(m_state, StatusLabel::Elided{2})),
+      m_left(new QWidget(this)),
+      m_right(new QWidget(this)),
+      m_rightLayout(new QHBoxLayout(m_right)),
+      m_start(new HoldButton(m_right)),
+      m_stop(makeTouchButton(m_left)),
+      m_hold(makeTouchButton(m_left)),
+      m_resume(makeTouchButton(m_right)),
+      m_figures(new QWidget(this)),
+      m_progress(new QProgressBar(m_figures)),
+      m_title(new ElidedLabel(1, m_figures)) {
+  m_stateLabel->setEmphasis(14.0, true);
+  m_state->setObjectName(QStringLiteral("state"));
+  auto* state = new QVBoxLayout(m_state);
+  state->setContentsMargins(0, 0, 0, 0);
+  state->setSpacing(0);
+  state->addWidget(m_stateLabel);
+  state->addWidget(m_reason);
+  buildButtons();
+  buildFigures();
+  m_rows->setContentsMargins(8, 4, 8, 4);
+  m_rows->setHorizontalSpacing(16);
+  m_rows->setVerticalSpacing(4);
+  m_rows->setColumnStretch(1, 1);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 
-  buildProgress();
-
-  auto* commands = new QHBoxLayout;
-  commands->setSpacing(24);
-  commands->addWidget(m_strip, 2);
-  commands->addLayout(buttons, 3);
-  // The buttons stay in place, whatever is shown below them: a finger that reaches for Stop must
-  // not find that the row has moved.
-  for (StatusLabel* label : {m_startReason, m_stopStatus}) {
-    QSizePolicy policy = label->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    label->setSizePolicy(policy);
-  }
-  auto* states = new QHBoxLayout;
-  states->addWidget(m_startReason, 1);
-  states->addWidget(m_stopStatus, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 4, 8, 4);
-  layout->addLayout(commands);
-  layout->addLayout(states);
-  layout->addWidget(m_progressGroup);
-
-  connect(m_start, &QPushButton::clicked, this, &RunPanel::startRequested);
+  connect(m_start, &HoldButton::clicked, this, [this] {
+    if (!m_preflightPassed && !isActive()) {
+      Q_EMIT preflightRequested();
+    }
+  });
+  connect(m_start, &HoldButton::held, this, &RunPanel::startRequested);
   connect(m_hold, &QPushButton::clicked, this,
           [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
   connect(m_resume, &QPushButton::clicked, this, &RunPanel::resumeRequested);
-  connect(m_stop, &QPushButton::clicked, this, [this] {
-    if (m_stopState == StopState::None) {
-      m_stopState = StopState::Requested;
-      showAll();
-    }
-    Q_EMIT stopRequested();  // again and again if the operator wants: it does no harm
-  });
+  connect(m_stop, &QPushButton::clicked, this, &RunPanel::requestStop);
+  arrange();
   retranslate();
   restyle();
 }
 
-void RunPanel::buildProgress() {
-  m_progress->setRange(0, kProgressSteps);
-  m_progress->setMinimumHeight(24);
-  m_progress->setAlignment(Qt::AlignCenter);
-  // One row of figures under the bar: the panel is at the bottom of the window and leaves the
-  // height to the pages.
-  auto* progress = new QGridLayout(m_progressGroup);
-  progress->setHorizontalSpacing(10);
-  QFont counterFont = font();
-  counterFont.setPointSizeF(12.0);
-  counterFont.setBold(true);
-  int column = 0;
-  const auto addFigure = [&](QLabel* name, QWidget* value, int stretch) {
-    progress->addWidget(name, 1, column++, Qt::AlignRight | Qt::AlignVCenter);
-    progress->setColumnStretch(column, stretch);
-    progress->addWidget(value, 1, column++, Qt::AlignLeft | Qt::AlignVCenter);
-  };
-  for (std::size_t counter = 0; counter < m_counterNames.size(); ++counter) {
-    m_counterNames[counter] = new QLabel(this);
-    m_counterValues[counter] = makeValueLabel(this);
-    m_counterValues[counter]->setFont(counterFont);
-    addFigure(m_counterNames[counter], m_counterValues[counter], 1);
+void RunPanel::buildButtons() {
+  m_start->setObjectName(QStringLiteral("start"));
+  m_stop->setObjectName(QStringLiteral("stop"));
+  for (QPushButton* button : {static_cast<QPushButton*>(m_start), m_stop, m_hold, m_resume}) {
+    button->setFixedHeight(kRunButtonHeightPx);
+    button->setIconSize(QSize(24, 24));
   }
-  addFigure(m_marginName, m_margin, 1);
-  addFigure(m_waitingName, m_waiting, 2);
-  progress->addWidget(m_progress, 0, 0, 1, column);
+  auto* left = new QHBoxLayout(m_left);
+  for (QBoxLayout* layout : {static_cast<QBoxLayout*>(left), m_rightLayout}) {
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(12);  // wide enough apart that one is not hit for the other
+  }
+  left->addWidget(m_stop);
+  left->addWidget(m_hold);
+  m_rightLayout->addWidget(m_resume);
+  m_rightLayout->addWidget(m_start);
+}
+
+void RunPanel::buildFigures() {
+  m_progress->setRange(0, kProgressSteps);
+  m_progress->setFixedSize(kProgressWidthPx, 22);
+  m_progress->setAlignment(Qt::AlignCenter);
+  auto* row = new QHBoxLayout(m_figures);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kFigureGapPx);
+  row->setSizeConstraint(QLayout::SetNoConstraint);
+  row->addWidget(m_progress);
+  for (std::size_t figure = 0; figure < FigureCount; ++figure) {
+    m_figureAreas[figure] = new QWidget(m_figures);
+    m_names[figure] = new QLabel(m_figureAreas[figure]);
+    m_values[figure] = new StatusLabel(m_figureAreas[figure]);
+    m_values[figure]->setStatus(Status::Plain, noValue());
+    auto* pair = new QHBoxLayout(m_figureAreas[figure]);
+    pair->setContentsMargins(0, 0, 0, 0);
+    pair->addWidget(m_names[figure]);
+    pair->addWidget(m_values[figure]);
+    pair->setSpacing(kPairGapPx);
+    row->addWidget(m_figureAreas[figure]);
+  }
+  m_title->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(m_title, 1);
+  m_figures->setFixedHeight(kFiguresHeightPx);
+  m_figures->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+void RunPanel::arrange() {
+  const bool isNarrow = width() < kOneRowWidthPx;
+  QFont buttonFont = font();
+  buttonFont.setPointSizeF(isNarrow ? 11.0 : 14.0);
+  buttonFont.setBold(true);
+  for (QPushButton* button : {static_cast<QPushButton*>(m_start), m_stop, m_hold, m_resume}) {
+    button->setFont(buttonFont);
+    button->setIconSize(isNarrow ? QSize(16, 16) : QSize(24, 24));
+    button->setMinimumWidth(isNarrow ? 0 : 130);
+  }
+  m_state->setFixedHeight(kRunButtonHeightPx);
+  for (QWidget* part : {m_state, m_left, m_right, m_figures}) {
+    m_rows->removeWidget(part);
+  }
+  const int buttons = isNarrow ? 1 : 0;
+  m_rows->addWidget(m_state, 0, isNarrow ? 0 : 1, 1, isNarrow ? 3 : 1);
+  m_rows->addWidget(m_left, buttons, 0);
+  m_rows->addWidget(m_right, buttons, 2);
+  m_rows->addWidget(m_figures, buttons + 1, 0, 1, 3);
+}
+
+QSize RunPanel::minimumSizeHint() const {
+  return {kWidthPxMin, Page::minimumSizeHint().height()};
+}
+
+void RunPanel::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  const bool isNarrow = width() < kOneRowWidthPx;
+  const bool wasNarrow = event->oldSize().width() < kOneRowWidthPx;
+  if (isNarrow != wasNarrow) {
+    arrange();
+  }
+  fitFigures();
+}
+
+void RunPanel::requestStop() {
+  if (m_stopState == StopState::None) {
+    m_stopState = StopState::Requested;
+    showAll();
+  }
+  Q_EMIT stopRequested();  // again and again if the operator wants: it does no harm
 }
 
 void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
@@ -133,6 +211,7 @@ void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
   }
   if (starts && !wasActive) {
     m_stopState = StopState::None;
+    m_finding.reset();
   }
   if (update.state == RunState::Stopping && m_stopState == StopState::None) {
     m_stopState = StopState::Requested;
@@ -143,13 +222,37 @@ void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
   showAll();
 }
 
+void RunPanel::setReport(const streaming::RunReport& report) {
+  m_finding = report.finding();
+  if (report.error.code == streaming::StreamError::StopNotConfirmed) {
+    m_stopState = StopState::Unconfirmed;
+  }
+  showAll();
+}
+
+void RunPanel::setProgram(std::size_t points) {
+  m_update = {};
+  m_finding.reset();
+  m_stopState = StopState::None;
+  setTotal(points);
+}
+
 void RunPanel::setTotal(std::size_t points) {
   m_update.counters.total = points;
   showAll();
 }
 
+void RunPanel::setTitle(const QString& title) {
+  m_title->setText(title);
+}
+
 void RunPanel::setStartBlocked(const QString& reason) {
   m_startBlocked = reason;
+  showAll();
+}
+
+void RunPanel::setPreflightPassed(bool passed) {
+  m_preflightPassed = passed;
   showAll();
 }
 
@@ -158,45 +261,39 @@ void RunPanel::setCanHold(bool canHold) {
   showAll();
 }
 
-void RunPanel::setResumeBlocked(const QString& reason) {
+void RunPanel::setResume(bool isThere, const QString& reason) {
+  m_canResume = isThere;
   m_resumeBlocked = reason;
   showAll();
 }
 
-void RunPanel::setStopUnconfirmed() {
-  m_stopState = StopState::Unconfirmed;
-  showAll();
-}
-
 void RunPanel::retranslate() {
-  m_start->setText(tr("Start"));
   m_stop->setText(tr("Stop"));
-  m_resume->setText(tr("Resume …"));
   m_stop->setToolTip(
-      tr("Ends the run at the end of the loop. It does not replace the machine's emergency stop."));
-  m_progressGroup->setTitle(tr("Progress"));
-  m_counterNames[0]->setText(tr("Sent"));
-  m_counterNames[1]->setText(tr("Accepted"));
-  m_counterNames[2]->setText(tr("Executed"));
-  m_marginName->setText(tr("Margin"));
-  m_marginName->setToolTip(tr(
+      tr("Ends the run at the end of the loop. Escape does the same, from anywhere "
+         "in the window. It does not replace the machine's emergency stop."));
+  m_resume->setText(tr("Resume …"));
+  m_names[Sent]->setText(tr("Sent"));
+  m_names[Accepted]->setText(tr("Accepted"));
+  m_names[Executed]->setText(tr("Executed"));
+  m_names[Margin]->setText(tr("Margin"));
+  m_names[Margin]->setToolTip(tr(
       "Time until the control needs the next point, minus the 99th percentile of the access time"));
-  m_waitingName->setText(tr("Waiting for"));
   showAll();
 }
 
 void RunPanel::restyle() {
-  // Both buttons stay neutral: shape and text distinguish them.
+  // The buttons stay neutral: shape and text distinguish them.
   const QColor color = themeColors(palette()).text;
   m_start->setIcon(themedIcon(QStringLiteral("play"), color));
   m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
   m_resume->setIcon(themedIcon(QStringLiteral("resume"), color));
-  showHoldIcon();
-  for (QLabel* label : m_counterNames) {
-    setMuted(label, palette());
+  for (QLabel* name : m_names) {
+    setMuted(name, palette());
   }
-  setMuted(m_marginName, palette());
-  setMuted(m_waitingName, palette());
+  setMuted(m_title, palette());
+  showButtons();
+  update();
 }
 
 bool RunPanel::isActive() const {
@@ -204,102 +301,187 @@ bool RunPanel::isActive() const {
          m_update.state == RunState::Holding || m_update.state == RunState::Stopping;
 }
 
+bool RunPanel::isRuined() const {
+  return m_finding == streaming::RunFinding::Faulty && m_update.state != RunState::Aborted;
+}
+
 QString RunPanel::waitingText() const {
   // The stream names its reasons by key; one without a sentence here is shown unchanged.
   const QString key = QString::fromStdString(m_update.waitingFor);
-  if (key.isEmpty() && m_update.state == RunState::Holding) {
-    return tr("Continue; the machine is waiting before the next window");
+  if (key.isEmpty()) {
+    return m_update.state == RunState::Holding
+               ? tr("The machine waits before the next window until you press Continue.")
+               : QString();
   }
   if (key == QStringLiteral("proof")) {
-    return tr("test of the template on the virtual machine");
-  }
-  if (key.isEmpty()) {
-    return noValue();
+    return tr("Waiting for the test of the template on the virtual machine");
   }
   if (key == QStringLiteral("transfer")) {
-    return tr("transfer of the template to the control");
+    return tr("Waiting for the transfer of the template to the control");
   }
   if (key == QStringLiteral("cycle-start")) {
-    return tr("cycle start at the control");
+    return tr("Waiting for cycle start at the control");
   }
   if (key == QStringLiteral("select-and-start")) {
-    return tr("selection of the template and cycle start at the control");
+    return tr("Waiting for selection of the template and cycle start at the control");
   }
   if (key == QStringLiteral("trace")) {
-    return tr("the control's own trace");
+    return tr("Waiting for the control's own trace");
   }
-  return key;
+  return tr("Waiting for %1").arg(key);
 }
 
-void RunPanel::showHoldIcon() {
-  m_hold->setIcon(themedIcon(
-      m_update.state == RunState::Holding ? QStringLiteral("play") : QStringLiteral("hold"),
-      themeColors(palette()).text));
-}
-
-void RunPanel::showAll() {
-  const bool active = isActive();
-  m_strip->setState(m_update.state);
-  const bool blocked = !m_startBlocked.isEmpty();
-  m_start->setEnabled(!active && !blocked);
-  m_stop->setEnabled(active);
-  // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
-  const bool isHolding = m_update.state == RunState::Holding;
-  m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
-  showHoldIcon();
-  m_hold->setEnabled(m_canHold && (isHolding || m_update.state == RunState::Running));
-  m_hold->setToolTip(m_canHold
-                         ? tr("The machine waits before the next window until you press Continue.")
-                         : tr("Only method window can hold."));
-  m_resume->setEnabled(!active && m_resumeBlocked.isEmpty());
-  m_resume->setToolTip(m_resumeBlocked.isEmpty()
-                           ? tr("Asks the control where the run was left. Nothing moves yet.")
-                           : m_resumeBlocked);
-  m_startReason->setVisible(!active);
-  m_startReason->setStatus(
-      blocked ? Status::Attention : Status::Good,
-      blocked ? tr("Start is not possible: %1").arg(m_startBlocked) : tr("Ready to start"));
-
-  m_stopStatus->setVisible(m_stopState != StopState::None);
+QString RunPanel::stopText() const {
   switch (m_stopState) {
     case StopState::None:
       break;
     case StopState::Requested:
-      m_stopStatus->setStatus(Status::Busy, tr("Stop requested, not yet confirmed"));
-      break;
+      return tr("Stop requested, not yet confirmed");
     case StopState::Confirmed:
-      m_stopStatus->setStatus(
-          Status::Good,
-          m_update.stopConfirmedAfter
-              ? tr("Stop confirmed after %1")
-                    .arg(secondsText(base::toSeconds(*m_update.stopConfirmedAfter), 2))
-              : tr("Stop confirmed"));
-      break;
+      return m_update.stopConfirmedAfter
+                 ? tr("Stop confirmed after %1")
+                       .arg(secondsText(base::toSeconds(*m_update.stopConfirmedAfter), 2))
+                 : tr("Stop confirmed");
     case StopState::Unconfirmed:
-      m_stopStatus->setStatus(Status::Fault, tr("Stop NOT confirmed: check the machine"));
-      break;
+      return tr("Stop NOT confirmed: check the machine");
   }
+  return {};
+}
 
+void RunPanel::showAll() {
+  showButtons();
+  showState();
+  showReason();
+  showFigures();
+}
+
+void RunPanel::showButtons() {
+  const bool active = isActive();
+  const bool offersResume = m_canResume && !active;
+  // What is offered first is far right: after an interrupted run that is Resume.
+  m_rightLayout->setDirection(offersResume ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
+  m_resume->setVisible(offersResume);
+  m_resume->setEnabled(m_resumeBlocked.isEmpty());
+  m_resume->setToolTip(m_resumeBlocked.isEmpty()
+                           ? tr("Asks the control where the run was left. Nothing moves yet.")
+                           : m_resumeBlocked);
+  m_start->setNeedsHold(m_preflightPassed);
+  m_start->setEnabled(!active && m_startBlocked.isEmpty());
+  m_start->setText(m_preflightPassed ? tr("Hold to start")
+                   : offersResume    ? tr("Start over …")
+                                     : tr("Start …"));
+  m_start->setToolTip(m_preflightPassed ? tr("Hold for one second. Then the machine moves.")
+                                        : tr("Shows what will happen first. Nothing moves yet."));
+  m_stop->setEnabled(active);
+  // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
+  const bool isHolding = m_update.state == RunState::Holding;
+  m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
+  m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
+                             themeColors(palette()).text));
+  m_hold->setEnabled(m_canHold && (isHolding || m_update.state == RunState::Running));
+  m_hold->setToolTip(m_canHold
+                         ? tr("The machine waits before the next window until you press Continue.")
+                         : tr("Only method window can hold."));
+}
+
+void RunPanel::showState() {
+  const QString place =
+      tr("%1 of %2").arg(countText(m_update.counters.executed), countText(m_update.counters.total));
+  switch (m_update.state) {
+    case RunState::Idle:
+      m_stateLabel->setStatus(m_startBlocked.isEmpty() ? Status::Good : Status::Unknown,
+                              m_startBlocked.isEmpty() ? tr("Ready") : tr("Not ready"));
+      break;
+    case RunState::Stopped:
+      m_stateLabel->setStatus(isRuined() ? Status::Fault : Status::Attention,
+                              tr("Stopped at %1").arg(place));
+      break;
+    case RunState::Aborted:
+      m_stateLabel->setStatus(Status::Fault, tr("Failed at %1").arg(place));
+      break;
+    case RunState::Done:
+      m_stateLabel->setStatus(isRuined() ? Status::Fault : Status::Good,
+                              isRuined() ? tr("Wrong motion") : runStateText(RunState::Done));
+      break;
+    default:
+      m_stateLabel->setStatus(Status::Busy, runStateText(m_update.state));
+  }
+  m_state->setAccessibleName(m_stateLabel->text());
+}
+
+void RunPanel::showReason() {
+  const bool active = isActive();
+  QStringList sentences;
+  if (const QString stop = stopText(); !stop.isEmpty()) {
+    sentences.append(stop);
+  }
+  if (active) {
+    sentences.append(waitingText());
+  } else if (!m_startBlocked.isEmpty()) {
+    sentences.append(tr("Start is not possible: %1").arg(m_startBlocked));
+  } else if (isRuined()) {
+    sentences.append(tr("The run has executed wrong points: see the report."));
+  } else if (m_update.state == RunState::Aborted || m_update.state == RunState::Stopped) {
+    sentences.append(m_canResume ? tr("Resume goes on where the run was left.")
+                                 : tr("A new start begins at the first point."));
+  } else {
+    sentences.append(tr("Ready to start"));
+  }
+  sentences.removeAll(QString());
+  const bool isFault = m_stopState == StopState::Unconfirmed || (!active && isRuined());
+  m_reason->setStatus(isFault                                ? Status::Fault
+                      : !active && !m_startBlocked.isEmpty() ? Status::Attention
+                                                             : Status::Plain,
+                      sentences.join(QStringLiteral(". ")));
+}
+
+void RunPanel::showFigures() {
   const streaming::Counters& counters = m_update.counters;
   const QString total = countText(counters.total);
   const std::array<std::size_t, 3> values{counters.sent, counters.accepted, counters.executed};
   for (std::size_t counter = 0; counter < values.size(); ++counter) {
-    m_counterValues[counter]->setText(tr("%1 of %2").arg(countText(values[counter]), total));
+    m_values[counter]->setStatus(Status::Plain,
+                                 tr("%1 of %2").arg(countText(values[counter]), total));
   }
   const double done = counters.total == 0 ? 0.0
                                           : static_cast<double>(counters.executed) /
                                                 static_cast<double>(counters.total);
   m_progress->setValue(static_cast<int>(done * kProgressSteps));
   m_progress->setFormat(QStringLiteral("%1 %").arg(numberText(done * 100.0, 1)));
-  if (m_update.margin && active && m_update.state != RunState::Holding) {
+  if (m_update.margin && isActive() && m_update.state != RunState::Holding) {
     const bool late = m_update.margin->count() < 0;
-    m_margin->setStatus(late ? Status::Attention : Status::Good,
-                        millisecondsText(*m_update.margin) +
-                            (late ? QStringLiteral(" ") + tr("(too late)") : QString()));
+    m_values[Margin]->setStatus(late ? Status::Attention : Status::Good,
+                                millisecondsText(*m_update.margin) +
+                                    (late ? QStringLiteral(" ") + tr("(too late)") : QString()));
   } else {
-    m_margin->setStatus(Status::Plain, noValue());
+    m_values[Margin]->setStatus(Status::Plain, noValue());
   }
-  m_waiting->setText(active ? waitingText() : noValue());
+  fitFigures();
+}
+
+void RunPanel::fitFigures() {
+  int room = width() - kProgressWidthPx - 2 * 8;
+  for (const Figure figure : {Executed, Margin, Sent, Accepted}) {
+    QWidget* area = m_figureAreas[figure];
+    // Not what the layout remembers: the font may have changed since.
+    const int widthPx = m_names[figure]->sizeHint().width() + kPairGapPx +
+                        m_values[figure]->layout()->totalSizeHint().width();
+    area->setFixedWidth(widthPx);
+    const int needed = widthPx + kFigureGapPx;
+    area->setVisible(needed <= room);
+    room -= needed <= room ? needed : 0;
+  }
+}
+
+void RunPanel::showEvent(QShowEvent* event) {
+  Page::showEvent(event);
+  fitFigures();
+}
+
+void RunPanel::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setPen(themeColors(palette()).line);
+  painter.drawLine(0, 0, width(), 0);
 }
 
 }  // namespace rivulet::widgets

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Start, stop and the state of a run. Stop is available in every state in which something may
-/// move, needs no confirmation, and shows when the control has confirmed it. It is a programmed
-/// stop at the end of a window, not a safety function.
+/// The strip at the bottom of the window: Stop, Hold, the state of the run, Resume and Start. It
+/// has the same height whatever it shows, and it fits a window of 480 px. Stop is available in
+/// every state in which something may move, needs no confirmation, and shows when the control has
+/// confirmed it. It is a programmed stop at the end of a window, not a safety function. Start first
+/// asks for the preflight, and moves the machine only after it has been held.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -14,15 +16,19 @@
 #include "streaming/run.h"
 #include "widgets/common/page.h"
 
-class QGroupBox;
-class QLabel;
+class QBoxLayout;
+class QGridLayout;
 class QProgressBar;
 class QPushButton;
 
 namespace rivulet::widgets {
 
-class StateStrip;
+class ElidedLabel;
+class HoldButton;
 class StatusLabel;
+
+/// "Running", "Holding", … in the language of the operator.
+[[nodiscard]] QString runStateText(streaming::RunState state);
 
 class RunPanel final : public Page {
   Q_OBJECT
@@ -32,18 +38,30 @@ class RunPanel final : public Page {
 
   /// State, counters, margin and reason to wait, as the stream reports them.
   void setUpdate(const streaming::LiveUpdate& update);
+  /// How the run has ended.
+  void setReport(const streaming::RunReport& report);
+  /// Another program: nothing of an earlier run is shown. @param points  of this program
+  void setProgram(std::size_t points);
   /// Number of points of the loaded program, before a run reports it.
   void setTotal(std::size_t points);
+  /// One line: which program in which version.
+  void setTitle(const QString& title);
   /// Why Start is not possible; empty: it is.
   void setStartBlocked(const QString& reason);
+  /// The preflight is shown and nothing in it stands in the way: holding Start starts.
+  void setPreflightPassed(bool passed);
   /// The present run, or the next one, can be held before a window.
   void setCanHold(bool canHold);
-  /// An interrupted run can be resumed. @param reason  why it cannot (now); empty: it can
-  void setResumeBlocked(const QString& reason);
-  /// The stop was requested, and its deadline has passed without an answer of the control.
-  void setStopUnconfirmed();
+  /// A run was left. Resuming it is then what is offered first. @param isThere  it can be resumed
+  /// by its method  @param reason  why it cannot be resumed now; empty: it can
+  void setResume(bool isThere, const QString& reason);
+
+  [[nodiscard]] bool isActive() const;
+  /// In a narrow window it arranges itself anew, so the present arrangement does not count.
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
+  void preflightRequested();
   void startRequested();
   void stopRequested();
   /// @param hold  false: continue
@@ -54,37 +72,57 @@ class RunPanel final : public Page {
  protected:
   void retranslate() override;
   void restyle() override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
-  void buildProgress();
   enum class StopState { None, Requested, Confirmed, Unconfirmed };
+  enum Figure { Sent, Accepted, Executed, Margin, FigureCount };
+
+  void buildButtons();
+  void buildFigures();
+  void arrange();
+  void requestStop();
 
   void showAll();
-  void showHoldIcon();
-  [[nodiscard]] bool isActive() const;
+  void showButtons();
+  void showState();
+  void showReason();
+  void showFigures();
+  /// Hides the less important figures until the others fit.
+  void fitFigures();
+  [[nodiscard]] QString stopText() const;
   [[nodiscard]] QString waitingText() const;
+  /// The run has executed wrong points, as far as anybody knows.
+  [[nodiscard]] bool isRuined() const;
 
   streaming::LiveUpdate m_update;
+  std::optional<streaming::RunFinding> m_finding;  ///< of the run that has ended
   QString m_startBlocked;
   StopState m_stopState = StopState::None;
   bool m_canHold = false;
+  bool m_preflightPassed = false;
+  bool m_canResume = false;
   QString m_resumeBlocked;
 
-  StateStrip* m_strip;
-  QPushButton* m_start;
+  QGridLayout* m_rows;
+  QWidget* m_state;  ///< state and reason
+  StatusLabel* m_stateLabel;
+  StatusLabel* m_reason;
+  QWidget* m_left;
+  QWidget* m_right;
+  QBoxLayout* m_rightLayout;
+  HoldButton* m_start;
   QPushButton* m_stop;
   QPushButton* m_hold;
   QPushButton* m_resume;
-  StatusLabel* m_startReason;
-  StatusLabel* m_stopStatus;
-  QGroupBox* m_progressGroup;
+  QWidget* m_figures;
   QProgressBar* m_progress;
-  std::array<QLabel*, 3> m_counterNames{};
-  std::array<QLabel*, 3> m_counterValues{};
-  QLabel* m_marginName;
-  StatusLabel* m_margin;
-  QLabel* m_waitingName;
-  QLabel* m_waiting;
+  ElidedLabel* m_title;
+  std::array<QWidget*, FigureCount> m_figureAreas{};
+  std::array<QLabel*, FigureCount> m_names{};
+  std::array<StatusLabel*, FigureCount> m_values{};
 };
 
 }  // namespace rivulet::widgets

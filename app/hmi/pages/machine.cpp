@@ -9,6 +9,7 @@
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/connection/connection_panel.h"
+#include "widgets/connection/position_line.h"
 #include "widgets/templates/template_page.h"
 
 namespace rivulet::hmi {
@@ -55,6 +56,14 @@ QWidget* makeConnectionPanel(const Models& models) {
     panel->setDisconnectEnabled(!runs->isRunning() && !runs->isCalibrating());
   });
   return panel;
+}
+
+QWidget* makePositionLine(const Models& models, QWidget* parent) {
+  auto* line = new widgets::PositionLine(parent);
+  const MachineModel* machine = &models.machine;
+  QObject::connect(machine, &MachineModel::viewChanged, line,
+                   [line, machine] { line->setMachineState(machine->view()); });
+  return line;
 }
 
 QWidget* makeCalibrationPage(const Models& models, QWidget* parent) {

@@ -11,6 +11,7 @@
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
+#include "hmi/preflight.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
 
@@ -29,6 +30,7 @@ struct Models {
   MachineModel& machine;
   Document& document;
   RunController& runs;
+  Preflight& preflight;
 };
 
 /// A page of the tab widget.
@@ -52,12 +54,12 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeMessageArea(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLoadBar(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeFileBanner(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makePositionLine(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeConnectionPanel(const Models& models);
 [[nodiscard]] QWidget* makeCorrectionPanel(const Models& models);
 [[nodiscard]] QWidget* makeMethodPanel(const Models& models);
 [[nodiscard]] QWidget* makeResumeBar(const Models& models, QWidget* parent);
-/// Which version of which program a start runs.
-[[nodiscard]] QWidget* makeRunTitle(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makePreflightSheet(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeRunPanel(const Models& models, QWidget* parent);
 
 /// Saves a text to a file and says so.

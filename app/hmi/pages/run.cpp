@@ -4,7 +4,6 @@
 /// Parts that set a run up and drive it: method, online correction, resuming, start and stop.
 
 #include <QCoreApplication>
-#include <QLabel>
 
 #include "hmi/pages/pages.h"
 #include "session/correction_feed.h"
@@ -12,6 +11,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/method_panel.h"
+#include "widgets/streaming/preflight_sheet.h"
 #include "widgets/streaming/run_panel.h"
 
 namespace rivulet::hmi {
@@ -19,6 +19,7 @@ namespace rivulet::hmi {
 using session::CorrectionFeed;
 using widgets::CorrectionPanel;
 using widgets::MethodPanel;
+using widgets::PreflightSheet;
 using widgets::ResumeBar;
 using widgets::RunPanel;
 
@@ -118,23 +119,25 @@ QWidget* makeResumeBar(const Models& models, QWidget* parent) {
   return bar;
 }
 
-QWidget* makeRunTitle(const Models& models, QWidget* parent) {
-  QLabel* label = widgets::makeValueLabel(parent);
-  label->setContentsMargins(12, 0, 12, 0);
-  label->hide();
-  QObject::connect(&models.runs, &RunController::permissionsChanged, label, [label, models] {
-    const auto program = models.document.program();
-    label->setVisible(program != nullptr);
-    if (program) {
-      label->setText(RunTexts::title(*program, models.runs.isRunning()));
+QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
+  auto* sheet = new PreflightSheet(parent);
+  Preflight* preflight = &models.preflight;
+  const auto show = [sheet, preflight] {
+    if (preflight->isOpen()) {
+      sheet->setItems(preflight->items(), preflight->hasPassed());
     }
-  });
-  return label;
+  };
+  QObject::connect(preflight, &Preflight::changed, sheet, show);
+  QObject::connect(sheet, &PreflightSheet::closeRequested, preflight, &Preflight::close);
+  QObject::connect(sheet, &PreflightSheet::remedyRequested, preflight, &Preflight::remedy);
+  return sheet;
 }
 
 QWidget* makeRunPanel(const Models& models, QWidget* parent) {
   auto* panel = new RunPanel(parent);
   RunController* runs = &models.runs;
+  Preflight* preflight = &models.preflight;
+  QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::open);
   QObject::connect(panel, &RunPanel::startRequested, runs, &RunController::start);
   QObject::connect(panel, &RunPanel::stopRequested, runs, &RunController::stop);
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
@@ -142,18 +145,21 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
   QObject::connect(runs, &RunController::finished, panel,
                    [panel](const std::shared_ptr<const streaming::RunReport>& report) {
-                     if (report->error.code == streaming::StreamError::StopNotConfirmed) {
-                       panel->setStopUnconfirmed();
-                     }
+                     panel->setReport(*report);
                    });
-  QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, runs] {
-    panel->setStartBlocked(widgets::blockedText(runs->startBlocked()));
-    panel->setResumeBlocked(widgets::blockedText(runs->resumeBlocked()));
-    panel->setCanHold(runs->canHold());
-  });
   const Document* document = &models.document;
+  QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, runs, document] {
+    panel->setStartBlocked(widgets::blockedText(runs->startBlocked()));
+    panel->setResume(runs->hasRunToResume(), widgets::blockedText(runs->resumeBlocked()));
+    panel->setCanHold(runs->canHold());
+    if (const auto program = document->program()) {
+      panel->setTitle(RunTexts::title(*program, runs->isRunning()));
+    }
+  });
+  QObject::connect(preflight, &Preflight::changed, panel,
+                   [panel, preflight] { panel->setPreflightPassed(preflight->hasPassed()); });
   QObject::connect(document, &Document::programLoaded, panel,
-                   [panel, document] { panel->setTotal(document->points().size()); });
+                   [panel, document] { panel->setProgram(document->points().size()); });
   QObject::connect(document, &Document::programPlaced, panel, [panel, document, runs] {
     // The counters of a run stay shown; the tool is elsewhere after it.
     if (!runs->isRunning() && !runs->report()) {

@@ -116,6 +116,7 @@ widgets::MachineView runningMachine() {
   machine.positionMm = base::Vec3{-12.3456, 105.0, -2.0};
   machine.feedMmPerS = base::mmPerSFromMmPerMin(500.0);
   machine.isVirtualMachine = true;
+  machine.positionAgeS = machine.feedAgeS = machine.stateAgeS = 0.1;
   return machine;
 }
 

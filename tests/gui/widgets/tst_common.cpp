@@ -193,6 +193,7 @@ class TestCommon : public QObject {
     MessageArea area;
     QVERIFY(area.isHidden());
     QSignalSpy dismissed(&area, &MessageArea::dismissed);
+    area.resize(600, 48);
     area.showMessage(gcode::Severity::Error, "The connection is lost.");
     QVERIFY(!area.isHidden());
     QVERIFY(test::visibleText(area).contains("Error"));

@@ -317,9 +317,9 @@ std::vector<Sample> samples() {
        [] {
          return correctionPanel(LiveSourceView{true, true, true, 0});
        }},
-      {"run_idle", {380, 380}, [] { return runPanel(RunState::Idle); }},
-      {"run_running", {380, 380}, [] { return runPanel(RunState::Running); }},
-      {"run_aborted", {380, 380}, [] { return runPanel(RunState::Aborted); }},
+      {"run_idle", {1000, 110}, [] { return runPanel(RunState::Idle); }},
+      {"run_running", {1280, 110}, [] { return runPanel(RunState::Running); }},
+      {"run_aborted", {512, 180}, [] { return runPanel(RunState::Aborted); }},
       {"feasibility_distance",
        {900, 600},
        [] { return feasibilityPage(MethodKind::Position, SweepAxis::PointDistance, 100.0); }},

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/preflight.h"
+
+#include <algorithm>
+
+#include "widgets/common/blocked_text.h"
+#include "widgets/common/number_format.h"
+
+namespace rivulet::hmi {
+
+using widgets::PreflightItem;
+using widgets::Status;
+
+namespace {
+
+/// Feeds closer than this are the same, mm/min.
+constexpr double kSameFeedMmPerMin = 0.5;
+
+QString positionText(const base::Vec3& positionMm) {
+  return QStringLiteral("X\u00A0%1 Y\u00A0%2 Z\u00A0%3")
+      .arg(widgets::numberText(positionMm.x, 3), widgets::numberText(positionMm.y, 3),
+           widgets::numberText(positionMm.z, 3));
+}
+
+/// Least and largest feed of the program's cutting moves, mm/s; nothing: it names none.
+std::optional<std::pair<double, double>> programFeeds(const widgets::ProgramView& view) {
+  std::optional<std::pair<double, double>> range;
+  for (std::size_t i = 0; i < view.feedsMmPerS.size(); ++i) {
+    const double feed = view.feedsMmPerS[i];
+    if (feed > 0.0 && view.kinds[i] != gcode::MoveKind::Rapid) {
+      range = range ? std::pair(std::min(range->first, feed), std::max(range->second, feed))
+                    : std::pair(feed, feed);
+    }
+  }
+  return range;
+}
+
+}  // namespace
+
+Preflight::Preflight(Document& document, MachineModel& machine, RunController& runs)
+    : m_document(document), m_machine(machine), m_runs(runs) {
+  connect(&m_runs, &RunController::permissionsChanged, this, &Preflight::changed);
+  connect(&m_runs, &RunController::started, this, &Preflight::close);
+  connect(&m_runs, &RunController::resumeAsked, this, &Preflight::close);
+  connect(&m_document, &Document::programLoaded, this, &Preflight::close);
+}
+
+void Preflight::open() {
+  if (!m_isOpen && !m_runs.isRunning()) {
+    m_isOpen = true;
+    Q_EMIT changed();
+    Q_EMIT openChanged();
+  }
+}
+
+void Preflight::close() {
+  if (m_isOpen) {
+    m_isOpen = false;
+    Q_EMIT changed();
+    Q_EMIT openChanged();
+  }
+}
+
+std::vector<PreflightItem> Preflight::items() const {
+  if (!m_document.view()) {
+    return {};
+  }
+  std::vector<PreflightItem> items;
+  if (const auto blocked = m_runs.startBlocked()) {
+    items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
+  }
+  items.push_back(programItem());
+  items.push_back(machineItem());
+  items.push_back(firstMoveItem());
+  items.push_back(feedItem());
+  items.push_back(methodItem());
+  items.push_back(accessItem());
+  return items;
+}
+
+PreflightItem Preflight::programItem() const {
+  const gcode::Program& program = *m_document.program();
+  return {program.isStreamable() ? Status::Good : Status::Fault,
+          tr("Program"),
+          tr("%1, version %2, %3 points")
+              .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash),
+                   widgets::countText(m_document.points().size())),
+          {},
+          0};
+}
+
+PreflightItem Preflight::machineItem() const {
+  if (!m_machine.isConnected()) {
+    return {Status::Fault, tr("Machine"), tr("Not connected"), {}, 0};
+  }
+  return m_machine.view().isVirtualMachine
+             ? PreflightItem{Status::Simulated,
+                             tr("Machine"),
+                             tr("%1: a virtual machine, no real axis moves")
+                                 .arg(m_machine.endpoint()),
+                             {},
+                             0}
+             : PreflightItem{Status::Good,
+                             tr("Machine"),
+                             tr("%1: the axes of this machine will move").arg(m_machine.endpoint()),
+                             {},
+                             0};
+}
+
+PreflightItem Preflight::firstMoveItem() const {
+  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
+  const auto toolMm = m_machine.positionNowMm();
+  if (!toolMm || m_document.points().empty()) {
+    item.status = Status::Unknown;
+    item.text = tr("The position of the tool is not known.");
+    return item;
+  }
+  const base::Vec3& firstMm = m_document.points().front().positionMm;
+  item.text = tr("From %1 in a straight line over %2 to point 1 at %3")
+                  .arg(positionText(*toolMm), widgets::lengthText(base::distance(*toolMm, firstMm)),
+                       positionText(firstMm));
+  const auto& report = m_runs.report();
+  if (report && report->outcome != streaming::Outcome::Completed) {
+    item.status = Status::Attention;
+    item.text += QLatin1Char('\n') +
+                 tr("The last run was left at %1 of %2 points. This start does not go on there: it "
+                    "moves from where the tool stands, perhaps in the cut, to the first point.")
+                     .arg(widgets::countText(m_runs.update().counters.executed),
+                          widgets::countText(m_runs.update().counters.total));
+  }
+  return item;
+}
+
+PreflightItem Preflight::feedItem() const {
+  const double feedMmPerS = m_document.settings().feedMmPerS;
+  PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0};
+  const auto programmed = programFeeds(*m_document.view());
+  const QString fixed = tr("%1 for every block, set here").arg(widgets::feedText(feedMmPerS));
+  if (!programmed) {
+    item.text = tr("%1. The program names no feed.").arg(fixed);
+    return item;
+  }
+  const QString range =
+      programmed->first == programmed->second
+          ? widgets::feedText(programmed->first)
+          : tr("%1 to %2")
+                .arg(widgets::feedText(programmed->first), widgets::feedText(programmed->second));
+  item.text = tr("%1. The program's own feed, %2, is not used.").arg(fixed, range);
+  constexpr double kSPerMin = 60.0;
+  if (feedMmPerS > programmed->first + kSameFeedMmPerMin / kSPerMin) {
+    item.status = Status::Attention;
+    item.text += QLatin1Char(' ') + tr("Some blocks will be cut %1 times as fast as programmed.")
+                                        .arg(widgets::factorText(feedMmPerS / programmed->first));
+    item.remedy = tr("Use F = %1").arg(widgets::feedText(programmed->first));
+    item.remedyId = UseProgramFeed;
+  }
+  return item;
+}
+
+PreflightItem Preflight::methodItem() const {
+  const Findings& findings = m_document.findings();
+  PreflightItem item{Status::Plain, tr("Verdict"), {}, {}, 0};
+  if (!findings.verdict) {
+    item.status = Status::Unknown;
+    item.text = tr("There is no verdict.");
+  } else if (findings.verdict->waits) {
+    item.status = Status::Attention;
+    item.text = tr("Safe, but the machine will wait for points. Largest feed without waiting: %1.")
+                    .arg(widgets::feedText(findings.verdict->feedMmPerSMax));
+  } else {
+    item.status = findings.verdict->feasible ? Status::Good : Status::Fault;
+    item.text = tr("Margin %1 ×, largest feed %2")
+                    .arg(widgets::factorText(findings.verdict->limiting.margin),
+                         widgets::feedText(findings.verdict->feedMmPerSMax));
+  }
+  return item;
+}
+
+PreflightItem Preflight::accessItem() const {
+  const Findings& findings = m_document.findings();
+  const widgets::AccessSourceText text = widgets::accessSourceText(
+      findings.source, findings.access.timePerNode(findings.operatingPoint.turn()));
+  return {
+      findings.source.isUsed() ? Status::Good : Status::Attention, tr("Access"), text.text, {}, 0};
+}
+
+void Preflight::remedy(int remedyId) {
+  if (remedyId == ReloadProgram) {
+    m_document.readAgain(m_document.reading());
+  } else if (const auto feeds = programFeeds(*m_document.view()); feeds) {
+    widgets::StreamSettings settings = m_document.settings();
+    settings.feedMmPerS = feeds->first;
+    m_document.setSettings(settings);
+  }
+}
+
+}  // namespace rivulet::hmi

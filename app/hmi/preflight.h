@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What an operator checks before a run, from the models as they are now. It only shows: whether a
+/// run may start is `RunController`'s business. @threadsafety GUI thread.
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "hmi/document.h"
+#include "hmi/machine_model.h"
+#include "hmi/run_controller.h"
+#include "widgets/streaming/preflight_sheet.h"
+
+namespace rivulet::hmi {
+
+class Preflight final : public QObject {
+  Q_OBJECT
+
+ public:
+  enum Remedy { ReloadProgram, UseProgramFeed };
+
+  Preflight(Document& document, MachineModel& machine, RunController& runs);
+
+  /// Shows what a start would do. Nothing moves.
+  void open();
+  void close();
+  [[nodiscard]] bool isOpen() const { return m_isOpen; }
+  /// It is shown, and nothing stands in the way of a start.
+  [[nodiscard]] bool hasPassed() const { return m_isOpen && !m_runs.startBlocked(); }
+  /// In the operator's language.
+  [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
+  void remedy(int remedyId);
+
+ Q_SIGNALS:
+  /// Opened or closed.
+  void openChanged();
+  void changed();
+
+ private:
+  [[nodiscard]] widgets::PreflightItem programItem() const;
+  [[nodiscard]] widgets::PreflightItem machineItem() const;
+  [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
+  [[nodiscard]] widgets::PreflightItem feedItem() const;
+  [[nodiscard]] widgets::PreflightItem methodItem() const;
+  [[nodiscard]] widgets::PreflightItem accessItem() const;
+
+  Document& m_document;
+  MachineModel& m_machine;
+  RunController& m_runs;
+  bool m_isOpen = false;
+};
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/folding_columns.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QStyle>
+
+namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kColumnPx = 380;
+constexpr int kPagePx = 560;  ///< least width of a page beside a column
+
+/// A layout that squeezes wrapped texts does so without a word: the page gets its height first.
+class Column final : public QScrollArea {
+ public:
+  using QScrollArea::QScrollArea;
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override {
+    const bool result = QScrollArea::eventFilter(object, event);
+    if (object == widget() &&
+        (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)) {
+      const QLayout* layout = widget()->layout();
+      const int height = layout->hasHeightForWidth() ? layout->heightForWidth(widget()->width())
+                                                     : widget()->sizeHint().height();
+      if (height != widget()->minimumHeight()) {
+        widget()->setMinimumHeight(height);
+      }
+    }
+    return result;
+  }
+};
+
+QScrollArea* scrolling(QScrollArea* area, QWidget* page) {
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidget(page);
+  area->setMinimumSize(0, 0);
+  area->setFocusPolicy(Qt::NoFocus);
+  return area;
+}
+
+}  // namespace
+
+QScrollArea* makeScrolling(QWidget* page, QWidget* parent) {
+  return scrolling(new QScrollArea(parent), page);
+}
+
+QScrollArea* makeColumn(QWidget* page, QWidget* parent) {
+  return scrolling(new Column(parent), page);
+}
+
+FoldingColumns::FoldingColumns(QWidget* left, QWidget* centre, QWidget* right, QWidget* parent)
+    : QWidget(parent),
+      m_columns{makeColumn(left, this), makeColumn(right, this)},
+      m_centre(centre) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->setSizeConstraint(QLayout::SetNoConstraint);
+  layout->addWidget(m_columns[Left]);
+  layout->addWidget(m_centre, 1);
+  layout->addWidget(m_columns[Right]);
+  show();
+}
+
+FoldingColumns::Room FoldingColumns::room() const {
+  if (width() >= kPagePx + 2 * kColumnPx) {
+    return Room::BothColumns;
+  }
+  return width() >= kPagePx + kColumnPx ? Room::OneColumn : Room::Page;
+}
+
+bool FoldingColumns::coversCentre() const {
+  return m_room == Room::Page && (m_isOpen[Left] || m_isOpen[Right]);
+}
+
+void FoldingColumns::uncover() {
+  if (coversCentre()) {
+    m_isOpen[Left] = m_isOpen[Right] = false;
+    show();
+  }
+}
+
+QSize FoldingColumns::minimumSizeHint() const {
+  return {0, m_centre->minimumSizeHint().height()};
+}
+
+void FoldingColumns::setOpen(Side side, bool open) {
+  if (open == m_isOpen[side]) {
+    return;
+  }
+  m_isOpen[side] = open;
+  if (open && m_room != Room::BothColumns) {
+    m_isOpen[side == Left ? Right : Left] = false;
+  }
+  show();
+}
+
+void FoldingColumns::show() {
+  const bool covers = coversCentre();
+  const int scrollBar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  for (const Side side : {Left, Right}) {
+    QScrollArea* column = m_columns[side];
+    column->setMinimumWidth(covers ? 0 : kColumnPx + scrollBar);
+    column->setMaximumWidth(covers ? QWIDGETSIZE_MAX : kColumnPx + scrollBar);
+    column->setVisible(m_isOpen[side]);
+  }
+  m_centre->setVisible(!covers);
+  Q_EMIT changed();
+}
+
+void FoldingColumns::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (const Room now = room(); now != m_room) {
+    m_room = now;
+    m_isOpen[Left] = now == Room::BothColumns;
+    m_isOpen[Right] = now != Room::Page;
+    show();
+  }
+}
+
+}  // namespace rivulet::widgets

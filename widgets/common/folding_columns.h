@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A page between two side columns. Where there is room, the columns stand beside the page; where
+/// there is not, they are folded away, and one that is opened takes the place of the page. Nothing
+/// in it makes the window wider or higher: what does not fit scrolls.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QWidget>
+
+class QScrollArea;
+
+namespace rivulet::widgets {
+
+/// A page that scrolls in both directions when there is less room than it needs.
+[[nodiscard]] QScrollArea* makeScrolling(QWidget* page, QWidget* parent = nullptr);
+/// The same for a page of text and fields: it is never lower than its texts need at its width.
+[[nodiscard]] QScrollArea* makeColumn(QWidget* page, QWidget* parent = nullptr);
+
+class FoldingColumns final : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum Side { Left, Right };
+
+  /// Takes the three parts.
+  FoldingColumns(QWidget* left, QWidget* centre, QWidget* right, QWidget* parent = nullptr);
+
+  void setOpen(Side side, bool open);
+  [[nodiscard]] bool isOpen(Side side) const { return m_isOpen[side]; }
+  /// An open column leaves no room for the page.
+  [[nodiscard]] bool coversCentre() const;
+  /// Closes what covers the page.
+  void uncover();
+  /// With everything folded away.
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  /// A column was opened or closed, by whomever.
+  void changed();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  enum class Room { Page, OneColumn, BothColumns };
+  [[nodiscard]] Room room() const;
+  void show();
+
+  QScrollArea* m_columns[2];
+  QWidget* m_centre;
+  bool m_isOpen[2] = {false, false};
+  Room m_room = Room::Page;
+};
+
+}  // namespace rivulet::widgets

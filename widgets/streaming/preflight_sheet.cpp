@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/streaming/preflight_sheet.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+PreflightSheet::PreflightSheet(QWidget* parent)
+    : Page(parent),
+      m_title(makeHeading(this)),
+      m_outcome(new StatusLabel(this)),
+      m_rows(new QGridLayout),
+      m_close(makeTouchButton(this)) {
+  QFont font = m_title->font();
+  font.setPointSizeF(16.0);
+  m_title->setFont(font);
+  m_outcome->setWordWrap(true);
+  m_outcome->setEmphasis(12.0, true);
+  m_rows->setHorizontalSpacing(16);
+  m_rows->setVerticalSpacing(8);
+  m_rows->setColumnStretch(1, 1);
+  auto* head = new QHBoxLayout;
+  head->addWidget(m_title, 1);
+  head->addWidget(m_close);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 8, 16, 8);
+  layout->addLayout(head);
+  layout->addWidget(m_outcome);
+  layout->addLayout(m_rows);
+  layout->addStretch();
+  connect(m_close, &QPushButton::clicked, this, &PreflightSheet::closeRequested);
+  retranslate();
+  restyle();
+}
+
+void PreflightSheet::setItems(const std::vector<PreflightItem>& items, bool passed) {
+  if (items == m_items && passed == m_passed) {
+    return;  // a button that is being pressed must stay there
+  }
+  m_items = items;
+  m_passed = passed;
+  showItems();
+}
+
+void PreflightSheet::showItems() {
+  while (QLayoutItem* item = m_rows->takeAt(0)) {
+    if (item->widget() != nullptr) {
+      item->widget()->hide();
+      item->widget()->deleteLater();
+    }
+    delete item;
+  }
+  int row = 0;
+  for (const PreflightItem& item : m_items) {
+    auto* name = new QLabel(item.name, this);
+    setMuted(name, palette());
+    auto* text = new StatusLabel(this);
+    text->setWordWrap(true);
+    text->setStatus(item.status, item.text);
+    m_rows->addWidget(name, row, 0, Qt::AlignTop);
+    m_rows->addWidget(text, row, 1);
+    if (!item.remedy.isEmpty()) {
+      QPushButton* button = makeTouchButton(this);
+      button->setText(item.remedy);
+      m_rows->addWidget(button, row, 2, Qt::AlignTop);
+      connect(
+          button, &QPushButton::clicked, this,
+          [this, id = item.remedyId] { Q_EMIT remedyRequested(id); }, Qt::QueuedConnection);
+    }
+    ++row;
+  }
+  m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
+                       m_passed ? tr("Nothing has moved yet. Hold Start for one second: then the "
+                                     "machine moves.")
+                                : tr("Start is not possible yet."));
+}
+
+void PreflightSheet::retranslate() {
+  m_title->setText(tr("Before the start"));
+  m_close->setText(tr("Not now"));
+  showItems();
+}
+
+void PreflightSheet::restyle() {
+  m_close->setIcon(themedIcon(QStringLiteral("dismiss"), themeColors(palette()).text));
+  showItems();
+}
+
+}  // namespace rivulet::widgets

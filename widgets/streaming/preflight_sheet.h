@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What will happen if Start is held now: one line for each thing an operator checks before a run,
+/// with its state and, where something is in the way, a button that leads to the remedy.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <vector>
+
+#include "widgets/common/page.h"
+#include "widgets/common/status_label.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace rivulet::widgets {
+
+struct PreflightItem {
+  Status status = Status::Plain;
+  QString name;
+  QString text;    ///< one sentence
+  QString remedy;  ///< text of the button; empty: none
+  int remedyId = 0;
+
+  friend bool operator==(const PreflightItem&, const PreflightItem&) = default;
+};
+
+class PreflightSheet final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit PreflightSheet(QWidget* parent = nullptr);
+
+  /// @param passed  nothing stands in the way
+  void setItems(const std::vector<PreflightItem>& items, bool passed);
+
+ Q_SIGNALS:
+  void remedyRequested(int remedyId);
+  void closeRequested();
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  void showItems();
+
+  std::vector<PreflightItem> m_items;
+  bool m_passed = false;
+  QLabel* m_title;
+  StatusLabel* m_outcome;
+  QWidget* m_list = nullptr;
+  QGridLayout* m_rows;
+  QPushButton* m_close;
+};
+
+}  // namespace rivulet::widgets
