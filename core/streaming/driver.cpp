@@ -355,6 +355,10 @@ void Driver::handleMethod(const opcua::Event& event) {
     return;
   }
   const Progress& progress = m_method.progress();
+  if (progress.granted && !m_grantSeen) {
+    m_grantSeen = true;
+    m_sink.granted();
+  }
   m_counters.executed = progress.executed;
   if (progress.brokenSignals > m_brokenSeen) {
     m_brokenSeen = progress.brokenSignals;

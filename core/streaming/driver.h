@@ -28,6 +28,9 @@ class RunSink {
   virtual void update(const LiveUpdate& update) = 0;
   virtual void access(const trace::Access& access) = 0;
   virtual void note(const trace::Note& note) = 0;
+  /// Methods with windows: the control obeys the run from now on. No window has been delivered yet,
+  /// and none is before this returns.
+  virtual void granted() {}
 };
 
 /// Source of the operator's requests to a run. @threadsafety asked on the streaming thread only
@@ -136,6 +139,7 @@ class Driver {
   std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
   std::vector<trace::Pause> m_pauses;
   std::size_t m_stopsSeen = 0;
+  bool m_grantSeen = false;
   std::size_t m_brokenSeen = 0;
   base::RecentValues<base::Duration> m_recentAccess{kRecentMax};
   std::optional<base::Duration> m_calibratedTail;  // of the longest request of the method

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "base/contract.h"
@@ -73,6 +74,15 @@ class Ledger final : public RunSink {
     }
     m_next.note(note);
   }
+
+  void granted() override {
+    if (onGranted) {
+      onGranted();
+    }
+    m_next.granted();
+  }
+
+  std::function<void()> onGranted;
 
   [[nodiscard]] AccessStatistics statistics() const {
     AccessStatistics statistics;
@@ -237,7 +247,7 @@ class Job {
                                              transfer->written ? "written" : "already there",
                                              transfer->compared ? "compared" : "not compared",
                                              transfer->selected ? "selected" : "to be selected")});
-    keepCheckpoint();
+    keepCheckpoint(false);
     storeLabel();
     // A number left from an earlier run must not be mistaken for the program's own.
     std::vector<opcua::Assignment> clear;
@@ -258,13 +268,13 @@ class Job {
 
   /// Stores the checkpoint: before the program is started with all points, and again before the
   /// first window. From then on it is not known without the control's cells whether anything moved.
-  void keepCheckpoint() {
+  void keepCheckpoint(bool isGranted) {
     if (m_recorder.keeper == nullptr || !m_report.checkpoint) {
       return;
     }
     std::vector<gcode::StreamPoint> all;
     Checkpoint checkpoint = *m_report.checkpoint;
-    if (m_isArmed) {
+    if (isGranted) {
       checkpoint.granted = true;
     } else if (m_settings.resume) {
       if (Result<gcode::PointList> list = pointsOnAxes(m_program.trajectory, m_settings.parameters,
@@ -388,8 +398,7 @@ class Job {
       }
     }
     driver.watchRotary(shown.index);
-    m_isArmed = true;
-    keepCheckpoint();
+    m_ledger.onGranted = [this] { keepCheckpoint(true); };
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();
     if (m_report.checkpoint) {
@@ -531,7 +540,6 @@ class Job {
   Preflight m_flight;
   RunReport m_report;
   bool m_cancelled = false;
-  bool m_isArmed = false;  ///< the program on the control waits for the run
   bool m_streamed = false;
 };
 

@@ -43,8 +43,9 @@ struct Preflight {
 class CheckpointKeeper {
  public:
   virtual ~CheckpointKeeper() = default;
-  /// Called before the program on the control is started, and again before the first window. When
-  /// it returns, the checkpoint is stored safely. A failure is noted; the run goes on.
+  /// Called before the program on the control is started, and again when the control obeys the run,
+  /// before the first window. When it returns, the checkpoint is stored safely. A failure is noted;
+  /// the run goes on.
   /// @param settings  of the run, with its number
   /// @param points    of the whole program, in the first call; empty in the second
   virtual base::Result<void> keep(const Checkpoint& checkpoint, const RunSettings& settings,

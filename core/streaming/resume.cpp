@@ -268,6 +268,11 @@ class Resumption {
     if (!isOurs && !m_last.granted) {
       return ofRunNeverObeyed();
     }
+    if (m_remains.owner == 0.0) {
+      return base::fail(StreamError::CannotResume,
+                        "The control does not know this run: it was switched off since then, or "
+                        "its program was started again. Start from the beginning.");
+    }
     const double latched = m_remains.latched;
     const double executed = m_remains.executed;
     const bool fits = latched >= executed && latched <= executed + takenMax &&

@@ -440,7 +440,7 @@ class TestCli : public QObject {
                               << words("--feed 3000 --simulate --json --resume")
                               << file("report.json", report.output.toUtf8().constData()));
     QCOMPARE(other.exit, 2);
-    QVERIFY(other.parsed()["error"]["message"].get<std::string>().find("another program") !=
+    QVERIFY(other.parsed()["error"]["message"].get<std::string>().find("does not know") !=
             std::string::npos);
   }
 
