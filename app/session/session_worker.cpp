@@ -4,11 +4,11 @@
 #include "session/session_worker.h"
 
 #include <chrono>
-#include <cstdio>
 #include <vector>
 
 #include "base/units.h"
 #include "opcua/await.h"
+#include "recorder/recording_file.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
@@ -287,26 +287,34 @@ void SessionWorker::start(const StartCommand& command) {
     tell(RunFinished{std::move(report), {}});
     return;
   }
-  // The file is written by this thread between accesses: small appends into the page cache.
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-      command.recordingPath.empty() ? nullptr : std::fopen(command.recordingPath.c_str(), "wb"),
-      std::fclose);
+  std::unique_ptr<recorder::RecordingFile> file;
   std::unique_ptr<trace::RecordingWriter> writer;
-  if (file) {
-    writer = std::make_unique<trace::RecordingWriter>([&file](std::string_view text) {
-      return std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
-    });
+  if (!command.recordingPath.empty()) {
+    if (auto opened = recorder::RecordingFile::open(command.recordingPath)) {
+      file = std::move(*opened);
+      writer = std::make_unique<trace::RecordingWriter>(file->sink());
+    }
   }
   streaming::JobRecorder recorder;
   recorder.writer = writer.get();
   recorder.start.toolVersion = RIVULET_VERSION;
+  recorder.start.endpoint = m_endpoint;
   recorder.start.startedAtUtc = command.startedAtUtc;
   streaming::RunSettings settings = command.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
+  settings.origin = report::thisUser();
+  report::SavedRun kept;
+  kept.programName = command.program->name;
+  kept.endpoint = m_endpoint;
+  kept.toolVersion = RIVULET_VERSION;
+  kept.recording = command.recordingPath;
+  report::RunKeeper keeper(m_runs, std::move(kept));
+  recorder.keeper = &keeper;
   auto report = std::make_shared<streaming::RunReport>(
       streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
                         requests, sink, std::move(recorder)));
-  const bool recorded = writer && writer->ok() && std::fflush(file.get()) == 0;
+  keeper.finish(*report);
+  const bool recorded = file && file->finish();
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;
   if (lost) {

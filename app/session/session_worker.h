@@ -19,6 +19,7 @@
 #include "base/spsc_ring.h"
 #include "opcua/connection.h"
 #include "report/machine_store.h"
+#include "report/run_store.h"
 #include "session/session_event.h"
 #include "streaming/control_axes.h"
 #include "streaming/job.h"
@@ -79,6 +80,7 @@ class SessionWorker {
   base::Vec3 m_correctionMm;
   opcua::Connector m_connector;
   report::MachineStore m_machines;
+  report::RunStore m_runs;
   opcua::Connection m_connection;  // streaming thread only
   streaming::ControlAxes m_axes;   // of the control at the other end
   std::string m_proven;            // text of the template proved last; streaming thread only
