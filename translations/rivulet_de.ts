@@ -2764,6 +2764,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Wartet auf Anwahl der Vorlage und NC-Start an der Steuerung</translation>
     </message>
     <message>
+        <source>Nothing comes from the control. Check cable, switch and server.</source>
+        <translation>Die Steuerung antwortet nicht. Kabel, Switch und Server prüfen.</translation>
+    </message>
+    <message>
         <source>Waiting for the control&apos;s own trace</source>
         <translation>Wartet auf die Aufzeichnung der Steuerung</translation>
     </message>

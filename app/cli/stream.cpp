@@ -167,6 +167,9 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
              base::toMilliseconds(report.access.perNode.mean),
              base::toMilliseconds(report.access.perNode.p99),
              base::toMilliseconds(report.access.perNode.max));
+  if (!report.slowedBy.empty()) {
+    fmt::print("{}\n", report.slowedBy);
+  }
   if (judged.verdict) {
     fmt::print("{}\n", accessSourceText(calibrated, judged.form, *judged.verdict));
   }

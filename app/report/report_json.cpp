@@ -158,6 +158,9 @@ ordered_json runJson(const streaming::RunReport& report) {
   if (report.stopConfirmedAfter) {
     json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);
   }
+  if (!report.slowedBy.empty()) {
+    json["slowed_by"] = report.slowedBy;
+  }
   if (report.error.code) {
     json["error"] = errorJson(report.error);
   }

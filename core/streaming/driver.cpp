@@ -21,6 +21,19 @@ constexpr Duration kOrderInterval = std::chrono::milliseconds{20};
 /// The display gets at most this many samples a second.
 constexpr Duration kDisplayInterval = std::chrono::milliseconds{33};
 constexpr Duration kStatusInterval = std::chrono::milliseconds{200};
+/// Reading the status takes one part in this many of the time at most.
+constexpr int kStatusShare = 4;
+/// The position of the axes is read this often even if the stream leaves no time for it.
+constexpr Duration kDisplayIntervalMax = std::chrono::milliseconds{900};
+/// Answers that come late make the deadlines up to this many times as long.
+constexpr int kPatienceMax = 4;
+/// Answers with a refused item in a row that are taken for faults of the transmission.
+constexpr int kRefusalsMax = 2;
+/// From this much silence on the network is said to be interrupted.
+constexpr Duration kSilenceNoticed = std::chrono::seconds{3};
+/// Accesses that take this many times their estimate slow the run.
+constexpr double kSlowFactor = 5.0;
+constexpr Duration kSlowAccess = std::chrono::milliseconds{50};
 /// Counters without a sample reach the display this often.
 constexpr Duration kPublishInterval = std::chrono::milliseconds{40};
 /// An inferred pause gives way to a measured one that comes within this time.
@@ -94,6 +107,7 @@ void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) 
 }
 
 StreamEnd Driver::run() {
+  m_shownAt = m_link.now();
   while (!m_done) {
     checkOrders();
     if (m_abandonedAt) {
@@ -103,14 +117,10 @@ StreamEnd Driver::run() {
     if (!m_abandonedAt) {
       submitMethod();
     }
-    const Instant now = m_link.now();
-    Instant until = now + kOrderInterval;
-    if (!m_methodPending && !m_monitorPending && m_nextStatus > now) {
-      until = std::min(until, m_nextStatus);
-    }
-    if (const std::optional<opcua::Event> event = m_link.wait(until)) {
+    if (const std::optional<opcua::Event> event = m_link.wait(nextWakeUp())) {
       handle(*event);
     }
+    noticeSilence();
     settleInferred(false);
     checkDeadlines();
     if (m_link.now() - m_lastPublished >= kPublishInterval) {
@@ -119,8 +129,60 @@ StreamEnd Driver::run() {
   }
   settleInferred(true);
   noteCorrection(true);
+  noticeSlowness();
   publish();
   return m_end;
+}
+
+Instant Driver::nextWakeUp() const {
+  const Instant now = m_link.now();
+  Instant until = now + kOrderInterval;
+  if (m_methodPending || m_monitorPending) {
+    return until;
+  }
+  for (const std::optional<Instant> due :
+       {std::optional(m_nextStatus), m_method.progress().expected.deadline(Expectation::Poll)}) {
+    if (due && *due > now) {
+      until = std::min(until, *due);
+    }
+  }
+  return until;
+}
+
+void Driver::noticeSilence() {
+  const Duration silence = m_link.silence();
+  if (m_isSilent == (silence >= kSilenceNoticed)) {
+    return;
+  }
+  m_isSilent = !m_isSilent;
+  m_sink.note({m_link.now(), m_isSilent ? fmt::format("network: nothing has come from the control "
+                                                      "for {:.0f} s",
+                                                      base::toSeconds(kSilenceNoticed))
+                                        : std::string("network: the control answers again")});
+  publish();
+}
+
+/// Every access slow: network or server. Some of them: somebody else is served in between.
+void Driver::noticeSlowness() {
+  if (!m_end.slowedBy.empty() || !m_slowness.isFull()) {
+    return;
+  }
+  const double slowness = m_slowness.quantile(900);
+  const Duration least = m_lastAccesses.quantile(1);
+  const Duration most = m_lastAccesses.quantile(1000);
+  if (slowness < kSlowFactor || most < kSlowAccess) {
+    return;
+  }
+  m_end.slowedBy = fmt::format(
+      "The control answered slowly: accesses took up to {:.2f} s, {:.0f} times as long as "
+      "expected. {}",
+      base::toSeconds(most), slowness,
+      least >= kSlowAccess
+          ? fmt::format("Each took at least {:.2f} s: the network is slow, or the server is busy "
+                        "with another OPC UA client.",
+                        base::toSeconds(least))
+          : "Some were fast: another OPC UA client keeps the server busy.");
+  m_sink.note({m_link.now(), "slowed: " + m_end.slowedBy});
 }
 
 RunState Driver::state() const {
@@ -173,9 +235,10 @@ bool Driver::submitCorrection() {
     return false;
   }
   m_monitor = Monitor::Correction;
-  m_monitorPending = Pending{m_link.write(m_correction.take(m_link.now()),
-                                          m_settings.requestDeadline, opcua::Grouping::List),
-                             true, nodes, 0};
+  m_monitorPending =
+      Pending{m_link.write(m_correction.take(m_link.now()), patient(m_settings.requestDeadline),
+                           opcua::Grouping::List),
+              true, nodes, 0};
   return true;
 }
 
@@ -220,30 +283,44 @@ bool Driver::wantsStatus() const {
   return late || hasSlackFor(static_cast<int>(m_status.size()));
 }
 
+bool Driver::wantsDisplay() const {
+  const Instant now = m_link.now();
+  if (!m_settings.monitor || m_abandonedAt || now < m_nextDisplay) {
+    return false;
+  }
+  // Where a late client means wrong motion, the display waits.
+  const bool isOverdue = m_method.waitsForClient() && now - m_shownAt >= kDisplayIntervalMax;
+  return isOverdue || hasSlackFor(static_cast<int>(m_display.size()));
+}
+
+Duration Driver::patient(Duration deadline) const {
+  return m_patience * deadline;
+}
+
 void Driver::submitMonitor() {
   const bool started = m_method.progress().lastProgress || m_abandonedAt;
-  if (m_methodPending || m_monitorPending || !started) {
+  const bool isMethodsTurn = m_methodsTurn && !m_abandonedAt;
+  if (m_methodPending || m_monitorPending || !started || isMethodsTurn) {
     return;
   }
   if (submitCorrection()) {
-    return;
+    m_methodsTurn = true;
+  } else if (wantsStatus()) {
+    submitMonitorRead(true);
+  } else if (wantsDisplay()) {
+    submitMonitorRead(false);
   }
-  const Instant now = m_link.now();
-  if (wantsStatus()) {
-    m_monitor = Monitor::Status;
-    m_nextStatus = now + kStatusInterval;
-  } else if (m_settings.monitor && !m_abandonedAt && now >= m_nextDisplay &&
-             hasSlackFor(static_cast<int>(m_display.size()))) {
-    m_monitor = Monitor::Display;
-    m_nextDisplay = now + kDisplayInterval;
-  } else {
-    return;
-  }
-  const std::vector<opcua::Variable>& variables =
-      m_monitor == Monitor::Status ? m_status : m_display;
+}
+
+void Driver::submitMonitorRead(bool isStatus) {
+  m_methodsTurn = true;
+  m_monitor = isStatus ? Monitor::Status : Monitor::Display;
+  (isStatus ? m_nextStatus : m_nextDisplay) =
+      m_link.now() + (isStatus ? kStatusInterval : kDisplayInterval);
+  const std::vector<opcua::Variable>& variables = isStatus ? m_status : m_display;
   m_monitorPending =
-      Pending{m_link.read(variables, m_settings.requestDeadline, opcua::Grouping::List), false,
-              static_cast<int>(variables.size()), 0};
+      Pending{m_link.read(variables, patient(m_settings.requestDeadline), opcua::Grouping::List),
+              false, static_cast<int>(variables.size()), 0};
 }
 
 void Driver::submitMethod() {
@@ -251,6 +328,7 @@ void Driver::submitMethod() {
     return;
   }
   const std::optional<Action> action = m_method.poll(m_link.now());
+  m_methodsTurn = false;
   if (!action) {
     return;
   }
@@ -258,12 +336,13 @@ void Driver::submitMethod() {
   pending.points = action->points;
   if (action->kind == Action::Kind::Read) {
     pending.nodes = static_cast<int>(action->variables.size());
-    pending.id = m_link.read(action->variables, m_settings.requestDeadline, m_settings.grouping);
+    pending.id =
+        m_link.read(action->variables, patient(m_settings.requestDeadline), m_settings.grouping);
   } else if (action->kind == Action::Kind::Store) {
     pending.write = true;
     pending.nodes = 0;
     pending.id = m_link.store(std::string(action->name), std::string(action->text),
-                              m_settings.requestDeadline + kStoreDeadline);
+                              patient(m_settings.requestDeadline) + kStoreDeadline);
     m_counters.sent += action->points;
   } else {
     pending.write = true;
@@ -271,7 +350,7 @@ void Driver::submitMethod() {
     // A large fill at the start takes its time: the deadline grows with the number of nodes.
     const Duration deadline =
         m_settings.requestDeadline + 4 * m_settings.accessTime * pending.nodes;
-    pending.id = m_link.write(action->assignments, deadline, m_settings.grouping);
+    pending.id = m_link.write(action->assignments, patient(deadline), m_settings.grouping);
     m_counters.sent += action->points;
   }
   m_methodPending = pending;
@@ -308,22 +387,20 @@ void Driver::handle(const opcua::Event& event) {
     }
     return;
   }
-  m_sink.access({event.sent, event.at - event.sent, pending.write, pending.nodes});
-  if (pending.nodes > 0) {
-    m_recentAccess.add(event.at - event.sent);
-  }
-  for (const opcua::Reading& reading : event.readings) {
-    if (reading.status) {
-      abandon(itemError(reading.status, "A variable that the stream needs cannot be read."));
-      return;
+  noteAccess(event, pending);
+  if (const std::error_code refused = refusedItem(event)) {
+    if (!repeats(event, forMethod)) {
+      abandon(itemError(refused, event.kind == opcua::EventKind::ReadDone
+                                     ? "A variable that the stream needs cannot be read."
+                                     : "A cell that the stream needs cannot be written."));
+    } else if (forMethod) {
+      m_counters.sent -= pending.points;
+    } else if (isCorrection) {
+      m_correction.lost();
     }
+    return;
   }
-  for (const std::error_code& status : event.statuses) {
-    if (status) {
-      abandon(itemError(status, "A cell that the stream needs cannot be written."));
-      return;
-    }
-  }
+  m_refusals = 0;
   if (forMethod) {
     m_counters.accepted += pending.points;
     handleMethod(event);
@@ -335,6 +412,49 @@ void Driver::handle(const opcua::Event& event) {
   }
 }
 
+std::error_code Driver::refusedItem(const opcua::Event& event) {
+  for (const opcua::Reading& reading : event.readings) {
+    if (reading.status) {
+      return reading.status;
+    }
+  }
+  for (const std::error_code& status : event.statuses) {
+    if (status) {
+      return status;
+    }
+  }
+  return {};
+}
+
+bool Driver::repeats(const opcua::Event& event, bool forMethod) {
+  // In the middle of a run it is not the access rights: the same cells were accessible before.
+  if (m_abandonedAt || m_counters.accepted == 0 || ++m_refusals > kRefusalsMax) {
+    return false;
+  }
+  if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
+    return false;
+  }
+  m_sink.note({event.at, "an item was refused: asked again"});
+  return true;
+}
+
+void Driver::noteAccess(const opcua::Event& event, const Pending& pending) {
+  const Duration took = event.at - event.sent;
+  m_sink.access({event.sent, took, pending.write, pending.nodes});
+  // A deadline of one and a half times what an answer takes.
+  m_patience = 1;
+  while (m_patience < kPatienceMax && patient(m_settings.requestDeadline) < took + took / 2) {
+    m_patience *= 2;
+  }
+  if (pending.nodes == 0) {
+    return;
+  }
+  m_recentAccess.add(took);
+  m_lastAccesses.add(took);
+  m_slowness.add(base::toSeconds(took) / base::toSeconds(expectedRead(pending.nodes)));
+  noticeSlowness();
+}
+
 bool Driver::forgives(const opcua::Event& event, bool forMethod) {
   if (event.error.code != opcua::LinkError::DeadlineExceeded || m_abandonedAt) {
     return false;
@@ -342,6 +462,7 @@ bool Driver::forgives(const opcua::Event& event, bool forMethod) {
   if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
     return false;
   }
+  m_patience = std::min(2 * m_patience, kPatienceMax);
   m_sink.note({event.at, "no answer in time: asked again"});
   return true;
 }
@@ -374,6 +495,7 @@ void Driver::handleMethod(const opcua::Event& event) {
 
 void Driver::handleMonitor(const opcua::Event& event) {
   if (m_monitor == Monitor::Status) {
+    m_nextStatus = std::max(m_nextStatus, event.at + (kStatusShare - 1) * (event.at - event.sent));
     if (event.readings[0].number == kChannelReset) {
       m_end.programEnded = true;
       if (m_stopWantedAt) {
@@ -388,6 +510,7 @@ void Driver::handleMonitor(const opcua::Event& event) {
     }
     return;
   }
+  m_shownAt = event.at;
   trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0, {}};
   if (event.readings.size() > base::kAxisCount) {
     sample.positionMm =
@@ -458,9 +581,13 @@ void Driver::checkDeadlines() {
     return;
   }
   const std::optional<Instant> expected = progress.expected.deadline(Expectation::Progress);
-  if (!m_abandonedAt && progress.lastProgress && expected &&
-      now > *expected + m_settings.stallDeadline) {
-    abandon(base::makeError(StreamError::StreamStalled, std::string(m_method.adviceWhenStalled())));
+  // A window takes several accesses, however slow these are.
+  const Duration patience = m_settings.stallDeadline + 10 * slowAccess().value_or(Duration{});
+  if (!m_abandonedAt && progress.lastProgress && expected && now > *expected + patience) {
+    abandon(base::makeError(StreamError::StreamStalled,
+                            m_end.slowedBy.empty()
+                                ? std::string(m_method.adviceWhenStalled())
+                                : "The stream made no progress. " + m_end.slowedBy));
   }
 }
 
@@ -480,7 +607,8 @@ void Driver::submitStop() {
     return;
   }
   m_stopSent = true;
-  m_stopPending = m_link.write({&m_stop, 1}, m_settings.requestDeadline, opcua::Grouping::List);
+  m_stopPending =
+      m_link.write({&m_stop, 1}, patient(m_settings.requestDeadline), opcua::Grouping::List);
 }
 
 void Driver::publish(std::optional<trace::LiveSample> sample) {
@@ -492,6 +620,9 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
     update.correction = m_correction.value();
   }
   update.sample = std::move(sample);
+  if (m_isSilent) {
+    update.waitingFor = "network";
+  }
   const Progress& progress = m_method.progress();
   const std::optional<Duration> slow = slowAccess();
   // The axes need points, or the method an access.

@@ -52,7 +52,8 @@ struct StreamEnd {
   bool programEnded = false;  ///< the control's channel is in reset again
   bool stopped = false;       ///< because the operator wanted it
   std::optional<base::Duration> stopConfirmedAfter;
-  base::Error error;  ///< code clear: none
+  base::Error error;     ///< code clear: none
+  std::string slowedBy;  ///< see `RunReport`
 };
 
 class Driver {
@@ -82,19 +83,34 @@ class Driver {
   };
   /// Request durations the live margin is computed from.
   static constexpr std::size_t kRecentMax = 100;
+  /// The same to see whether accesses are slow.
+  static constexpr std::size_t kSlownessCount = 10;
 
   void submitMethod();
+  /// Reads status or display. Between two such reads the method has its turn, however slow the
+  /// control is.
   void submitMonitor();
+  void submitMonitorRead(bool isStatus);
+  /// Of a request, from its usual one: longer while answers come late.
+  [[nodiscard]] base::Duration patient(base::Duration deadline) const;
+  void noticeSilence();
+  void noticeSlowness();
+  [[nodiscard]] base::Instant nextWakeUp() const;
   /// @return true if a correction has been sent
   bool submitCorrection();
   void noteCorrection(bool now);
   void handle(const opcua::Event& event);
+  void noteAccess(const opcua::Event& event, const Pending& pending);
   void handleMethod(const opcua::Event& event);
   void handleMonitor(const opcua::Event& event);
   void checkOrders();
   [[nodiscard]] RunState state() const;
   /// No answer in time does no harm where the machine waits for its client: it is asked again.
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
+  /// The first item of an answer that could not be read or written; clear: none.
+  [[nodiscard]] static std::error_code refusedItem(const opcua::Event& event);
+  /// Asks again for an item that has been refused. @return false if that makes no sense
+  [[nodiscard]] bool repeats(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
   [[nodiscard]] bool hasSlackFor(int nodes) const;
   /// Of one read of this many variables.
@@ -102,6 +118,7 @@ class Driver {
   /// The 99th percentile of recent accesses.
   [[nodiscard]] std::optional<base::Duration> slowAccess() const;
   [[nodiscard]] bool wantsStatus() const;
+  [[nodiscard]] bool wantsDisplay() const;
   void publish(std::optional<trace::LiveSample> sample = std::nullopt);
   void publishPause(const trace::Pause& pause);
   void inferPauses();
@@ -128,7 +145,12 @@ class Driver {
   std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
   std::vector<opcua::Variable> m_status;
   base::Instant m_nextDisplay{};
+  base::Instant m_shownAt{};  ///< when the axes' position was last read
   base::Instant m_nextStatus{};
+  bool m_methodsTurn = false;  ///< the last access was not the method's
+  int m_patience = 1;          ///< factor of the deadlines
+  int m_refusals = 0;          ///< answers in a row with a refused item
+  bool m_isSilent = false;     ///< nothing comes from the control
   base::Instant m_lastPublished{};
   std::optional<base::Instant> m_stopWantedAt;
   std::optional<base::Instant> m_abandonedAt;
@@ -142,7 +164,9 @@ class Driver {
   bool m_grantSeen = false;
   std::size_t m_brokenSeen = 0;
   base::RecentValues<base::Duration> m_recentAccess{kRecentMax};
-  std::optional<base::Duration> m_calibratedTail;  // of the longest request of the method
+  base::RecentValues<base::Duration> m_lastAccesses{kSlownessCount};
+  base::RecentValues<double> m_slowness{kSlownessCount};  // each access: times its estimate
+  std::optional<base::Duration> m_calibratedTail;         // of the longest request of the method
   StreamEnd m_end;
   bool m_done = false;
 };

@@ -409,6 +409,7 @@ class Job {
     m_report.duration = m_link.now() - from;
     m_report.stopConfirmedAfter = end.stopConfirmedAfter;
     m_report.error = end.error;
+    m_report.slowedBy = end.slowedBy;
     m_streamed = true;
     if (end.error.code || !end.programEnded) {
       m_report.outcome = Outcome::Failed;

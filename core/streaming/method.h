@@ -46,6 +46,7 @@ enum class Expectation {
   Access,    ///< the next access is not needed before; stopped: none is needed
   Progress,  ///< later progress means something is slower than planned; stopped: none is expected
   Points,    ///< when the axes run out of delivered points; stopped: not known
+  Poll,      ///< when `poll` is to be asked again although nothing has happened
   Count,
 };
 

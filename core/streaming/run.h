@@ -223,6 +223,7 @@ struct RunReport {
   std::optional<AccessForms> accessForms;  ///< the forms that were tried; nothing if none were
   std::optional<ProgramTransfer> transfer;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it was not available
+  std::string slowedBy;  ///< what slowed the accesses of the run; in English; empty: nothing did
 
   /// A stopped run is judged by the points up to the stop.
   [[nodiscard]] RunFinding finding() const;

@@ -325,6 +325,9 @@ QString RunPanel::waitingText() const {
   if (key == QStringLiteral("select-and-start")) {
     return tr("Waiting for selection of the template and cycle start at the control");
   }
+  if (key == QStringLiteral("network")) {
+    return tr("Nothing comes from the control. Check cable, switch and server.");
+  }
   if (key == QStringLiteral("trace")) {
     return tr("Waiting for the control's own trace");
   }

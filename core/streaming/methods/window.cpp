@@ -18,6 +18,10 @@ constexpr Duration kBeatInterval = std::chrono::seconds{1};
 /// Time in addition to the planned one before all header cells are read to find out why there is no
 /// progress.
 constexpr Duration kLookInterval = std::chrono::milliseconds{250};
+/// The control is asked for its progress this often: its cells change once per interpolation cycle.
+constexpr Duration kWatchInterval = std::chrono::milliseconds{4};
+/// The same while no progress can be expected.
+constexpr Duration kIdleWatchInterval = std::chrono::milliseconds{20};
 /// Standstill between windows, the pre-run's work on a window, and scatter.
 constexpr Duration kSlowerThanPlanned = std::chrono::milliseconds{400};
 
@@ -90,6 +94,18 @@ Action WindowedMethod::read(Step step, std::span<const opcua::Variable> variable
   return {Action::Kind::Read, variables, {}, 0};
 }
 
+std::optional<Action> WindowedMethod::watch(Step step, std::span<const opcua::Variable> variables,
+                                            Instant now) {
+  base::TimerTable<Expectation>& expected = m_progress.expected;
+  if (expected.deadline(Expectation::Poll) && expected.isAhead(Expectation::Poll, now)) {
+    return std::nullopt;
+  }
+  const bool isIdle =
+      m_owned && expected.isAhead(Expectation::Access, now + 2 * kIdleWatchInterval);
+  expected.set(Expectation::Poll, now + (isIdle ? kIdleWatchInterval : kWatchInterval));
+  return read(step, variables);
+}
+
 int WindowedMethod::runWanted() const {
   if (m_stopWanted) {
     return WindowProtocol::kEnd;
@@ -123,7 +139,7 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
       m_plan.addCell(cells.client, static_cast<double>(m_plan.settings().runNumber));
       return write(Step::Claim);
     }
-    return read(Step::AwaitOwner, m_ownerCell);
+    return watch(Step::AwaitOwner, m_ownerCell, now);
   }
   if (m_run != runWanted()) {
     m_runAsked = runWanted();
@@ -146,7 +162,7 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
     m_timers.set(Timer::Look, now + kLookInterval);
     return read(Step::Look, m_header);
   }
-  return read(Step::Watch, m_watched);
+  return watch(Step::Watch, m_watched, now);
 }
 
 bool WindowedMethod::answerLost(Instant) {

@@ -75,6 +75,9 @@ class WindowedMethod : public Method {
 
   [[nodiscard]] Action write(Step step, std::size_t points = 0);
   [[nodiscard]] Action read(Step step, std::span<const opcua::Variable> variables);
+  /// Reads cells that the control changes by itself, not more often than it makes sense.
+  [[nodiscard]] std::optional<Action> watch(Step step, std::span<const opcua::Variable> variables,
+                                            base::Instant now);
   void takeOwner(double owner, base::Instant now);
   void confirmNumber(base::Instant now);
   void confirmRun(base::Instant now);
