@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "gcode/arc.h"
 
 namespace rivulet::report {
 
@@ -219,7 +218,7 @@ ordered_json factsJson(const gcode::ProgramFacts& facts) {
     }
   }
   // The length of arcs whose ends do not fit is not known.
-  const bool arcsFit = facts.arcRadiusMismatch <= gcode::kArcRadiusToleranceMm;
+  const bool arcsFit = facts.arcRadiusMismatch <= nc::kArcRadiusToleranceMm;
   ordered_json json;
   for (std::size_t g = 0; g < facts.motions.size(); ++g) {
     json["n_G" + std::to_string(g)] = ifComplete(facts.motions[g]);

@@ -88,22 +88,23 @@ void FactCounter::arc(int g, const AxisValues& axes, Arc arc, ArcWords words) {
   bool counted = false;
   for (std::size_t reading = 0; reading < kCentreReadings.size(); ++reading) {
     ArcReading& sums = m_readings[reading];
-    const ResolvedArc resolved = resolveArc(arc, readAs(kCentreReadings[reading], words));
+    const nc::ResolvedArc resolved =
+        nc::resolveArc(arc, nc::readAs(kCentreReadings[reading], words));
     switch (resolved.problem) {
-      case ArcProblem::None: {
-        const ArcRadii radii = arcRadii(resolved.arc);
+      case nc::ArcProblem::None: {
+        const nc::ArcRadii radii = nc::arcRadii(resolved.arc);
         const double rise = arc.endMm[third] - arc.startMm[third];
         sums.mismatch = std::max(sums.mismatch, std::abs(radii.startMm - radii.endMm));
         // The radius of the start stands for the arc: a convention, the two differ by rounding.
-        sums.length += std::hypot(radii.startMm * arcSweep(resolved.arc), rise);
+        sums.length += std::hypot(radii.startMm * nc::arcSweep(resolved.arc), rise);
         counted = true;
         break;
       }
-      case ArcProblem::RadiusMismatch:
+      case nc::ArcProblem::RadiusMismatch:
         sums.mismatch = std::max(sums.mismatch, resolved.mismatch);
         counted = true;
         break;
-      case ArcProblem::RadiusTooSmall:
+      case nc::ArcProblem::RadiusTooSmall:
         sums.mismatch = std::max(sums.mismatch, resolved.halfChord - resolved.mismatch);
         counted = true;
         break;
@@ -125,8 +126,12 @@ void FactCounter::machineMotion(int g, const AxisValues& axes) {
   }
 }
 
-void FactCounter::forget() {
-  m_known.fill(false);
+void FactCounter::forget(std::optional<std::size_t> axis) {
+  if (axis) {
+    m_known[*axis] = false;
+  } else {
+    m_known.fill(false);
+  }
 }
 
 void FactCounter::feed(double value) {
@@ -149,7 +154,7 @@ ProgramFacts FactCounter::take() {
   m_facts.feeds.erase(std::unique(m_facts.feeds.begin(), m_facts.feeds.end()), m_facts.feeds.end());
   // If the arcs do not fit as the language has it, but fit another way of writing, that is it.
   const auto fits = [this](std::size_t reading) {
-    return m_readings[reading].mismatch <= kArcRadiusToleranceMm;
+    return m_readings[reading].mismatch <= nc::kArcRadiusToleranceMm;
   };
   std::size_t chosen = 0;
   for (std::size_t reading = 1; reading < kCentreReadings.size() && !fits(chosen); ++reading) {

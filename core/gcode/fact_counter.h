@@ -8,21 +8,20 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
-#include "gcode/arc.h"
 #include "gcode/facts.h"
+#include "nc/exec/block_words.h"
+#include "nc/geometry/arc.h"
 
 namespace rivulet::gcode {
 
-/// The axes a block names, as written. NaN: a value that could not be computed.
-struct AxisValues {
-  std::array<double, kProgrammedAxisCount> value{};
-  std::array<bool, kProgrammedAxisCount> given{};
-  std::array<bool, kProgrammedAxisCount> isIncrement{};
-};
-
 class FactCounter {
  public:
+  using AxisValues = nc::AxisValues;
+  using Arc = nc::Arc;
+  using ArcWords = nc::ArcWords;
+
   /// @param g  0 to 3; -1 before any of them
   void motion(int g, const AxisValues& axes) {
     count(g);
@@ -37,9 +36,8 @@ class FactCounter {
   /// A move in machine coordinates: counted, but its values are others.
   void machineMotion(int g, const AxisValues& axes);
   void otherMotion() { ++m_facts.otherMotions; }
-  /// Where the axes stand in the program's coordinates is not known any more.
-  void forget();
-  void forget(std::size_t axis) { m_known[axis] = false; }
+  /// Where the axis (nothing: all) stands in the program's coordinates is not known any more.
+  void forget(std::optional<std::size_t> axis);
   void feed(double value);
   void units(bool inches);
   void incomplete() { m_facts.complete = false; }

@@ -13,6 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#include "nc/geometry/arc.h"
+#include "nc/modal/vocabulary.h"
+
 namespace rivulet::gcode {
 
 enum class FileUnits : unsigned char { Unspecified, Millimetres, Inches, Mixed };
@@ -20,16 +23,10 @@ enum class FileUnits : unsigned char { Unspecified, Millimetres, Inches, Mixed }
 /// "unspecified", "mm", "in", "mixed".
 [[nodiscard]] std::string_view fileUnitsName(FileUnits units);
 
-inline constexpr std::size_t kProgrammedAxisCount = 9;
-inline constexpr std::array<char, kProgrammedAxisCount> kProgrammedAxes{'X', 'Y', 'Z', 'A', 'B',
-                                                                        'C', 'U', 'V', 'W'};
+using nc::kProgrammedAxes;
+using nc::kProgrammedAxisCount;
 
-/// What I, J and K of an arc are.
-enum class CentreReading : unsigned char {
-  AsProgrammed,      ///< as the dialect has it: centre minus start, or absolute by G90.1, AC()
-  Absolute,          ///< the centre itself
-  StartMinusCentre,  ///< the other way round, as on some older controls
-};
+using nc::CentreReading;
 inline constexpr std::array kCentreReadings{CentreReading::AsProgrammed, CentreReading::Absolute,
                                             CentreReading::StartMinusCentre};
 /// "as-programmed", "absolute", "start-minus-centre".

@@ -13,9 +13,26 @@
 
 namespace rivulet::gcode {
 
+namespace {
+
+std::string shortened(std::string text) {
+  constexpr std::size_t kLongest = 120;
+  if (text.size() <= kLongest) {
+    return text;
+  }
+  text.resize(kLongest);
+  // A cut inside a UTF-8 character would make the text unreadable for the display.
+  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0x80) != 0) {
+    text.pop_back();
+  }
+  return text + "...";
+}
+
+}  // namespace
+
 void Findings::report(Severity severity, int column, DiagnosticCode code, std::string argument) {
   const std::string file = m_file == nullptr ? std::string() : *m_file;
-  Diagnostic found{severity, m_line, column, code, std::move(argument), file};
+  Diagnostic found{severity, m_line, column, code, shortened(std::move(argument)), file};
   if (severity == Severity::Error && !m_accepted.empty()) {
     std::string name = acceptableName(found);
     if (!name.empty() &&
@@ -43,31 +60,14 @@ void Findings::reportProgram(Severity severity, DiagnosticCode code, std::string
   m_list.push_back({severity, base::LineNumber{1}, 1, code, std::move(argument), {}});
 }
 
-void Findings::error(const nc::Token& token, DiagnosticCode code) {
-  error(token, code, std::string(token.text));
-}
-
-void Findings::error(const nc::Token& token, DiagnosticCode code, std::string argument) {
-  constexpr std::size_t kLongest = 120;
-  if (argument.size() > kLongest) {
-    argument.resize(kLongest);
-    // A cut inside a UTF-8 character would make the text unreadable for the display.
-    while (!argument.empty() && (static_cast<unsigned char>(argument.back()) & 0x80) != 0) {
-      argument.pop_back();
-    }
-    argument += "...";
-  }
-  report(Severity::Error, token.column, code, std::move(argument));
-}
-
-void Findings::ignore(Severity severity, const nc::Token& token, std::string argument) {
+void Findings::ignore(const nc::Token& token, std::string argument) {
   if (std::find(m_ignoredNames.begin(), m_ignoredNames.end(), argument) != m_ignoredNames.end()) {
     return;
   }
   if (m_ignoredNames.size() < kDiagnosticsMax) {
     m_ignoredNames.push_back(argument);
   }
-  report(severity, token.column, DiagnosticCode::IgnoredCode, std::move(argument));
+  report(Severity::Note, token.column, DiagnosticCode::IgnoredCode, std::move(argument));
 }
 
 void Findings::ignoreG(std::size_t key, const nc::Token& token) {
@@ -108,10 +108,6 @@ std::vector<Diagnostic> Findings::take() {
                       {}});
   }
   return std::move(m_list);
-}
-
-std::string Findings::wordText(const nc::Token& token) {
-  return fmt::format("{}{}", token.address, token.value);
 }
 
 }  // namespace rivulet::gcode

@@ -29,16 +29,14 @@ class Findings {
     m_file = &file;
   }
 
+  /// @param argument  cut where it is long
   void report(Severity severity, int column, DiagnosticCode code, std::string argument);
   /// A finding about the whole program, listed however many others there are. It stands at the
   /// first line.
   void reportProgram(Severity severity, DiagnosticCode code, std::string argument);
-  /// With the token's text, cut where it is long.
-  void error(const nc::Token& token, DiagnosticCode code);
-  void error(const nc::Token& token, DiagnosticCode code, std::string argument);
   /// A word without effect on the path is noted at its first place only: a program with M3 S500
   /// in every block has one such finding, not a thousand that hide the others.
-  void ignore(Severity severity, const nc::Token& token, std::string argument);
+  void ignore(const nc::Token& token, std::string argument);
   /// The same by number, for the words of which there are millions.
   void ignoreG(std::size_t key, const nc::Token& token);
   void ignoreM(Severity severity, std::size_t number, const nc::Token& token);
@@ -48,9 +46,6 @@ class Findings {
   [[nodiscard]] bool hasErrors() const { return m_hasErrors; }
   /// The findings, sorted by place. The object is empty afterwards.
   [[nodiscard]] std::vector<Diagnostic> take();
-
-  /// "G01" and "g 1" are G1 to the reader of a finding.
-  [[nodiscard]] static std::string wordText(const nc::Token& token);
 
  private:
   const std::vector<std::string>& m_accepted;

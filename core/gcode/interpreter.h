@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Blocks → trajectory, findings, figures and facts: keeps the modal state of the control (G
-/// functions, feed, position, frame) from block to block. @threadsafety pure.
+/// A program from its first block to its end → trajectory, findings, figures and facts.
+/// @threadsafety pure.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,6 @@
 #include "gcode/program.h"
 
 namespace rivulet::gcode {
-
-/// Largest coordinate, centre offset or radius accepted, mm: a kilometre is no machine tool.
-inline constexpr double kCoordinateMmMax = 1.0e6;
 
 struct Interpretation {
   Trajectory trajectory;

@@ -13,52 +13,25 @@ using base::Vec3;
 PathBuilder::PathBuilder(const LoadOptions& options, Trajectory& trajectory, Statistics& statistics)
     : m_options(options), m_trajectory(trajectory), m_statistics(statistics) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  m_programmedMm = {kUnknown, kUnknown, kUnknown};
-  m_statistics.minMm = m_programmedMm;
-  m_statistics.maxMm = m_programmedMm;
+  m_statistics.minMm = {kUnknown, kUnknown, kUnknown};
+  m_statistics.maxMm = m_statistics.minMm;
 }
 
-void PathBuilder::setFrame(const Frame& frame) {
-  const Vec3 workpieceMm = m_frame.toWorkpiece(m_programmedMm);
-  m_frame = frame;
-  m_programmedMm = m_frame.toProgrammed(workpieceMm);
+double PathBuilder::chordToleranceMm(const nc::Position& from) const {
+  return m_options.chordToleranceMm / from.frame.stretchMax();
 }
 
-double PathBuilder::lengthTo(Vec3 targetMm) const {
-  double squares = 0.0;
-  const Vec3 from = m_frame.toWorkpiece(m_programmedMm);
-  const Vec3 to = m_frame.toWorkpiece(targetMm);
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const double step = to[axis] - from[axis];
-    if (!std::isnan(step)) {
-      squares += step * step;
-    } else if (!std::isnan(to[axis])) {
-      return 0.0;
-    }
+void PathBuilder::begin(const nc::Position& from, const nc::Move& move) {
+  m_from = &from;
+  m_line = move.line;
+  m_feedMmPerS = move.feedMmPerS;
+  if (move.turns && !m_hasRotary) {
+    m_hasRotary = true;
+    m_trajectory.rotary.resize(m_trajectory.points.size());
   }
-  return std::sqrt(squares);
-}
-
-void PathBuilder::count(Vec3 workpieceMm) {
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    // fmin and fmax pass over the NaN of an axis not seen before.
-    m_statistics.minMm.set(axis, std::fmin(m_statistics.minMm[axis], workpieceMm[axis]));
-    m_statistics.maxMm.set(axis, std::fmax(m_statistics.maxMm[axis], workpieceMm[axis]));
-  }
-}
-
-void PathBuilder::takeRotary(const MoveWords& words) {
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (words.rotaryDegrees[axis]) {
-      m_rotary.degrees[axis] = *words.rotaryDegrees[axis];
-      if (!m_hasRotary) {
-        m_hasRotary = true;
-        m_trajectory.rotary.resize(m_trajectory.points.size());
-      }
-    }
-  }
-  if (words.toolDirection) {
-    m_toolDirection = m_frame.turned(*words.toolDirection);
+  m_rotary.degrees = move.turns ? move.rotaryDeg : from.rotaryDeg;
+  if (move.toolDirection) {
+    m_toolDirection = from.frame.turned(*move.toolDirection);
     if (!m_hasToolDirections) {
       m_hasToolDirections = true;
       m_trajectory.toolDirections.resize(m_trajectory.points.size(), Vec3{0.0, 0.0, 1.0});
@@ -66,10 +39,9 @@ void PathBuilder::takeRotary(const MoveWords& words) {
   }
 }
 
-void PathBuilder::append(Vec3 programmedMm, MoveKind kind, const MoveWords& words) {
-  m_trajectory.points.push_back({m_frame.toWorkpiece(programmedMm),
-                                 kind == MoveKind::Rapid ? 0.0 : words.feedMmPerS, words.line,
-                                 kind});
+void PathBuilder::append(Vec3 programmedMm, MoveKind kind) {
+  m_trajectory.points.push_back({m_from->frame.toWorkpiece(programmedMm),
+                                 kind == MoveKind::Rapid ? 0.0 : m_feedMmPerS, m_line, kind});
   if (m_hasRotary) {
     m_trajectory.rotary.push_back(m_rotary);
   }
@@ -78,94 +50,93 @@ void PathBuilder::append(Vec3 programmedMm, MoveKind kind, const MoveWords& word
   }
 }
 
-void PathBuilder::line(Vec3 targetMm, bool rapid, const MoveWords& words) {
-  takeRotary(words);
-  const double lengthMm = lengthTo(targetMm);
-  (rapid ? m_statistics.rapidLengthMm : m_statistics.cutLengthMm) += lengthMm;
-  append(targetMm, rapid ? MoveKind::Rapid : MoveKind::Feed, words);
-  if (lengthMm > 0.0) {
-    m_direction = targetMm - m_programmedMm;
+void PathBuilder::count(Vec3 programmedMm) {
+  const Vec3 workpieceMm = m_from->frame.toWorkpiece(programmedMm);
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    // fmin and fmax pass over the NaN of an axis not seen before.
+    m_statistics.minMm.set(axis, std::fmin(m_statistics.minMm[axis], workpieceMm[axis]));
+    m_statistics.maxMm.set(axis, std::fmax(m_statistics.maxMm[axis], workpieceMm[axis]));
   }
-  m_programmedMm = targetMm;
-  count(m_frame.toWorkpiece(targetMm));
 }
 
-void PathBuilder::unknownWay(Vec3 targetMm, const MoveWords& words) {
-  takeRotary(words);
-  append(targetMm, MoveKind::ArcPiece, words);
-  m_programmedMm = targetMm;
-  count(m_frame.toWorkpiece(targetMm));
+void PathBuilder::line(const nc::Position& from, Vec3 targetMm, const nc::Move& move) {
+  begin(from, move);
+  const bool rapid = move.motion == nc::Motion::Rapid;
+  (rapid ? m_statistics.rapidLengthMm : m_statistics.cutLengthMm) += from.lengthMmTo(targetMm);
+  append(targetMm, rapid ? MoveKind::Rapid : MoveKind::Feed);
+  count(targetMm);
 }
 
-void PathBuilder::keepArc(const SpaceArc& arc, Vec3 targetMm, const MoveWords& words) {
+void PathBuilder::unknownWay(const nc::Position& from, Vec3 targetMm, const nc::Move& move) {
+  begin(from, move);
+  append(targetMm, MoveKind::ArcPiece);
+  count(targetMm);
+}
+
+void PathBuilder::keepArc(const nc::SpaceArc& arc, Vec3 targetMm) {
   // Two directions in the plane of the turn, carried along, say where its axis points afterwards.
+  const nc::Frame& frame = m_from->frame;
   const Vec3 helper = std::abs(arc.axis.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 first = base::cross(arc.axis, helper);
-  const Vec3 axis =
-      base::cross(m_frame.turned(first), m_frame.turned(base::cross(arc.axis, first)));
-  append(targetMm, MoveKind::Arc, words);
-  m_trajectory.arcs.push_back({m_trajectory.points.size() - 1, m_frame.toWorkpiece(arc.centreMm),
+  const Vec3 axis = base::cross(frame.turned(first), frame.turned(base::cross(arc.axis, first)));
+  append(targetMm, MoveKind::Arc);
+  m_trajectory.arcs.push_back({m_trajectory.points.size() - 1, frame.toWorkpiece(arc.centreMm),
                                (1.0 / base::norm(axis)) * axis, arc.sweepRad});
 }
 
-double PathBuilder::chordToleranceMm() const {
-  return m_options.chordToleranceMm / m_frame.stretchMax();
-}
-
 double PathBuilder::workpieceLengthMm(double programmedMm) const {
-  if (m_frame.keepsCircles()) {
-    return programmedMm * m_frame.stretchMax();
+  const nc::Frame& frame = m_from->frame;
+  if (frame.keepsCircles()) {
+    return programmedMm * frame.stretchMax();
   }
   double sumMm = 0.0;
-  Vec3 from = m_frame.toWorkpiece(m_programmedMm);
+  Vec3 from = frame.toWorkpiece(m_from->programmedMm);
   for (const Vec3& chord : m_chords) {
-    const Vec3 to = m_frame.toWorkpiece(chord);
+    const Vec3 to = frame.toWorkpiece(chord);
     sumMm += base::distance(from, to);
     from = to;
   }
   return sumMm;
 }
 
-void PathBuilder::appendCurve(MoveKind kind, double lengthMm, const std::optional<SpaceArc>& kept,
-                              const MoveWords& words) {
+void PathBuilder::appendCurve(MoveKind kind, double lengthMm,
+                              const std::optional<nc::SpaceArc>& kept) {
   m_statistics.cutLengthMm += workpieceLengthMm(lengthMm);
-  const Vec3 before = m_chords.size() > 1 ? m_chords[m_chords.size() - 2] : m_programmedMm;
-  if (m_options.keepArcs && kept && m_frame.keepsCircles()) {
-    keepArc(*kept, m_chords.back(), words);
+  if (m_options.keepArcs && kept && m_from->frame.keepsCircles()) {
+    keepArc(*kept, m_chords.back());
   } else {
     for (const Vec3& chord : m_chords) {
-      append(chord, kind, words);
+      append(chord, kind);
     }
   }
-  m_direction = m_chords.back() - before;
-  m_programmedMm = m_chords.back();
-  count(m_frame.toWorkpiece(m_programmedMm));
+  count(m_chords.back());
 }
 
-void PathBuilder::arc(const Arc& arc, const MoveWords& words) {
-  takeRotary(words);
+void PathBuilder::arc(const nc::Position& from, const nc::Arc& arc, const nc::Move& move) {
+  begin(from, move);
   m_chords.clear();
-  const double lengthMm = flattenArc(arc, chordToleranceMm(), m_chords);
-  const ArcRadii radii = arcRadii(arc);
+  const double lengthMm = nc::flattenArc(arc, chordToleranceMm(from), m_chords);
+  const nc::ArcRadii radii = nc::arcRadii(arc);
   // A spiral is not an arc: it becomes chords in any case.
-  const bool isCircle = std::abs(radii.startMm - radii.endMm) <= kArcRadiusToleranceMm;
-  appendCurve(MoveKind::ArcPiece, lengthMm, isCircle ? std::optional(inSpace(arc)) : std::nullopt,
-              words);
+  const bool isCircle = std::abs(radii.startMm - radii.endMm) <= nc::kArcRadiusToleranceMm;
+  appendCurve(MoveKind::ArcPiece, lengthMm,
+              isCircle ? std::optional(nc::inSpace(arc)) : std::nullopt);
 }
 
-void PathBuilder::spaceArc(const SpaceArc& arc, Vec3 targetMm, const MoveWords& words) {
-  takeRotary(words);
+void PathBuilder::spaceArc(const nc::Position& from, const nc::SpaceArc& arc, Vec3 targetMm,
+                           const nc::Move& move) {
+  begin(from, move);
   m_chords.clear();
   const double lengthMm =
-      flattenSpaceArc(arc, m_programmedMm, targetMm, chordToleranceMm(), m_chords);
-  appendCurve(MoveKind::ArcPiece, lengthMm, arc, words);
+      nc::flattenSpaceArc(arc, from.programmedMm, targetMm, chordToleranceMm(from), m_chords);
+  appendCurve(MoveKind::ArcPiece, lengthMm, arc);
 }
 
-void PathBuilder::spline(const Spline& spline, const MoveWords& words) {
-  takeRotary(words);
+void PathBuilder::spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move) {
+  begin(from, move);
   m_chords.clear();
-  const double lengthMm = flattenSpline(spline, chordToleranceMm(), m_chords);
-  appendCurve(MoveKind::SplinePiece, lengthMm, std::nullopt, words);
+  const double lengthMm = nc::flattenSpline(spline, chordToleranceMm(from), m_chords);
+  appendCurve(MoveKind::SplinePiece, lengthMm, std::nullopt);
 }
 
 }  // namespace rivulet::gcode

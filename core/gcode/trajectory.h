@@ -15,6 +15,7 @@
 #include "base/axes.h"
 #include "base/id.h"
 #include "base/vec3.h"
+#include "nc/modal/vocabulary.h"
 
 namespace rivulet::gcode {
 
@@ -52,13 +53,7 @@ struct KeptArc {
 
 /// What the program orders between two points, for the machine and not for the path.
 struct PathEvent {
-  enum class Kind : unsigned char {
-    Spindle,    ///< S, as programmed
-    M,          ///< M function
-    Tool,       ///< T number
-    NamedTool,  ///< index into `Trajectory::toolNames`
-    Dwell,      ///< G4, seconds; NaN: in turns of the spindle
-  };
+  using Kind = nc::MachineWord;
   std::size_t point = 0;  ///< happens before this point is approached; may be points.size()
   double value = 0.0;
   base::LineNumber line;

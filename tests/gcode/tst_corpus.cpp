@@ -14,7 +14,6 @@
 #include <QtTest>
 #include <cmath>
 
-#include "gcode/arc.h"
 #include "gcode/program.h"
 #include "gcode_text.h"
 #include "support/test_program.h"
@@ -117,7 +116,7 @@ class Comparison {
     const bool measured = m_facts.complete && m_facts.lengthsKnown;
     checkLength(QStringLiteral("g1_length"), m_facts.g1Length, measured);
     checkLength(QStringLiteral("arc_length"), m_facts.arcLength,
-                measured && m_facts.arcRadiusMismatch <= gcode::kArcRadiusToleranceMm);
+                measured && m_facts.arcRadiusMismatch <= nc::kArcRadiusToleranceMm);
     checkBounds();
     checkFeeds();
   }
@@ -270,7 +269,7 @@ class TestCorpus : public QObject {
         const auto g = static_cast<std::size_t>(fact.back().digitValue());
         QVERIFY(QString::number(program->facts.motions[g]) != expected);
       } else {
-        QVERIFY(program->facts.arcRadiusMismatch > gcode::kArcRadiusToleranceMm);
+        QVERIFY(program->facts.arcRadiusMismatch > nc::kArcRadiusToleranceMm);
       }
       qInfo("%s, %s: %s", difference.path, difference.fact, difference.proof);
     }

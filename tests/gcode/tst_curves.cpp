@@ -10,7 +10,6 @@
 #include <limits>
 #include <numbers>
 
-#include "gcode/frame.h"
 #include "gcode/interpreter.h"
 #include "gcode/thinning.h"
 #include "gcode_text.h"
@@ -75,7 +74,7 @@ class TestCurves : public QObject {
  private Q_SLOTS:
   void framesAreUndone() {
     QVERIFY(rc::check("toProgrammed undoes toWorkpiece", [] {
-      gcode::Frame frame;
+      nc::Frame frame;
       const int steps = *rc::gen::inRange(1, 6);
       for (int i = 0; i < steps; ++i) {
         switch (*rc::gen::inRange(0, 3)) {
@@ -97,7 +96,7 @@ class TestCurves : public QObject {
 
   void unknownAxesStayApart() {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    gcode::Frame frame;
+    nc::Frame frame;
     frame.translate({1, 2, 3});
     frame.rotate(2, 90);
     const Vec3 turned = frame.toWorkpiece({10, 0, kUnknown});
@@ -335,12 +334,12 @@ class TestCurves : public QObject {
     };
     QCOMPARE(turned("ROT Z45\nASCALE X3 Y3 Z3\n"), std::size_t{1});
     QCOMPARE(turned("SCALE X3\nAROT Z45\n"), std::size_t{0});
-    gcode::Frame skewed;
+    nc::Frame skewed;
     skewed.scale({3.0, 1.0, std::sqrt(5.0)});
     skewed.rotate(2, 45.0);
     QVERIFY(!skewed.keepsCircles());
     QVERIFY(skewed.stretchMax() >= 3.0);
-    gcode::Frame aligned;
+    nc::Frame aligned;
     aligned.rotate(0, 30.0);
     aligned.scale({2.0, 0.5, -4.0});
     QVERIFY(std::abs(aligned.stretchMax() - 4.0) < 1e-12);

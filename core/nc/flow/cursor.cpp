@@ -30,18 +30,18 @@ Expected<CalculatedValue> parseValue(std::string_view word, const Notation& nota
   place.column += static_cast<int>(begin);
   struct Mode {
     std::string_view word;
-    Word::Reference reference;
+    Reference reference;
   };
   static constexpr std::array kModes{
-      Mode{"AC", Word::Reference::Absolute}, Mode{"DC", Word::Reference::Absolute},
-      Mode{"ACP", Word::Reference::Absolute}, Mode{"ACN", Word::Reference::Absolute},
-      Mode{"IC", Word::Reference::Incremental}};
+      Mode{"AC", Reference::Absolute}, Mode{"DC", Reference::Absolute},
+      Mode{"ACP", Reference::Absolute}, Mode{"ACN", Reference::Absolute},
+      Mode{"IC", Reference::Incremental}};
   CalculatedValue made;
   Reader reader(word.substr(begin), notation, place);
   const auto* const mode = std::find_if(kModes.begin(), kModes.end(), [&](const Mode& each) {
     return notation.hasNames && reader.takeWord(each.word);
   });
-  made.reference = mode == kModes.end() ? Word::Reference::Modal : mode->reference;
+  made.reference = mode == kModes.end() ? Reference::Modal : mode->reference;
   Expected<Expression> value = reader.expression();
   if (!value) {
     return fail(std::move(value.error()));
@@ -58,7 +58,10 @@ Expected<CalculatedValue> parseValue(std::string_view word, const Notation& nota
 
 Cursor::Cursor(std::string_view text, Dialect dialect, Variables& variables,
                const CursorOptions& options)
-    : m_dialect(dialect), m_variables(variables), m_options(options), m_lexer(text, dialect) {
+    : m_language(languageOf(dialect)),
+      m_variables(variables),
+      m_options(options),
+      m_lexer(text, dialect) {
   m_sources.emplace_back().text = text;
 }
 
@@ -67,7 +70,7 @@ void Cursor::grow() {
     return;
   }
   Source& file = m_sources.front();
-  file.programs = readPrograms(file.text, m_dialect, 0);
+  file.programs = readPrograms(file.text, m_language.dialect, 0);
   file.executed.assign(file.programs.lines.size(), 0);
   m_flow.emplace(file.programs.first, m_variables,
                  [this](const std::string& name) { return find(name); });
@@ -103,7 +106,7 @@ std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
     source.fileName = std::move(text->fileName);
     loaded = m_loaded.emplace(name, m_sources.size() - 1).first;
     source.programs =
-        readPrograms(source.text, m_dialect, static_cast<std::uint16_t>(loaded->second));
+        readPrograms(source.text, m_language.dialect, static_cast<std::uint16_t>(loaded->second));
     source.executed.assign(source.programs.lines.size(), 0);
   }
   // A file of its own begins with the subprogram of its name, or is all of it.
@@ -138,7 +141,7 @@ void Cursor::readLine(Block& block) {
   if (const auto found = source.again.find(line); found != source.again.end()) {
     block.tokens = found->second;
   } else {
-    Lexer lexer(source.text, m_dialect);
+    Lexer lexer(source.text, m_language.dialect);
     lexer.seek(source.programs.lines[line]);
     (void)lexer.next(block);
     if (source.executed[line] != 0) {
@@ -202,10 +205,10 @@ Outcome Cursor::outcomeOf(Fault fault) {
 }
 
 Outcome Cursor::execute(const Token& statement) {
-  Reader reader(statement.text, notationOf(m_dialect),
+  Reader reader(statement.text, m_language.notation,
                 {m_place.line, m_place.file, statement.column});
   const std::string word = reader.name();
-  if (isSteering(statement.text, m_dialect)) {
+  if (isSteering(statement.text, m_language)) {
     // A tree holds it already; what neither jumps nor repeats needs none.
     if (word == "DEF" && !m_flow) {
       const Expected<std::vector<Definition>> definitions = reader.definitions();
@@ -222,14 +225,22 @@ Outcome Cursor::execute(const Token& statement) {
     }
     return std::monostate{};
   }
-  if (m_dialect == Dialect::Sinumerik && word == "MCALL") {
-    return ModalCall{reader.name()};
+  const auto found =
+      std::find_if(m_language.otherStatements.begin(), m_language.otherStatements.end(),
+                   [&word](const OtherStatement& each) { return each.word == word; });
+  if (found == m_language.otherStatements.end()) {
+    return Unsupported{word};
   }
-  if (m_dialect == Dialect::Sinumerik && (word == "SETINT" || word == "DEFAULT")) {
-    return Ignored{word};
-  }
-  if (m_dialect == Dialect::Heidenhain && word == "CALL" && reader.takeWord("PGM")) {
-    return SubprogramMissing{std::string(base::trim(reader.rest()))};
+  switch (found->meaning) {
+    case OtherStatement::Meaning::ModalCall:
+      return ModalCall{reader.name()};
+    case OtherStatement::Meaning::CallsProgram:
+      if (reader.takeWord("PGM")) {
+        return SubprogramMissing{std::string(base::trim(reader.rest()))};
+      }
+      break;
+    case OtherStatement::Meaning::Ignored:
+      return Ignored{word};
   }
   return Unsupported{word};
 }
@@ -243,7 +254,7 @@ const Expected<CalculatedValue>& Cursor::value(const Token& token) {
              ? found->second
              : m_values
                    .emplace(token.text.data(),
-                            parseValue(token.text, notationOf(m_dialect),
+                            parseValue(token.text, m_language.notation,
                                        {m_place.line, m_place.file, token.column}))
                    .first->second;
 }
@@ -256,7 +267,7 @@ const Expected<Assignment>& Cursor::assignment(const Token& token) {
   if (found != m_assignments.end()) {
     return found->second;
   }
-  Reader reader(token.text, notationOf(m_dialect), {m_place.line, m_place.file, token.column});
+  Reader reader(token.text, m_language.notation, {m_place.line, m_place.file, token.column});
   Expected<Assignment> parsed = reader.assignment();
   if (parsed && !reader.isAtEnd()) {
     parsed =
@@ -277,7 +288,7 @@ Outcome Cursor::call(Call call) {
 }
 
 Outcome Cursor::call(std::string_view nameAndArguments, int column, int times) {
-  Reader reader(nameAndArguments, notationOf(m_dialect), {m_place.line, m_place.file, column});
+  Reader reader(nameAndArguments, m_language.notation, {m_place.line, m_place.file, column});
   Call made;
   made.name = reader.name();
   made.times = Expression::constant(times);

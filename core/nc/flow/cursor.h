@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "nc/eval/variables.h"
+#include "nc/exec/block_reader.h"
 #include "nc/flow/flow.h"
 #include "nc/syntax/programs.h"
 
@@ -38,12 +39,6 @@ struct CursorOptions {
   std::function<std::optional<LoadedText>(std::string_view name)> load;
 };
 
-/// Value of a `TokenKind::Expression`, and what AC(), IC() and the like say of it.
-struct CalculatedValue {
-  Expression value;
-  Word::Reference reference = Word::Reference::Modal;
-};
-
 /// What came of a statement or call that was not simply executed.
 struct SubprogramMissing {
   std::string name;
@@ -60,7 +55,7 @@ struct Unsupported {
 using Outcome =
     std::variant<std::monostate, Fault, SubprogramMissing, ModalCall, Ignored, Unsupported>;
 
-class Cursor {
+class Cursor final : public Calculations {
  public:
   enum class Step : std::uint8_t {
     Block,   ///< the words of a block are to be executed
@@ -89,9 +84,9 @@ class Cursor {
   [[nodiscard]] bool leaveSubprogram() { return m_flow && m_flow->leave(); }
   [[nodiscard]] bool isInSubprogram() const { return m_flow && m_flow->depth() > 1; }
 
-  /// A value or assignment of the block, parsed once however often the block is executed.
-  [[nodiscard]] const Expected<CalculatedValue>& value(const Token& token);
-  [[nodiscard]] const Expected<Assignment>& assignment(const Token& token);
+  /// Both are parsed once however often the block is executed.
+  [[nodiscard]] const Expected<CalculatedValue>& value(const Token& token) override;
+  [[nodiscard]] const Expected<Assignment>& assignment(const Token& token) override;
 
   /// Where the present block or statement stands.
   [[nodiscard]] Place place() const { return m_place; }
@@ -126,7 +121,7 @@ class Cursor {
   [[nodiscard]] Outcome call(Call call);
   [[nodiscard]] static Outcome outcomeOf(Fault fault);
 
-  Dialect m_dialect;
+  const Language& m_language;
   Variables& m_variables;
   const CursorOptions& m_options;
   Lexer m_lexer;

@@ -122,6 +122,20 @@ double arcLength(const Arc& arc) {
   return std::hypot(turnMm, std::isfinite(riseMm) ? riseMm : 0.0, radii.endMm - radii.startMm);
 }
 
+ArcWords readAs(CentreReading reading, ArcWords words) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (!words.centre[axis]) {
+      continue;
+    }
+    if (reading == CentreReading::Absolute) {
+      words.centreIsAbsolute[axis] = true;
+    } else if (reading == CentreReading::StartMinusCentre && !words.centreIsAbsolute[axis]) {
+      *words.centre[axis] *= -1.0;
+    }
+  }
+  return words;
+}
+
 ResolvedArc resolveArc(Arc arc, const ArcWords& words, double radiusToleranceMm) {
   const Plane plane = planeOf(arc);
   ResolvedArc resolved{arc, ArcProblem::None, 0.0, 0.0, plane.third};

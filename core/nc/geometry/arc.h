@@ -60,6 +60,15 @@ enum class ArcProblem {
   RadiusTooSmall,
 };
 
+/// What I, J and K of an arc are: post-processors differ.
+enum class CentreReading : unsigned char {
+  AsProgrammed,      ///< as the dialect has it: centre minus start, or absolute by G90.1, AC()
+  Absolute,          ///< the centre itself
+  StartMinusCentre,  ///< the other way round, as on some older controls
+};
+/// The same words read as their writer may have meant the centre; AC() means what it says.
+[[nodiscard]] ArcWords readAs(CentreReading reading, ArcWords words);
+
 /// One English clause: "the arc has neither centre nor radius".
 [[nodiscard]] std::string_view describe(ArcProblem problem);
 

@@ -5,235 +5,100 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <span>
 #include <unordered_map>
 
 namespace rivulet::nc {
 
 namespace {
 
-struct GEntry {
-  int key;
-  GEffect effect;
-};
-
-/// What all dialects share; a dialect's own list comes after it and wins.
-constexpr std::array kCommonG{
-    GEntry{0, GEffect::Motion},
-    GEntry{10, GEffect::Motion},
-    GEntry{20, GEffect::Motion},
-    GEntry{30, GEffect::Motion},
-    GEntry{40, GEffect::Dwell},
-    GEntry{90, GEffect::None},  // exact stop of one block
-    GEntry{170, GEffect::Plane},
-    GEntry{180, GEffect::Plane},
-    GEntry{190, GEffect::Plane},
-    GEntry{200, GEffect::Units},
-    GEntry{210, GEffect::Units},
-    GEntry{700, GEffect::Units},
-    GEntry{710, GEffect::Units},
-    GEntry{400, GEffect::None},  // radius compensation off
-    GEntry{410, GEffect::Mode},
-    GEntry{420, GEffect::Mode},
-    GEntry{430, GEffect::ToolLength},
-    GEntry{431, GEffect::ToolLength},
-    GEntry{440, GEffect::ToolLength},
-    GEntry{490, GEffect::ToolLength},
-    GEntry{434, GEffect::None},  // the tool's tip is guided: X, Y, Z are its own
-    GEntry{435, GEffect::Mode},
-    GEntry{530, GEffect::MachineMove},
-    GEntry{540, GEffect::WorkOffset},
-    GEntry{550, GEffect::WorkOffset},
-    GEntry{560, GEffect::WorkOffset},
-    GEntry{570, GEffect::WorkOffset},
-    GEntry{580, GEffect::WorkOffset},
-    GEntry{590, GEffect::WorkOffset},
-    GEntry{591, GEffect::WorkOffset},
-    GEntry{592, GEffect::WorkOffset},
-    GEntry{593, GEffect::WorkOffset},
-    GEntry{541, GEffect::WorkOffsetP},
-    GEntry{1540, GEffect::WorkOffsetP},
-    GEntry{600, GEffect::None},
-    GEntry{610, GEffect::Tolerance},
-    GEntry{611, GEffect::Tolerance},
-    GEntry{640, GEffect::Tolerance},
-    GEntry{690, GEffect::None},
-    GEntry{800, GEffect::CycleOff},
-    GEntry{900, GEffect::Distance},
-    GEntry{910, GEffect::Distance},
-    GEntry{901, GEffect::CentreMode},
-    GEntry{911, GEffect::CentreMode},
-    GEntry{930, GEffect::FeedMode},
-    GEntry{940, GEffect::FeedMode},
-    GEntry{950, GEffect::FeedMode},
-    GEntry{960, GEffect::None},
-    GEntry{970, GEffect::None},
-    GEntry{980, GEffect::None},
-    GEntry{990, GEffect::None},
-    GEntry{150, GEffect::PolarOff},
-    GEntry{160, GEffect::PolarOn},
-    GEntry{70, GEffect::Diameter},
-    GEntry{80, GEffect::Diameter},
-    GEntry{520, GEffect::LocalOffset},
-    GEntry{920, GEffect::SetPosition},
-    GEntry{921, GEffect::ResetPosition},
-    GEntry{922, GEffect::TakesBlock},
-    GEntry{923, GEffect::TakesBlock},
-    // High-speed modes: how exactly, not where.
-    GEntry{50, GEffect::None},
-    GEntry{51, GEffect::None},
-    GEntry{1870, GEffect::None},
-    GEntry{1030, GEffect::None},
-    // Motions Rivulet does not make.
-    GEntry{60, GEffect::MotionMode},
-    GEntry{61, GEffect::MotionMode},
-    GEntry{62, GEffect::MotionMode},
-    GEntry{120, GEffect::Cycle},
-    GEntry{130, GEffect::Cycle},
-    GEntry{310, GEffect::MotionMode},
-    GEntry{320, GEffect::MotionMode},
-    GEntry{330, GEffect::MotionMode},
-    GEntry{331, GEffect::MotionMode},
-    GEntry{340, GEffect::MotionMode},
-    GEntry{350, GEffect::MotionMode},
-    GEntry{380, GEffect::MotionMode},
-    GEntry{382, GEffect::MotionMode},
-    GEntry{383, GEffect::MotionMode},
-    GEntry{384, GEffect::MotionMode},
-    GEntry{385, GEffect::MotionMode},
-    GEntry{720, GEffect::Cycle},
-    GEntry{730, GEffect::Cycle},
-    GEntry{740, GEffect::Cycle},
-    GEntry{750, GEffect::Cycle},
-    GEntry{760, GEffect::Cycle},
-    GEntry{770, GEffect::Cycle},
-    GEntry{810, GEffect::Cycle},
-    GEntry{820, GEffect::Cycle},
-    GEntry{830, GEffect::Cycle},
-    GEntry{840, GEffect::Cycle},
-    GEntry{841, GEffect::Cycle},
-    GEntry{842, GEffect::Cycle},
-    GEntry{850, GEffect::Cycle},
-    GEntry{860, GEffect::Cycle},
-    GEntry{870, GEffect::Cycle},
-    GEntry{880, GEffect::Cycle},
-    GEntry{890, GEffect::Cycle},
-    GEntry{100, GEffect::TakesBlock},
-    GEntry{110, GEffect::TakesBlock},
-    GEntry{250, GEffect::TakesBlock},
-    GEntry{260, GEffect::TakesBlock},
-    GEntry{270, GEffect::TakesBlock},
-    GEntry{280, GEffect::TakesBlock},
-    GEntry{281, GEffect::TakesBlock},
-    GEntry{290, GEffect::TakesBlock},
-    GEntry{300, GEffect::TakesBlock},
-    GEntry{301, GEffect::TakesBlock},
-    GEntry{500, GEffect::TakesBlock},
-    GEntry{510, GEffect::TakesBlock},
-    GEntry{511, GEffect::TakesBlock},
-    GEntry{501, GEffect::None},
-    GEntry{650, GEffect::MacroCall},
-    GEntry{660, GEffect::TakesBlock},
-    GEntry{670, GEffect::None},
-    GEntry{680, GEffect::TakesBlock},
-    GEntry{682, GEffect::TakesBlock},
-};
-
-constexpr std::array kSinumerikG{
-    GEntry{7000, GEffect::Units},
-    GEntry{7100, GEffect::Units},
-    GEntry{5000, GEffect::WorkOffset},
-    GEntry{1530, GEffect::MachineMove},
-    GEntry{601, GEffect::None},
-    GEntry{6010, GEffect::None},
-    GEntry{6020, GEffect::None},
-    GEntry{6030, GEffect::None},
-    GEntry{6410, GEffect::Tolerance},
-    GEntry{6420, GEffect::Tolerance},
-    GEntry{6430, GEffect::Tolerance},
-    GEntry{6440, GEffect::Tolerance},
-    GEntry{6450, GEffect::Tolerance},
-    // Corners and approaches of a radius compensation that is off.
-    GEntry{4500, GEffect::None},
-    GEntry{4510, GEffect::None},
-    GEntry{4600, GEffect::None},
-    GEntry{4610, GEffect::None},
-    GEntry{4620, GEffect::None},
-    GEntry{1400, GEffect::None},
-    GEntry{1410, GEffect::None},
-    GEntry{1420, GEffect::None},
-    GEntry{1430, GEffect::None},
-    GEntry{3400, GEffect::None},
-    GEntry{3410, GEffect::None},
-    GEntry{2900, GEffect::None},  // SINUMERIK language
-    GEntry{2910, GEffect::Mode},
-    GEntry{9510, GEffect::FeedMode},
-    GEntry{9610, GEffect::FeedMode},
-    GEntry{9310, GEffect::FeedMode},
-    GEntry{9620, GEffect::None},
-    GEntry{9720, GEffect::None},
-    GEntry{9730, GEffect::None},
-    GEntry{9710, GEffect::None},
-    GEntry{1100, GEffect::Pole},
-    GEntry{1110, GEffect::Pole},
-    GEntry{1120, GEffect::Pole},
-    GEntry{1470, GEffect::Mode},
-    GEntry{1480, GEffect::Mode},
-    GEntry{2470, GEffect::Mode},
-    GEntry{2480, GEffect::Mode},
-    GEntry{3470, GEffect::Mode},
-    GEntry{3480, GEffect::Mode},
-    GEntry{630, GEffect::MotionMode},
-    GEntry{3310, GEffect::MotionMode},
-    GEntry{3320, GEffect::MotionMode},
-    GEntry{740, GEffect::TakesBlock},
-    GEntry{750, GEffect::TakesBlock},
-    GEntry{50, GEffect::Mode},
-    GEntry{51, GEffect::Unknown},
-    GEntry{70, GEffect::Mode},
-    GEntry{80, GEffect::Unknown},
-    GEntry{580, GEffect::TakesBlock},  // axial programmable offsets
-    GEntry{590, GEffect::TakesBlock},
-    GEntry{150, GEffect::None},
-    GEntry{160, GEffect::Mode},
-};
-
-constexpr std::array kLinuxCncG{
-    GEntry{50, GEffect::Spline}, GEntry{51, GEffect::Spline}, GEntry{52, GEffect::Spline},
-    GEntry{53, GEffect::Spline}, GEntry{740, GEffect::Cycle}, GEntry{610, GEffect::None},
-};
-
-constexpr std::array kHeidenhainG{
-    GEntry{1100, GEffect::Pole},
-    GEntry{1110, GEffect::Pole},
-};
-
-std::span<const GEntry> ownG(Dialect dialect) {
-  switch (dialect) {
-    case Dialect::Sinumerik:
-      return kSinumerikG;
-    case Dialect::LinuxCnc:
-      return kLinuxCncG;
-    case Dialect::Heidenhain:
-      return kHeidenhainG;
-    case Dialect::Grbl:
-    case Dialect::Iso:
-      break;
+/// Marks functions of a table, by key; what is marked later wins.
+class GMarks {
+ public:
+  explicit GMarks(GTable& table) : m_table(table) {}
+  void operator()(GEffect effect, std::initializer_list<int> keys) const {
+    for (const int key : keys) {
+      m_table[static_cast<std::size_t>(key)] = effect;
+    }
   }
-  return {};
+
+ private:
+  GTable& m_table;
+};
+
+/// What all dialects share.
+void markCommon(const GMarks& mark) {
+  mark(GEffect::Motion, {0, 10, 20, 30});
+  mark(GEffect::Dwell, {40});
+  mark(GEffect::Plane, {170, 180, 190});
+  mark(GEffect::Units, {200, 210, 700, 710});
+  mark(GEffect::Distance, {900, 910});
+  mark(GEffect::CentreMode, {901, 911});
+  mark(GEffect::FeedMode, {930, 940, 950});
+  mark(GEffect::Diameter, {70, 80});
+  mark(GEffect::PolarOff, {150});
+  mark(GEffect::PolarOn, {160});
+  mark(GEffect::BlockEnd, {90, 600});
+  mark(GEffect::Tolerance, {610, 611, 640});
+  mark(GEffect::ToolLength, {430, 431, 440, 490});
+  mark(GEffect::MachineMove, {530});
+  mark(GEffect::WorkOffset, {540, 550, 560, 570, 580, 590, 591, 592, 593});
+  mark(GEffect::WorkOffsetP, {541, 1540});
+  mark(GEffect::LocalOffset, {520});
+  mark(GEffect::SetPosition, {920});
+  mark(GEffect::ResetPosition, {921});
+  mark(GEffect::MacroCall, {650});
+  mark(GEffect::CycleOff, {800});
+  // Radius compensation off, high-speed modes, spindle speed; G43.4 guides the tool's tip.
+  mark(GEffect::None, {400, 434, 50, 51, 1870, 1030, 690, 960, 970, 980, 990, 501, 670});
+  mark(GEffect::Mode, {410, 420, 435});
+  // Motions Rivulet does not make.
+  mark(GEffect::MotionMode, {60, 61, 62, 310, 320, 330, 331, 340, 350, 380, 382, 383, 384, 385});
+  mark(GEffect::Cycle, {120, 130, 720, 730, 740, 750, 760, 770, 810, 820, 830, 840, 841, 842, 850,
+                        860, 870, 880, 890});
+  mark(GEffect::TakesBlock,
+       {922, 923, 100, 110, 250, 260, 270, 280, 281, 290, 300, 301, 500, 510, 511, 660, 680, 682});
+}
+
+void markSinumerik(const GMarks& mark) {
+  mark(GEffect::Units, {7000, 7100});
+  mark(GEffect::WorkOffset, {5000});
+  // Settable frames G505 to G599.
+  for (int key = 5050; key <= 5990; key += 10) {
+    mark(GEffect::WorkOffset, {key});
+  }
+  mark(GEffect::MachineMove, {1530});
+  mark(GEffect::Tolerance, {6410, 6420, 6430, 6440, 6450});
+  // Windows of the exact stop; corners and approaches of a radius compensation that is off.
+  mark(GEffect::None, {601,  6010, 6020, 6030, 4500, 4510, 4600, 4610, 4620, 1400, 1410,
+                       1420, 1430, 3400, 3410, 2900, 9620, 9720, 9730, 9710, 150});
+  mark(GEffect::FeedMode, {9310, 9510, 9610});
+  mark(GEffect::Pole, {1100, 1110, 1120});
+  // G291 is another language; 147 to 348 are smooth approaches; G16 another plane.
+  mark(GEffect::Mode, {2910, 1470, 1480, 2470, 2480, 3470, 3480, 50, 70, 160});
+  mark(GEffect::MotionMode, {630, 3310, 3320});
+  mark(GEffect::TakesBlock, {740, 750, 580, 590});  // G58, G59: axial programmable offsets
+  mark(GEffect::Unknown, {51, 80});
 }
 
 GTable makeTable(Dialect dialect) {
   GTable table{};
-  for (const GEntry& entry : kCommonG) {
-    table[static_cast<std::size_t>(entry.key)] = entry.effect;
-  }
-  // Settable frames G505 to G599 of a SINUMERIK are beyond the numbers of the others.
-  for (std::size_t key = 5050; key <= 5990 && dialect == Dialect::Sinumerik; key += 10) {
-    table[key] = GEffect::WorkOffset;
-  }
-  for (const GEntry& entry : ownG(dialect)) {
-    table[static_cast<std::size_t>(entry.key)] = entry.effect;
+  const GMarks mark(table);
+  markCommon(mark);
+  switch (dialect) {
+    case Dialect::Sinumerik:
+      markSinumerik(mark);
+      break;
+    case Dialect::LinuxCnc:
+      mark(GEffect::Spline, {50, 51, 52, 53});
+      mark(GEffect::Cycle, {740});
+      mark(GEffect::None, {610});
+      break;
+    case Dialect::Heidenhain:
+      mark(GEffect::Pole, {1100, 1110});
+      break;
+    case Dialect::Grbl:
+    case Dialect::Iso:
+      break;
   }
   return table;
 }
@@ -249,14 +114,14 @@ NameTable makeNames() {
   };
   // Dynamics, look-ahead, compressor: how exactly and how softly, not where.
   add(NameEffect::None,
-      {"SOFT",    "SOFTA",  "BRISK",    "BRISKA",     "DRIVE",     "DRIVEA",   "FFWON",
-       "FFWOF",   "COMPOF", "COMPON",   "COMPCAD",    "COMPCURV",  "COMPSURF", "COMPPATH",
-       "UPATH",   "SPATH",  "FIFOCTRL", "STARTFIFO",  "STOPFIFO",  "STOPRE",   "CFC",
-       "CFTCP",   "CFIN",   "FNORM",    "FLIN",       "FCUB",      "CPRECON",  "CPRECOF",
-       "DYNNORM", "DYNPOS", "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "DYNPREC",  "RTLION",
-       "RTLIOF",  "ADIS",   "ADISPOS",  "CTOL",       "OTOL",      "CYCLE832", "FGROUP",
-       "FGREF",   "FL",     "ACC",      "ACCLIMA",    "VELOLIMA",  "JERKLIMA", "PACCLIM",
-       "OVR",     "OVRRAP", "OVRA",     "FB",         "FD",        "FA",       "FZ"});
+      {"SOFTA",      "BRISKA",    "DRIVEA",   "FFWON",    "FFWOF",   "COMPOF",  "COMPON",
+       "COMPCAD",    "COMPCURV",  "COMPSURF", "COMPPATH", "UPATH",   "SPATH",   "FIFOCTRL",
+       "STARTFIFO",  "STOPFIFO",  "STOPRE",   "CFC",      "CFTCP",   "CFIN",    "FNORM",
+       "FLIN",       "FCUB",      "CPRECON",  "CPRECOF",  "DYNNORM", "DYNPOS",  "DYNROUGH",
+       "DYNSEMIFIN", "DYNFINISH", "DYNPREC",  "RTLION",   "RTLIOF",  "ADISPOS", "CTOL",
+       "OTOL",       "CYCLE832",  "FGROUP",   "FGREF",    "FL",      "ACC",     "ACCLIMA",
+       "VELOLIMA",   "JERKLIMA",  "PACCLIM",  "OVR",      "OVRRAP",  "OVRA",    "FB",
+       "FD",         "FA",        "FZ"});
   // States that are the default, or that guard and do not move; orientation of the tool.
   add(NameEffect::None,
       {"CUT2D",    "CUT2DF", "CUT3DC",   "CUT3DF",   "CUTCONON", "CUTCONOF", "WALIMON",
@@ -273,6 +138,8 @@ NameTable makeNames() {
        "WAITE",     "WAITP",       "GETSELT",   "NEWCONF",      "EXTCLOSE", "WRITE",   "ENABLE",
        "DISABLE",   "SVC",         "DL",        "TLIFT",        "ISD"});
   add(NameEffect::None, {"CLRINT", "PRIO", "BLSYNC"});
+  add(NameEffect::Dynamics, {"SOFT", "BRISK", "DRIVE"});
+  add(NameEffect::Rounding, {"ADIS"});
   add(NameEffect::Query, {"GETT", "GETDNO", "DELETE", "READ", "ISFILE", "GETFREELOC"});
   add(NameEffect::End, {"RET"});
   // Another form of the path in a block that moves.
@@ -341,6 +208,31 @@ std::optional<int> gOfGroup(int group, int number) {
   }
   const int key = found->keys[static_cast<std::size_t>(number - 1)];
   return key < 0 ? std::nullopt : std::optional(key);
+}
+
+MEffect mEffect(Dialect dialect, int number) {
+  struct Function {
+    int number;
+    MEffect effect;
+  };
+  static constexpr std::array kPlain{
+      Function{91, MEffect::MachineMove}, Function{92, MEffect::MachineMove},
+      Function{99, MEffect::CycleCall}, Function{140, MEffect::Retract}};
+  static constexpr std::array kSinumerik{Function{17, MEffect::Return}};
+  static constexpr std::array kCommon{
+      Function{2, MEffect::End},      Function{30, MEffect::End},
+      Function{98, MEffect::Call},    Function{99, MEffect::Return},
+      Function{96, MEffect::Refused}, Function{97, MEffect::Refused}};
+  const auto find = [number](const auto& functions) -> std::optional<MEffect> {
+    const auto found =
+        std::find_if(functions.begin(), functions.end(),
+                     [number](const Function& each) { return each.number == number; });
+    return found == functions.end() ? std::nullopt : std::optional(found->effect);
+  };
+  const std::optional<MEffect> own = dialect == Dialect::Heidenhain  ? find(kPlain)
+                                     : dialect == Dialect::Sinumerik ? find(kSinumerik)
+                                                                     : std::nullopt;
+  return own ? *own : find(kCommon).value_or(MEffect::None);
 }
 
 NameEffect nameEffect(Dialect dialect, std::string_view name) {

@@ -14,6 +14,13 @@
 
 namespace rivulet::nc {
 
+inline constexpr std::size_t kProgrammedAxisCount = 9;
+inline constexpr std::array<char, kProgrammedAxisCount> kProgrammedAxes{'X', 'Y', 'Z', 'A', 'B',
+                                                                        'C', 'U', 'V', 'W'};
+/// Index of the first of A, B, C and of U, V, W.
+inline constexpr std::size_t kFirstRotary = 3;
+inline constexpr std::size_t kFirstFurther = 6;
+
 /// What a G function does to the path, as far as Rivulet is concerned.
 enum class GEffect : unsigned char {
   Unknown,
@@ -30,7 +37,8 @@ enum class GEffect : unsigned char {
   PolarOff,       ///< G15
   Spline,         ///< G5, G5.1, G5.2, G5.3 of LinuxCNC
   None,           ///< no effect on the path
-  Tolerance,      ///< no effect but a tolerance; P and Q of the block belong to it
+  BlockEnd,       ///< G9, G60: how a block ends, no effect on the path
+  Tolerance,      ///< the same with a tolerance; P and Q of the block belong to it
   ToolLength,     ///< lives on the control; afterwards Z is somewhere else
   CycleOff,       ///< G80
   WorkOffset,     ///< no effect as long as it does not change under the tool
@@ -46,6 +54,15 @@ enum class GEffect : unsigned char {
   TakesBlock,     ///< not supported; takes the axis words of its block for itself
 };
 
+/// What a program has for the machine and not for the path.
+enum class MachineWord : unsigned char {
+  Spindle,    ///< S, as programmed
+  M,          ///< M function
+  Tool,       ///< T number
+  NamedTool,  ///< index of its name in the order of the program
+  Dwell,      ///< G4, seconds; NaN: in turns of the spindle
+};
+
 /// `key` of a G function: ten times its number, so that G91.1 has one.
 inline constexpr std::size_t kGKeys = 10000;
 using GTable = std::array<GEffect, kGKeys>;
@@ -55,9 +72,23 @@ using GTable = std::array<GEffect, kGKeys>;
 /// on the path, or one that is not known here.
 [[nodiscard]] std::optional<int> gOfGroup(int group, int number);
 
+enum class MEffect : unsigned char {
+  None,         ///< no effect on the path
+  End,          ///< M2, M30
+  Return,       ///< M17, M99
+  Call,         ///< M98
+  Refused,      ///< M96, M97 of the ISO dialects
+  CycleCall,    ///< M99 of plain text
+  MachineMove,  ///< M91, M92 of plain text: this block is in machine coordinates
+  Retract,      ///< M140 of plain text: along the tool, to where only the control knows
+};
+[[nodiscard]] MEffect mEffect(Dialect dialect, int number);
+
 enum class NameEffect : unsigned char {
   Unknown,         ///< a variable or a subprogram
   None,            ///< no effect on the path, with or without a value or arguments
+  Dynamics,        ///< SOFT, BRISK, DRIVE: no effect on the path
+  Rounding,        ///< ADIS=: the same
   Query,           ///< no effect on the path; sets variables to what only the control knows
   End,             ///< returns or ends the program
   Mode,            ///< not supported; the block still moves

@@ -247,13 +247,14 @@ class LineReader {
 
   void word1(const std::string& word, std::size_t from, double value) {
     const bool increment = word.size() > 1 && word[0] == 'I';
+    const Reference reference = increment ? Reference::Incremental : Reference::Modal;
     const std::string name = increment ? word.substr(1) : word;
     if (name == "R" && value == 0.0) {
       addG(40.0, from);
       return;
     }
     if (name.size() == 1) {
-      add(TokenKind::Word, from, m_at, name[0], value).isIncrement = increment;
+      add(TokenKind::Word, from, m_at, name[0], value).reference = reference;
       return;
     }
     struct Polar {
@@ -270,7 +271,7 @@ class LineReader {
       return;
     }
     Token& token = add(TokenKind::NamedValue, from, m_at, 0, value);
-    token.isIncrement = increment;
+    token.reference = reference;
     token.text = found->shared;
   }
 

@@ -4,6 +4,7 @@
 #include "nc/syntax/lexer.h"
 
 #include <fast_float/fast_float.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "base/text.h"
 #include "nc/syntax/klartext.h"
+#include "nc/syntax/language.h"
 
 namespace rivulet::nc {
 
@@ -89,8 +91,9 @@ bool isStatement(std::string_view name) {
 /// Reads one line. Pointers instead of indices: this loop decides how fast a program loads.
 class LineReader {
  public:
-  LineReader(const char* begin, const char* end, Dialect dialect, std::vector<Token>& tokens)
-      : m_begin(begin), m_end(end), m_at(begin), m_dialect(dialect), m_tokens(tokens) {}
+  LineReader(const char* begin, const char* end, const Language& language,
+             std::vector<Token>& tokens)
+      : m_begin(begin), m_end(end), m_at(begin), m_language(language), m_tokens(tokens) {}
 
   void read() {
     skipBlanks();
@@ -129,8 +132,8 @@ class LineReader {
   Token& add(TokenKind kind, const char* from, const char* to, char address = 0,
              double value = 0.0) {
     return m_tokens.emplace_back(
-        Token{kind, address, m_hasPoint, false, static_cast<int>(from - m_begin) + 1, value,
-              std::string_view(from, static_cast<std::size_t>(to - from))});
+        Token{kind, address, m_hasPoint, Reference::Modal, static_cast<int>(from - m_begin) + 1,
+              value, std::string_view(from, static_cast<std::size_t>(to - from))});
   }
 
   /// The end of the block without the comment after ";", which may stand inside quotes.
@@ -227,7 +230,7 @@ class LineReader {
     add(TokenKind::Expression, from, m_at, address);
   }
 
-  [[nodiscard]] bool hasBracketComments() const { return m_dialect != Dialect::Sinumerik; }
+  [[nodiscard]] bool hasBracketComments() const { return m_language.hasBracketComments; }
 
   enum class NumberStatus { Read, Missing, Malformed };
 
@@ -307,7 +310,7 @@ class LineReader {
       return;
     }
     if (isOneOf(c, "[#$<") && m_at != m_end) {
-      if (c == '[' && m_dialect == Dialect::Sinumerik) {
+      if (c == '[' && m_language.hasIndexedWords) {
         // An index or, of any other letter, an array of that name.
         addCalculation(isOneOf(address, "GMSTHD") ? TokenKind::IndexedWord : TokenKind::Assignment,
                        from, address);
@@ -538,7 +541,7 @@ class LineReader {
   const char* m_begin;
   const char* m_end;
   const char* m_at;
-  Dialect m_dialect;
+  const Language& m_language;
   bool m_hasPoint = false;  ///< of the number read last
   std::vector<Token>& m_tokens;
 };
@@ -554,7 +557,11 @@ std::string_view tokenName(const Token& token) {
   return token.text.substr(0, length);
 }
 
-Lexer::Lexer(std::string_view text, Dialect dialect) : m_dialect(dialect) {
+std::string wordText(const Token& token) {
+  return fmt::format("{}{}", token.address, token.value);
+}
+
+Lexer::Lexer(std::string_view text, Dialect dialect) : m_language(languageOf(dialect)) {
   // A byte order mark and the end marks of old systems are not part of the program.
   if (text.substr(0, 3) == "\xEF\xBB\xBF") {
     text.remove_prefix(3);
@@ -577,10 +584,10 @@ bool Lexer::next(Block& block) {
   }
   block.line.value = m_line;
   block.tokens.clear();
-  if (m_dialect == Dialect::Heidenhain) {
+  if (m_language.isKlartext) {
     readKlartext(*line, m_continues, block.tokens);
   } else {
-    LineReader(line->data(), line->data() + line->size(), m_dialect, block.tokens).read();
+    LineReader(line->data(), line->data() + line->size(), m_language, block.tokens).read();
   }
   return true;
 }

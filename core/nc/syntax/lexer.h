@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,8 @@
 #include "nc/syntax/dialect.h"
 
 namespace rivulet::nc {
+
+struct Language;
 
 enum class TokenKind : unsigned char {
   Word,         ///< a letter and a number: G1, X-2.5, X 10, X=10
@@ -37,12 +40,15 @@ enum class TokenKind : unsigned char {
   CommentNotClosed,  ///< "(" without ")" on the line; the line was read up to it
 };
 
+/// What a coordinate counts from: as G90 and G91 say, or AC() and IC().
+enum class Reference : std::uint8_t { Modal, Absolute, Incremental };
+
 struct Token {
   TokenKind kind = TokenKind::Word;
-  char address = 0;          ///< upper case letter of a word, else 0
-  bool hasPoint = false;     ///< the number was written with a decimal point
-  bool isIncrement = false;  ///< Heidenhain's IX: an increment, whatever the mode
-  int column = 1;            ///< from 1, in bytes
+  char address = 0;       ///< upper case letter of a word, else 0
+  bool hasPoint = false;  ///< the number was written with a decimal point
+  Reference reference = Reference::Modal;
+  int column = 1;  ///< from 1, in bytes
   double value = 0.0;
   std::string_view text;  ///< as written, points into the program text
 };
@@ -55,6 +61,9 @@ struct Block {
 /// The name of a `Name`, `NamedValue`, `Call` or `Label` token: its text up to the first byte that
 /// cannot be part of a name.
 [[nodiscard]] std::string_view tokenName(const Token& token);
+
+/// "G01" and "g 1" are G1 to the reader of a message.
+[[nodiscard]] std::string wordText(const Token& token);
 
 class Lexer {
  public:
@@ -84,7 +93,7 @@ class Lexer {
   const char* m_end;
   const char* m_lineFeed;  ///< the next one at or after m_position, searched once
   std::uint32_t m_line = 0;
-  Dialect m_dialect;
+  const Language& m_language;
   bool m_continues = false;  ///< Heidenhain: the next line belongs to this one
 };
 

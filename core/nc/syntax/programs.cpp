@@ -31,7 +31,7 @@ std::string firstName(std::string_view text) {
 class Splitter {
  public:
   Splitter(std::string_view text, Dialect dialect, std::uint16_t file)
-      : m_lexer(text, dialect), m_dialect(dialect), m_file(file) {
+      : m_lexer(text, dialect), m_language(languageOf(dialect)), m_file(file) {
     begin();
     m_programs.first = m_parts.back().tree;
   }
@@ -63,8 +63,7 @@ class Splitter {
   void begin(std::string name = {}, Place place = {}) {
     Part& part = m_parts.emplace_back();
     part.tree = std::make_shared<Tree>();
-    part.parser =
-        m_dialect == Dialect::Sinumerik ? sinumerikSteering(*part.tree) : hashSteering(*part.tree);
+    part.parser = m_language.steeringParser(*part.tree);
     part.name = std::move(name);
     part.place = place;
   }
@@ -108,7 +107,7 @@ class Splitter {
     const bool isNumber =
         front.kind == TokenKind::Word &&
         (front.address == 'O' || (front.address == 'N' && front.text.front() == ':'));
-    if (m_dialect != Dialect::Sinumerik && isNumber) {
+    if (m_language.hasOWords && isNumber) {
       text = base::trim(text);
       if (std::optional<std::string> name = takeOName(text)) {
         beginNamed(std::move(*name));
@@ -118,7 +117,7 @@ class Splitter {
     const Token* statement = nullptr;
     bool hasWords = false;
     for (const Token& token : block.tokens) {
-      if (token.kind == TokenKind::Statement && isSteering(token.text, m_dialect)) {
+      if (token.kind == TokenKind::Statement && isSteering(token.text, m_language)) {
         statement = &token;
       } else if (token.kind == TokenKind::Label) {
         labels.push_back({base::toUpper(tokenName(token)), m_parts.back().tree->statements.size()});
@@ -141,19 +140,18 @@ class Splitter {
     for (const char c : token.text) {
       digits += isDigit(c) ? std::string(1, c) : "";
     }
-    // SINUMERIK compares block numbers as they are written.
-    return m_dialect == Dialect::Sinumerik
+    return m_language.comparesNumbersAsText
                ? "N" + digits
                : fmt::format("N{}", base::parseInteger(digits).value_or(-1));
   }
 
   void steer(const Token& statement, Place place) {
     std::string_view rest = statement.text;
-    if (m_dialect == Dialect::Sinumerik && firstName(rest) == "PROC") {
+    if (m_language.namesAreCalls && firstName(rest) == "PROC") {
       rest.remove_prefix(4);
       beginNamed(firstNameWithDigits(base::trim(rest)));
     } else if (std::optional<std::string> name =
-                   m_dialect == Dialect::Sinumerik ? std::nullopt : takeOName(rest)) {
+                   m_language.hasOWords ? takeOName(rest) : std::nullopt) {
       const std::string word = firstName(base::trim(rest));
       if (word == "SUB") {
         if (m_parts.size() > 1) {
@@ -187,7 +185,7 @@ class Splitter {
   }
 
   Lexer m_lexer;
-  Dialect m_dialect;
+  const Language& m_language;
   std::uint16_t m_file;
   Programs m_programs;
   std::vector<Part> m_parts;  ///< the innermost SUB last
@@ -199,23 +197,11 @@ Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file
   return Splitter(text, dialect, file).split();
 }
 
-bool isSteering(std::string_view statement, Dialect dialect) {
-  static constexpr std::array<std::string_view, 24> kSinumerik{
-      "IF",      "ELSE",  "ENDIF",  "WHILE",   "ENDWHILE", "FOR",  "ENDFOR",  "LOOP",
-      "ENDLOOP", "UNTIL", "REPEAT", "REPEATB", "CASE",     "GOTO", "GOTOF",   "GOTOB",
-      "GOTOC",   "GOTOS", "DEF",    "PROC",    "EXTERN",   "CALL", "EXTCALL", "PCALL"};
-  static constexpr std::array<std::string_view, 5> kHash{"IF", "WHILE", "DO", "END", "GOTO"};
-  const std::string word = firstName(statement);
-  if (dialect == Dialect::Sinumerik) {
-    return std::find(kSinumerik.begin(), kSinumerik.end(), word) != kSinumerik.end();
-  }
-  return dialect != Dialect::Heidenhain &&
-         (std::find(kHash.begin(), kHash.end(), word) != kHash.end() ||
-          (!statement.empty() && (statement.front() == 'O' || statement.front() == 'o')));
-}
-
-const Notation& notationOf(Dialect dialect) {
-  return dialect == Dialect::Sinumerik ? sinumerikNotation() : hashNotation();
+bool isSteering(std::string_view statement, const Language& language) {
+  const auto& words = language.steering;
+  return std::find(words.begin(), words.end(), firstName(statement)) != words.end() ||
+         (language.hasOWords && !statement.empty() &&
+          (statement.front() == 'O' || statement.front() == 'o'));
 }
 
 std::optional<std::string> takeOName(std::string_view& text) {

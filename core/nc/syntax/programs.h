@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "nc/syntax/dialect.h"
+#include "nc/syntax/language.h"
 #include "nc/syntax/lexer.h"
 #include "nc/syntax/tree.h"
 
@@ -33,10 +34,7 @@ struct Programs {
 
 /// True if a `TokenKind::Statement` jumps, decides, repeats, defines or calls. Others are messages
 /// to the control: modal calls, synchronized actions.
-[[nodiscard]] bool isSteering(std::string_view statement, Dialect dialect);
-
-/// How a dialect writes expressions.
-[[nodiscard]] const Notation& notationOf(Dialect dialect);
+[[nodiscard]] bool isSteering(std::string_view statement, const Language& language);
 
 /// "O100" and "O<NAME>" at the beginning, without blanks and leading zeros; taken off.
 /// @return nothing if there is neither number nor name

@@ -19,12 +19,13 @@
 
 #include "nc/fault.h"
 #include "nc/syntax/expression.h"
+#include "nc/syntax/lexer.h"
 
 namespace rivulet::nc {
 
 /// X5, X=AC(R1), CR=12, G1, M1=3, SOFT, T="MILL".
 struct Word {
-  enum class Reference : std::uint8_t { Modal, Absolute, Incremental };
+  using Reference = nc::Reference;
   std::string address;                  ///< upper case; one letter, or a name
   std::optional<Expression> extension;  ///< 1 of M1=3, n of M[n]=3
   std::optional<Expression> value;      ///< nothing: a name alone

@@ -12,11 +12,18 @@
 #include <optional>
 #include <string>
 
-#include "gcode/arc.h"
-#include "gcode/fact_counter.h"
+#include "base/axes.h"
+#include "nc/modal/vocabulary.h"
 #include "nc/syntax/lexer.h"
 
-namespace rivulet::gcode {
+namespace rivulet::nc {
+
+/// The axes a block names, as written. NaN: a value that could not be computed.
+struct AxisValues {
+  std::array<double, kProgrammedAxisCount> value{};
+  std::array<bool, kProgrammedAxisCount> given{};
+  std::array<bool, kProgrammedAxisCount> isIncrement{};
+};
 
 /// A value that came with a name: CR=, AP=, TURN=.
 struct NamedWord {
@@ -29,8 +36,8 @@ struct RareWords {
   std::map<std::string, NamedWord, std::less<>> named;
   std::map<int, double> arguments;  ///< of G65: #1 and on
   std::string frame;                ///< TRANS, ROT, ...
-  std::optional<nc::Token> call;    ///< a subprogram by name, or L and its number
-  std::optional<nc::Token> statement;
+  std::optional<Token> call;        ///< a subprogram by name, or L and its number
+  std::optional<Token> statement;
   bool macroCall = false;
   bool call98 = false;
   bool returns = false;
@@ -44,25 +51,26 @@ struct RareWords {
   bool threePointArc = false;
   bool bSpline = false;
   int workOffsetKey = -1;  ///< G54.1, G154: which offset says P
-  const nc::Token* workOffsetToken = nullptr;
+  const Token* workOffsetToken = nullptr;
 };
 
+/// Tokens that are pointed at live as long as the block is executed.
 struct BlockWords {
+  base::LineNumber line;
   AxisValues axes;  ///< in the unit of the file
   std::array<double, base::kAxisCount> centre{};
   std::array<bool, base::kAxisCount> hasCentre{};
   std::array<bool, base::kAxisCount> centreIsAbsolute{};
   /// AC(), IC() and the like: G90 and G91 do not count.
   std::array<bool, kProgrammedAxisCount> hasOwnMode{};
-  double feed = 0.0;
   double radius = 0.0;
-  bool hasFeed = false;
   bool hasRadius = false;
   bool radiusIsWord = false;  ///< R12 instead of CR=12
   bool dwell = false;
   bool tolerance = false;
-  bool taken = false;        ///< a statement takes the axis words: no motion
-  bool machineMove = false;  ///< in machine coordinates
+  bool taken = false;          ///< a statement takes the axis words: no motion
+  bool exactStop = false;      ///< G9
+  bool foreignMotion = false;  ///< a cycle or thread begins: what was in progress ends
   bool ends = false;
   bool hasRotary = false;  ///< an axis beyond X, Y, Z
   int latheKey = -1;       ///< G90 or G94, which are turning cycles where they stand with axes
@@ -70,16 +78,18 @@ struct BlockWords {
   int distanceKey = -1;
   int planeKey = -1;
   int unitsKey = -1;
-  unsigned repeated = 0;                 ///< bit per letter seen
-  int motionColumn = 0;                  ///< of the first axis, centre or radius word
-  const nc::Token* parameter = nullptr;  ///< the last of P, Q, L and U
+  int blockEndKey = -1;
+  unsigned repeated = 0;             ///< bit per letter seen
+  int motionColumn = 0;              ///< of the first axis, centre or radius word
+  const Token* feed = nullptr;       ///< F
+  const Token* parameter = nullptr;  ///< the last of P, Q, L and U
   std::optional<double> p;
   std::optional<double> q;
   std::optional<double> l;
-  const nc::Token* radiusToken = nullptr;
-  const nc::Token* machineToken = nullptr;
-  std::array<const nc::Token*, base::kAxisCount> centreTokens{};
-  std::array<const nc::Token*, base::kAxisCount> axisTokens{};
+  const Token* radiusToken = nullptr;
+  const Token* machineToken = nullptr;  ///< G53, SUPA: the block is in machine coordinates
+  std::array<const Token*, base::kAxisCount> centreTokens{};
+  std::array<const Token*, kProgrammedAxisCount> axisTokens{};
   std::optional<RareWords> rare;
 
   [[nodiscard]] bool movesLinear() const { return axes.given[0] || axes.given[1] || axes.given[2]; }
@@ -95,4 +105,4 @@ struct BlockWords {
   RareWords& rareWords() { return rare ? *rare : rare.emplace(); }
 };
 
-}  // namespace rivulet::gcode
+}  // namespace rivulet::nc

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gcode/program_variables.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "base/vec3.h"
+
+namespace rivulet::gcode {
+
+ProgramVariables::ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf)
+    : Variables(semantics), m_positionOf(std::move(positionOf)) {
+}
+
+nc::Expected<nc::Value> ProgramVariables::system(std::string_view name,
+                                                 std::span<const nc::Value> indices) const {
+  const std::string axis = indices.size() == 1 ? nc::textOf(indices[0]) : std::string();
+  if (axis.size() == 1 && (name == "$AA_IW" || name == "$P_EP" || name == "$AA_IM")) {
+    if (const std::optional<double> known = m_positionOf(axis[0], name == "$AA_IM")) {
+      return *known;
+    }
+  }
+  return nc::fail(nc::FaultCode::OnlyOnControl,
+                  axis.empty() ? std::string(name) : fmt::format("{}[{}]", name, axis));
+}
+
+nc::Expected<nc::Value> ProgramVariables::variable(std::string_view name,
+                                                   std::span<const int> indices) const {
+  nc::Expected<nc::Value> value = Variables::variable(name, indices);
+  if (!value && name.size() == 4 && name.substr(0, 2) == "<_") {
+    if (const std::optional<double> known = m_positionOf(name[2], false)) {
+      return *known;
+    }
+  }
+  return value;
+}
+
+nc::Expected<double> ProgramVariables::numbered(int number) const {
+  constexpr int kFirst = 5420;
+  if (number >= kFirst && number < kFirst + static_cast<int>(base::kAxisCount)) {
+    const char axis = base::kAxisNames[static_cast<std::size_t>(number - kFirst)];
+    if (const std::optional<double> known = m_positionOf(axis, false)) {
+      return *known;
+    }
+  }
+  return Variables::numbered(number);
+}
+
+}  // namespace rivulet::gcode

@@ -1,0 +1,430 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/exec/block_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/text.h"
+
+namespace rivulet::nc {
+
+namespace {
+
+/// Index in `AxisValues`; from kProgrammedAxisCount on: no axis.
+std::size_t axisOf(char address) {
+  if (address >= 'X') {
+    return static_cast<std::size_t>(address - 'X');
+  }
+  if (address >= 'U') {
+    return static_cast<std::size_t>(address - 'U') + kFirstFurther;
+  }
+  return address <= 'C' ? static_cast<std::size_t>(address - 'A') + kFirstRotary
+                        : kProgrammedAxisCount;
+}
+
+/// #1 to #26 of G65 by letter; 0: none.
+int argumentOf(char letter) {
+  static constexpr std::array<int, 26> kNumbers{1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                                0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  return kNumbers[static_cast<std::size_t>(letter - 'A')];
+}
+
+}  // namespace
+
+BlockReader::BlockReader(const Language& language, ModalState& state, Variables& variables,
+                         Calculations* calculations, Sink& sink)
+    : m_language(language),
+      m_g(gTable(language.dialect)),
+      m_state(state),
+      m_variables(variables),
+      m_calculations(calculations),
+      m_sink(sink) {
+}
+
+void BlockReader::read(const Token& token, BlockWords& words) {
+  switch (token.kind) {
+    case TokenKind::Word:
+      if (isVariable(token)) {
+        assign(token);
+      } else {
+        readWord(token, words);
+      }
+      break;
+    case TokenKind::Name:
+    case TokenKind::NamedValue:
+    case TokenKind::Call:
+      readName(token, words);
+      break;
+    case TokenKind::TextWord:
+      readText(token);
+      break;
+    case TokenKind::IndexedWord:
+      readIndexed(token, words);
+      break;
+    case TokenKind::Expression:
+      if (isVariable(token)) {
+        assign(token);
+      } else {
+        readCalculated(token, words);
+      }
+      break;
+    case TokenKind::Assignment:
+      readAssignment(token, words);
+      break;
+    case TokenKind::Statement:
+      words.rareWords().statement = token;
+      break;
+    case TokenKind::BlockSkip:
+      m_sink.ignore(token, "/");
+      break;
+    case TokenKind::Label:
+    case TokenKind::Tape:
+      break;
+    default:
+      readUnreadable(token);
+      break;
+  }
+}
+
+void BlockReader::readUnreadable(const Token& token) {
+  if (token.kind == TokenKind::NumberMissing) {
+    m_sink.error(token, FaultCode::NumberMissing, std::string(tokenName(token)));
+  } else if (token.kind == TokenKind::NumberMalformed) {
+    m_sink.error(token, FaultCode::NumberMalformed);
+  } else if (token.kind == TokenKind::CommentNotClosed) {
+    m_sink.error(token, FaultCode::CommentNotClosed, {});
+  } else if (static_cast<unsigned char>(token.text.front()) < 0x20) {
+    // Left over from a transfer: no control reads it as a word.
+    m_sink.report(Severity::Warning, token.column, FaultCode::UnexpectedCharacter,
+                  "\\x" + fmt::format("{:02x}", token.text.front()));
+  } else {
+    m_sink.error(token, FaultCode::UnexpectedCharacter);
+  }
+}
+
+// --- calculations -------------------------------------------------------------------------------
+
+/// I=5 is not a centre if the program has defined a variable I.
+bool BlockReader::isVariable(const Token& token) const {
+  return m_language.lettersMayBeVariables && token.text.size() > 2 &&
+         (token.text[1] == '=' || token.text[1] == ' ') &&
+         m_variables.find(std::string_view(&token.address, 1)) != nullptr;
+}
+
+void BlockReader::assign(const Token& token) {
+  const Expected<Assignment>& assignment = m_calculations->assignment(token);
+  const Expected<void> done =
+      assignment ? m_variables.assign(*assignment) : fail(assignment.error());
+  if (!done) {
+    m_sink.fault(token.column, done.error());
+  }
+}
+
+std::optional<double> BlockReader::numberOf(const Token& token,
+                                            const Expected<CalculatedValue>& value) {
+  const Expected<double> number = value ? m_variables.number(value->value) : fail(value.error());
+  if (!number) {
+    m_sink.fault(token.column, number.error());
+  }
+  return number ? std::optional(*number) : std::nullopt;
+}
+
+void BlockReader::readCalculated(const Token& token, BlockWords& words) {
+  const Expected<CalculatedValue>& value = m_calculations->value(token);
+  Token computed = token;
+  computed.kind = TokenKind::Word;
+  computed.hasPoint = true;
+  computed.reference = value ? value->reference : Reference::Modal;
+  const std::optional<double> result = numberOf(token, value);
+  if (!result && axisOf(token.address) >= kProgrammedAxisCount) {
+    return;
+  }
+  // The block still moves; where to is not known.
+  computed.value = result.value_or(std::nan(""));
+  m_calculated.push_back(computed);
+  readWord(m_calculated.back(), words);
+}
+
+/// AX[variable]=..., where the variable of type AXIS holds the name of the axis.
+void BlockReader::readIndexedAxis(const Token& token, BlockWords& words) {
+  const std::size_t open = token.text.find('[');
+  const std::size_t close = token.text.find(']');
+  const std::size_t equals = token.text.find('=');
+  const std::string index =
+      open == std::string_view::npos || close == std::string_view::npos || close < open
+          ? std::string()
+          : base::toUpper(base::trim(token.text.substr(open + 1, close - open - 1)));
+  const Variable* const variable = m_variables.find(index);
+  const std::string axis = variable == nullptr ? index : textOf(variable->values.front());
+  if (axis.size() != 1 || axisOf(axis[0]) >= kProgrammedAxisCount ||
+      equals == std::string_view::npos) {
+    m_sink.error(token, FaultCode::UnsupportedExpression);
+    return;
+  }
+  Token named = token;
+  named.address = axis[0];
+  named.text = token.text.substr(equals);
+  readCalculated(named, words);
+}
+
+void BlockReader::readAssignment(const Token& token, BlockWords& words) {
+  if (m_language.variablesAreOfCycles) {
+    m_sink.ignore(token, "Q");  // a word made of one is refused
+    return;
+  }
+  const std::string name = base::toUpper(tokenName(token));
+  if (name == "AX" && m_language.hasIndexedWords) {
+    readIndexedAxis(token, words);
+    return;
+  }
+  if (token.address == 'T') {
+    // T="MILL_"<<R1: which tool it is does not touch the path.
+    m_sink.ignore(token, "T");
+    return;
+  }
+  if (!name.empty() && m_variables.find(name) == nullptr) {
+    switch (nameEffect(m_language.dialect, name)) {
+      case NameEffect::Address: {
+        const Expected<CalculatedValue>& parsed = m_calculations->value(token);
+        if (const std::optional<double> value = numberOf(token, parsed)) {
+          Token computed = token;
+          computed.value = *value;
+          computed.reference = parsed->reference;
+          m_calculated.push_back(computed);
+          setNamed(name, m_calculated.back(), words);
+        }
+        return;
+      }
+      case NameEffect::None:
+      case NameEffect::Dynamics:
+      case NameEffect::Rounding:
+        m_sink.ignore(token, name);
+        return;
+      case NameEffect::Mode:
+      case NameEffect::TakesBlock:
+        m_sink.error(token, FaultCode::UnsupportedGCode, name);
+        return;
+      default:
+        break;
+    }
+  }
+  if (name.empty() && !token.text.empty() && token.text.front() == '$') {
+    // Commands of a sender, and variables of the control.
+    m_sink.error(token, FaultCode::UnknownWord);
+    return;
+  }
+  assign(token);
+}
+
+/// M1=3, M[R1]=3 and S2=500 are the spindles'; G[6]=2 is a G function by group and number.
+void BlockReader::readIndexed(const Token& token, BlockWords& words) {
+  if (token.address != 'G') {
+    m_sink.ignore(token, std::string(token.text));
+    return;
+  }
+  const Expected<Assignment>& group = m_calculations->assignment(token);
+  if (!group || group->target.operands.size() != 1) {
+    m_sink.error(token, FaultCode::UnknownWord);
+    return;
+  }
+  const Expected<double> index = m_variables.number(group->target.operands.front());
+  const Expected<double> number =
+      index ? m_variables.number(*group->initial.values.front()) : index;
+  if (!number) {
+    m_sink.fault(token.column, number.error());
+    return;
+  }
+  const std::optional<int> key = gOfGroup(static_cast<int>(std::clamp(*index, 0.0, 1000.0)),
+                                          static_cast<int>(std::clamp(*number, 0.0, 1000.0)));
+  if (!key) {
+    m_sink.error(token, FaultCode::UnsupportedGCode);
+    return;
+  }
+  Token named = token;
+  named.kind = TokenKind::Word;
+  named.value = static_cast<double>(*key) / 10.0;
+  m_calculated.push_back(named);
+  readG(m_calculated.back(), words);
+}
+
+void BlockReader::readText(const Token& token) {
+  if (token.address == 'T') {
+    const std::size_t open = token.text.find('"');
+    m_sink.toolName(token.text.substr(open + 1, token.text.size() - open - 2));
+    m_sink.ignore(token, "T");
+    return;
+  }
+  const std::string name = base::toUpper(tokenName(token));
+  if (token.address == 0 && m_variables.find(name) != nullptr) {
+    assign(token);
+  } else if (nameEffect(m_language.dialect, name) == NameEffect::None) {
+    m_sink.ignore(token, name);
+  } else {
+    m_sink.error(token, FaultCode::UnknownWord);
+  }
+}
+
+// --- letters ------------------------------------------------------------------------------------
+
+void BlockReader::readWord(const Token& token, BlockWords& words) {
+  using Read = void (BlockReader::*)(const Token&, BlockWords&);
+  constexpr Read kFurther = &BlockReader::readFurtherAxis;
+  constexpr Read kMachine = &BlockReader::readMachineWord;
+  constexpr Read kRefused = &BlockReader::refuseWord;
+  static constexpr std::array<Read, 26> kLetters{
+      kFurther,                  // A
+      kFurther,                  // B
+      kFurther,                  // C
+      kMachine,                  // D
+      kRefused,                  // E
+      &BlockReader::readFeed,    // F
+      &BlockReader::readG,       // G
+      kMachine,                  // H
+      &BlockReader::readCentre,  // I
+      &BlockReader::readCentre,  // J
+      &BlockReader::readCentre,  // K
+      &BlockReader::readL,       // L
+      &BlockReader::readM,       // M
+      &BlockReader::readNumber,  // N
+      &BlockReader::readNumber,  // O
+      &BlockReader::readP,       // P
+      &BlockReader::readQ,       // Q
+      &BlockReader::readRadius,  // R
+      kMachine,                  // S
+      kMachine,                  // T
+      kFurther,                  // U
+      kFurther,                  // V
+      kFurther,                  // W
+      &BlockReader::readAxis,    // X
+      &BlockReader::readAxis,    // Y
+      &BlockReader::readAxis,    // Z
+  };
+  const char address = token.address;
+  const bool isFunction = address == 'G' || address == 'M';
+  if (words.rare && words.rare->macroCall && !isFunction && address != 'N' && address != 'P' &&
+      address != 'L') {
+    if (const int number = argumentOf(address); number > 0) {
+      words.rare->arguments[number] = token.value;
+    }
+    return;
+  }
+  const auto letter = static_cast<std::size_t>(address - 'A');
+  const unsigned bit = isFunction ? 0U : 1U << letter;
+  if ((words.repeated & bit) != 0) {
+    reportRepetition(token);
+  }
+  words.repeated |= bit;
+  (this->*(letter < kLetters.size() ? kLetters[letter] : kRefused))(token, words);
+}
+
+void BlockReader::reportRepetition(const Token& token) {
+  const bool path = std::string_view("XYZIJKRFABC").find(token.address) != std::string_view::npos;
+  m_sink.report(path ? Severity::Error : Severity::Warning, token.column, FaultCode::RepeatedWord,
+                std::string(1, token.address));
+}
+
+void BlockReader::noteColumn(const Token& token, BlockWords& words) {
+  if (words.motionColumn == 0) {
+    words.motionColumn = token.column;
+  }
+}
+
+void BlockReader::readAxis(const Token& token, BlockWords& words) {
+  const std::size_t axis = axisOf(token.address);
+  words.axes.value[axis] = token.value;
+  words.axes.given[axis] = true;
+  words.axes.isIncrement[axis] = token.reference == Reference::Modal
+                                     ? m_state.relative
+                                     : token.reference == Reference::Incremental;
+  words.hasOwnMode[axis] = token.reference != Reference::Modal;
+  words.axisTokens[axis] = &token;
+  noteColumn(token, words);
+}
+
+void BlockReader::readFurtherAxis(const Token& token, BlockWords& words) {
+  if (m_state.isLathe && (token.address == 'U' || token.address == 'W')) {
+    // Increments of X and Z, whatever else holds.
+    Token increment = token;
+    increment.address = token.address == 'U' ? 'X' : 'Z';
+    increment.reference = Reference::Incremental;
+    m_calculated.push_back(increment);
+    readAxis(m_calculated.back(), words);
+    return;
+  }
+  readAxis(token, words);
+  words.hasRotary = true;
+  if (token.address == 'U') {
+    words.parameter = &token;
+  }
+}
+
+void BlockReader::readCentre(const Token& token, BlockWords& words) {
+  const auto axis = static_cast<std::size_t>(token.address - 'I');
+  words.centre[axis] = token.value;
+  words.hasCentre[axis] = true;
+  words.centreIsAbsolute[axis] = m_state.centreIsAbsolute || token.reference == Reference::Absolute;
+  words.centreTokens[axis] = &token;
+  noteColumn(token, words);
+}
+
+void BlockReader::readRadius(const Token& token, BlockWords& words) {
+  setRadius(token, words);
+  words.radiusIsWord = true;
+}
+
+void BlockReader::setRadius(const Token& token, BlockWords& words) {
+  if (words.hasRadius) {
+    m_sink.error(token, FaultCode::RepeatedWord, "CR=");
+  }
+  words.radius = token.value;
+  words.hasRadius = true;
+  words.radiusToken = &token;
+  noteColumn(token, words);
+}
+
+void BlockReader::readFeed(const Token& token, BlockWords& words) {
+  words.feed = &token;
+}
+
+void BlockReader::readMachineWord(const Token& token, BlockWords& /*words*/) {
+  m_sink.ignoreLetter(token);
+  if (token.address == 'S') {
+    m_state.spindlePerMin = token.value;
+    m_sink.machineWord(MachineWord::Spindle, token.value);
+  } else if (token.address == 'T') {
+    m_sink.machineWord(MachineWord::Tool, token.value);
+    if (m_language.toolChangesZ) {
+      m_sink.forgetPosition(2);
+    }
+  }
+}
+
+void BlockReader::readP(const Token& token, BlockWords& words) {
+  words.p = token.value;
+  words.parameter = &token;
+}
+
+void BlockReader::readQ(const Token& token, BlockWords& words) {
+  words.q = token.value;
+  words.parameter = &token;
+}
+
+void BlockReader::readL(const Token& token, BlockWords& words) {
+  if (m_language.namesAreCalls) {
+    words.rareWords().call = token;
+    return;
+  }
+  words.l = token.value;
+  words.parameter = &token;
+}
+
+void BlockReader::refuseWord(const Token& token, BlockWords& /*words*/) {
+  m_sink.error(token, FaultCode::UnknownWord);
+}
+
+}  // namespace rivulet::nc

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Takes the words of one block into `BlockWords`, as numbers. What holds for the whole block
+/// wherever it stands (G91, DIAMON, G94) takes effect at once. @threadsafety one object, one
+/// thread.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "nc/eval/variables.h"
+#include "nc/exec/block_words.h"
+#include "nc/exec/sink.h"
+#include "nc/modal/state.h"
+#include "nc/modal/vocabulary.h"
+#include "nc/syntax/language.h"
+
+namespace rivulet::nc {
+
+/// Value of a `TokenKind::Expression`, and what AC(), IC() and the like say of it.
+struct CalculatedValue {
+  Expression value;
+  Reference reference = Reference::Modal;
+};
+
+/// The calculations of a text, parsed.
+class Calculations {
+ public:
+  virtual ~Calculations() = default;
+  /// @param token  `TokenKind::Expression`, or what else has a value that is calculated
+  [[nodiscard]] virtual const Expected<CalculatedValue>& value(const Token& token) = 0;
+  [[nodiscard]] virtual const Expected<Assignment>& assignment(const Token& token) = 0;
+};
+
+class BlockReader {
+ public:
+  /// All outlive the reader. @param calculations  null if every token has its value
+  BlockReader(const Language& language, ModalState& state, Variables& variables,
+              Calculations* calculations, Sink& sink);
+
+  /// @param token  lives as long as `words`
+  void read(const Token& token, BlockWords& words);
+  /// The block has been executed. Its `BlockWords` are not to be used any more.
+  void endBlock() {
+    if (!m_calculated.empty()) {
+      m_calculated.clear();
+    }
+  }
+  /// The tool has moved: another work offset would send it to a wrong place.
+  void setMoved() { m_moved = true; }
+  /// @param number  of the further offsets of G54.1 and G154
+  void selectWorkOffset(int key, const Token& token, double number = 0.0);
+
+ private:
+  struct GRow;
+  [[nodiscard]] static const GRow& rowOf(GEffect effect);
+  [[nodiscard]] GEffect effectOf(int key) const { return m_g[static_cast<std::size_t>(key)]; }
+
+  // Kinds of tokens.
+  void readWord(const Token& token, BlockWords& words);
+  void readUnreadable(const Token& token);
+  void readText(const Token& token);
+  void readIndexed(const Token& token, BlockWords& words);
+  void readCalculated(const Token& token, BlockWords& words);
+  void readIndexedAxis(const Token& token, BlockWords& words);
+  void readAssignment(const Token& token, BlockWords& words);
+  void assign(const Token& token);
+  [[nodiscard]] bool isVariable(const Token& token) const;
+  [[nodiscard]] std::optional<double> numberOf(const Token& token,
+                                               const Expected<CalculatedValue>& value);
+
+  // Letters.
+  void reportRepetition(const Token& token);
+  void readAxis(const Token& token, BlockWords& words);
+  void readCentre(const Token& token, BlockWords& words);
+  void readFurtherAxis(const Token& token, BlockWords& words);
+  void readRadius(const Token& token, BlockWords& words);
+  void readFeed(const Token& token, BlockWords& words);
+  void readNumber(const Token& /*token*/, BlockWords& /*words*/) {}
+  void readMachineWord(const Token& token, BlockWords& words);
+  void readP(const Token& token, BlockWords& words);
+  void readQ(const Token& token, BlockWords& words);
+  void readL(const Token& token, BlockWords& words);
+  void refuseWord(const Token& token, BlockWords& words);
+  static void noteColumn(const Token& token, BlockWords& words);
+  void setRadius(const Token& token, BlockWords& words);
+
+  // G and M functions.
+  void readG(const Token& token, BlockWords& words);
+  void readM(const Token& token, BlockWords& words);
+  void setModal(int& slot, int key, const Token& token);
+  void refuseG(int key, const Token& token, BlockWords& words);
+  void readMotion(int key, const Token& token, BlockWords& words);
+  void readPlane(int key, const Token& token, BlockWords& words);
+  void readDistance(int key, const Token& token, BlockWords& words);
+  void readCentreMode(int key, const Token& token, BlockWords& words);
+  void readUnits(int key, const Token& token, BlockWords& words);
+  void readFeedMode(int key, const Token& token, BlockWords& words);
+  void readDiameter(int key, const Token& token, BlockWords& words);
+  void readDwell(int key, const Token& token, BlockWords& words);
+  void readPole(int key, const Token& token, BlockWords& words);
+  void readPolar(int key, const Token& token, BlockWords& words);
+  void readSpline(int key, const Token& token, BlockWords& words);
+  void readNone(int key, const Token& token, BlockWords& words);
+  void readBlockEnd(int key, const Token& token, BlockWords& words);
+  void readTolerance(int key, const Token& token, BlockWords& words);
+  void readToolLength(int key, const Token& token, BlockWords& words);
+  void readCycleOff(int key, const Token& token, BlockWords& words);
+  void readWorkOffset(int key, const Token& token, BlockWords& words);
+  void readWorkOffsetP(int key, const Token& token, BlockWords& words);
+  void readMachineMove(int key, const Token& token, BlockWords& words);
+  void readOffset(int key, const Token& token, BlockWords& words);
+  void readMacroCall(int key, const Token& token, BlockWords& words);
+  void readForeignMotion(int key, const Token& token, BlockWords& words);
+  void readForeignBlock(int key, const Token& token, BlockWords& words);
+  void readTurningCycle(const Token& token, BlockWords& words);
+
+  // Names.
+  void readName(const Token& token, BlockWords& words);
+  void readNamedAddress(const Token& token, const std::string& name, BlockWords& words);
+  void setNamed(const std::string& name, const Token& token, BlockWords& words);
+  void readUnknownName(const Token& token, BlockWords& words);
+  void readCycle(const Token& token, const std::string& name, BlockWords& words);
+  void readKlartextCycle(const Token& token);
+  void forgetArguments(const Token& token);
+
+  const Language& m_language;
+  const GTable& m_g;
+  ModalState& m_state;
+  Variables& m_variables;
+  Calculations* m_calculations;
+  Sink& m_sink;
+  std::deque<Token> m_calculated;  ///< of the present block
+  bool m_moved = false;
+};
+
+}  // namespace rivulet::nc

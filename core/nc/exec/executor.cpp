@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/exec/executor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace rivulet::nc {
+
+Executor::Executor(const Language& language, const ExecutorOptions& options, Variables& variables,
+                   Calculations* calculations, Sink& sink)
+    : m_language(language),
+      m_options(options),
+      m_sink(sink),
+      m_reader(language, m_state, variables, calculations, sink) {
+}
+
+std::optional<double> Executor::positionOf(char axis, bool inWorkpiece) const {
+  if (axis < 'X' || axis > 'Z') {
+    return std::nullopt;
+  }
+  const base::Vec3 position =
+      inWorkpiece ? m_position.frame.toWorkpiece(programmed()) : programmed();
+  const double value = position[static_cast<std::size_t>(axis - 'X')] / m_state.lengthFactor;
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+void Executor::execute(BlockWords& words) {
+  if (words.hasRotary) {
+    leaveOutMissingAxes(words);
+  }
+  if (words.foreignMotion) {
+    finishCurve();
+  }
+  if (words.latheKey >= 0 && words.latheKey != 910 && words.motionKey < 0 && words.movesLinear()) {
+    executeTurningCycle(words);
+  }
+  setModes(words);
+  if (words.rare) {
+    executeRare(words);
+  }
+  if (hasUnusedParameter(words)) {
+    m_sink.error(*words.parameter, FaultCode::UnknownWord);
+  }
+  if (words.dwell) {
+    executeDwell(words);
+  } else {
+    if (words.feed != nullptr && !(words.taken && words.rare && words.rare->macroCall)) {
+      setFeed(words);
+    }
+    if (!words.taken) {
+      executeMotion(words);
+    }
+  }
+  m_reader.endBlock();
+}
+
+void Executor::leaveOutMissingAxes(BlockWords& words) const {
+  words.hasRotary = false;
+  for (std::size_t axis = kFirstRotary; axis < kProgrammedAxisCount; ++axis) {
+    const bool exists = axis < kFirstFurther ? m_options.rotaryAxes[axis - kFirstRotary]
+                                             : m_options.refusesFurtherAxes;
+    words.axes.given[axis] = words.axes.given[axis] && exists;
+    words.hasRotary = words.hasRotary || words.axes.given[axis];
+  }
+  const bool isFurther = words.parameter != nullptr && words.parameter->address == 'U';
+  if (isFurther && !m_options.refusesFurtherAxes) {
+    words.parameter = nullptr;
+  }
+}
+
+/// G90 X Z and G94 X Z of a lathe go along a rectangle; with G0 to G3 they are what they are on
+/// a mill.
+void Executor::executeTurningCycle(BlockWords& words) {
+  error(words, FaultCode::CycleNotRun, fmt::format("G{}", words.latheKey / 10));
+  m_sink.otherMotion();
+  words.taken = true;
+}
+
+bool Executor::hasUnusedParameter(const BlockWords& words) const {
+  if (words.parameter == nullptr || words.dwell || words.tolerance || words.taken ||
+      m_state.motion == Motion::Unsupported || m_state.motion == Motion::CubicSpline ||
+      m_state.motion == Motion::Nurbs) {
+    return false;
+  }
+  return !words.rare || !(words.rare->call98 || words.rare->workOffsetToken != nullptr ||
+                          words.rare->call || words.rare->returns);
+}
+
+void Executor::setModes(const BlockWords& words) {
+  if (words.unitsKey >= 0) {
+    const bool inches = words.unitsKey == 200 || words.unitsKey == 700 || words.unitsKey == 7000;
+    const bool lengthsOnly = words.unitsKey == 700 && m_language.inchesOfLengthsOnly;
+    m_state.lengthFactor = inches ? base::kMmPerInch : 1.0;
+    m_state.feedFactor = lengthsOnly ? 1.0 : m_state.lengthFactor;
+    m_sink.programmedUnits(inches);
+  }
+  if (words.planeKey >= 0) {
+    m_state.planeFirstAxis = words.planeKey == 170 ? 0 : (words.planeKey == 180 ? 2 : 1);
+  }
+  if (words.motionKey >= 0) {
+    finishCurve();
+    m_state.motion = static_cast<Motion>(words.motionKey / 10);
+  }
+  if (words.blockEndKey >= 0) {
+    setBlockEnd(words.blockEndKey);
+  }
+}
+
+void Executor::setBlockEnd(int key) {
+  constexpr std::array kExactStops{600, 610, 611};
+  constexpr int kByDistance = 6410;
+  const bool stops = std::find(kExactStops.begin(), kExactStops.end(), key) != kExactStops.end();
+  m_state.blockEnd = stops ? BlockEnd::ExactStop : BlockEnd::Rounded;
+  m_state.rounding = key == kByDistance ? RoundingKind::Distance : RoundingKind::Deviation;
+}
+
+/// What must happen before the axes of the block are read.
+void Executor::executeRare(BlockWords& words) {
+  const RareWords& rare = *words.rare;
+  if (rare.threePointArc || rare.tangentArc) {
+    finishCurve();
+    m_state.motion = rare.threePointArc ? Motion::ThreePointArc : Motion::TangentArc;
+  }
+  if (rare.bSpline) {
+    finishCurve();
+    m_state.motion = Motion::BSpline;
+    m_splineDegree = 3;
+  }
+  if (const NamedWord* const degree = words.named("SD")) {
+    m_splineDegree = degree->value >= 2.0 && degree->value < 3.0 ? 2 : 3;
+  }
+  if (rare.splineKey >= 0) {
+    selectSpline(rare.splineKey);
+  }
+  if (rare.workOffsetToken != nullptr && !words.p) {
+    m_sink.error(*rare.workOffsetToken, FaultCode::NumberMissing, "P");
+  } else if (rare.workOffsetToken != nullptr) {
+    m_reader.selectWorkOffset(rare.workOffsetKey, *rare.workOffsetToken, *words.p);
+  }
+  if (rare.pole) {
+    setPole(words);
+  }
+  if (!rare.frame.empty()) {
+    setFrame(rare.frame, words);
+  }
+  if (rare.setsPosition || rare.resetsPosition || rare.localOffset) {
+    setOffset(words);
+  }
+}
+
+/// X, F, S, P and U of a dwell are times; what else it names would be lost.
+void Executor::executeDwell(const BlockWords& words) {
+  for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
+    if (words.axes.given[axis]) {
+      m_sink.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+    }
+  }
+  rejectArcWords(words);
+  double seconds = std::numeric_limits<double>::quiet_NaN();
+  if (words.feed != nullptr) {
+    seconds = words.feed->value;
+  } else if (words.p) {
+    // Fanuc counts milliseconds where there is no point, RS-274/NGC seconds.
+    const bool milliseconds = m_language.dwellInMilliseconds && !words.parameter->hasPoint;
+    seconds = milliseconds ? *words.p / 1000.0 : *words.p;
+  } else if (words.axes.given[0]) {
+    seconds = words.axes.value[0];
+  } else if (words.axes.given[kFirstFurther]) {
+    seconds = words.axes.value[kFirstFurther];
+  }
+  m_sink.machineWord(MachineWord::Dwell, seconds);
+}
+
+void Executor::rejectArcWords(const BlockWords& words) {
+  if (words.hasRadius) {
+    m_sink.error(*words.radiusToken, FaultCode::UnknownWord);
+  }
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (words.hasCentre[axis]) {
+      m_sink.error(*words.centreTokens[axis], FaultCode::UnknownWord);
+    }
+  }
+}
+
+void Executor::setFeed(const BlockWords& words) {
+  const double feed = words.feed->value;
+  if (!(feed > 0.0)) {
+    m_sink.programmedFeed(feed, std::nullopt);
+    m_sink.error(*words.feed, FaultCode::FeedNotPositive, base::formatNumber(feed));
+    return;
+  }
+  double mmPerMin = feed * m_state.feedFactor;
+  if (m_state.feedMode == FeedMode::PerRevolution) {
+    mmPerMin = feed * m_state.lengthFactor * m_state.spindlePerMin;
+  } else if (m_state.feedMode != FeedMode::PerMinute) {
+    m_sink.programmedFeed(feed, std::nullopt);
+    return;  // known block by block, or not at all
+  }
+  if (!(mmPerMin <= kCoordinateMmMax)) {
+    m_sink.programmedFeed(feed, std::nullopt);
+    m_sink.error(*words.feed, FaultCode::ValueOutOfRange);
+    return;
+  }
+  m_sink.programmedFeed(feed, mmPerMin);
+  m_state.feedMmPerS = base::mmPerSFromMmPerMin(mmPerMin);
+  m_state.feedDegPerS = feed / 60.0;
+}
+
+}  // namespace rivulet::nc

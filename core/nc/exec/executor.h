@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Executes the words of one block: what they make of the modal state, and the move they name. The
+/// preview and the virtual machine have this executor in common; they differ in their sinks. Calls,
+/// jumps and the end of a program are its caller's. @threadsafety one object, one thread.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "nc/exec/block_reader.h"
+#include "nc/exec/block_words.h"
+#include "nc/exec/position.h"
+#include "nc/exec/sink.h"
+#include "nc/modal/state.h"
+#include "nc/syntax/language.h"
+
+namespace rivulet::nc {
+
+/// Largest coordinate, centre offset or radius accepted, mm: a kilometre is no machine tool.
+inline constexpr double kCoordinateMmMax = 1.0e6;
+
+struct ExecutorOptions {
+  CentreReading centres = CentreReading::AsProgrammed;
+  /// Largest difference of an arc's start and end radius.
+  double arcRadiusToleranceMm = kArcRadiusToleranceMm;
+  base::RotarySet rotaryAxes{true, true, true};  ///< words of others move nothing
+  bool refusesFurtherAxes = true;                ///< U, V, W; else they move nothing
+  /// Machine coordinates are those of the workpiece without a frame; else such a move is left out.
+  bool knowsMachineCoordinates = false;
+  bool knowsWorkOffsets = false;  ///< else the one active at the control holds for the whole path
+};
+
+class Executor {
+ public:
+  /// All outlive the executor.
+  Executor(const Language& language, const ExecutorOptions& options, Variables& variables,
+           Calculations* calculations, Sink& sink);
+
+  /// Before the first block.
+  [[nodiscard]] ModalState& state() { return m_state; }
+  [[nodiscard]] Position& start() { return m_position; }
+
+  void read(const Token& token, BlockWords& words) { m_reader.read(token, words); }
+  /// What `read` has taken in. Ends the block: the tokens may go afterwards.
+  void execute(BlockWords& words);
+  /// Ends a curve that goes over several blocks.
+  void finishCurve();
+
+  /// In the unit of the program. @return nothing if no motion has said it yet
+  [[nodiscard]] std::optional<double> positionOf(char axis, bool inWorkpiece) const;
+
+ private:
+  // executor.cpp: the order within a block.
+  void leaveOutMissingAxes(BlockWords& words) const;
+  void setModes(const BlockWords& words);
+  void setBlockEnd(int key);
+  void executeRare(BlockWords& words);
+  void executeTurningCycle(BlockWords& words);
+  [[nodiscard]] bool hasUnusedParameter(const BlockWords& words) const;
+  void executeDwell(const BlockWords& words);
+  void setFeed(const BlockWords& words);
+  void rejectArcWords(const BlockWords& words);
+
+  // frames.cpp
+  void setFrame(const std::string& name, const BlockWords& words);
+  [[nodiscard]] std::optional<base::Vec3> scaleFactors(bool mirrors, const BlockWords& words);
+  [[nodiscard]] bool knowsAllAxes(const BlockWords& words, const std::string& statement);
+  void setOffset(const BlockWords& words);
+  void setPosition(const BlockWords& words);
+  void setPole(const BlockWords& words);
+  void addPolar(base::Vec3& point, double radiusMm, double degrees) const;
+
+  // motion.cpp
+  void executeMotion(BlockWords& words);
+  void leaveOutMachineMove(const BlockWords& words);
+  void move(BlockWords& words);
+  [[nodiscard]] int motionNumber() const;
+  [[nodiscard]] base::Vec3 targetOf(const BlockWords& words);
+  [[nodiscard]] double coordinate(const BlockWords& words, std::size_t axis, base::Vec3 from);
+  void takePolarWords(const BlockWords& words, base::Vec3 from, base::Vec3& target);
+  void setPolar(base::Vec3& target) const;
+  [[nodiscard]] Move moveOf(const BlockWords& words, base::Vec3 target);
+  void takeRotary(const BlockWords& words, Move& move);
+  void takeDirection(const BlockWords& words, Move& move);
+  void noteRotary(std::size_t axis, double degrees, int column);
+  void noteMissingFeed(const BlockWords& words, const Move& move);
+  void line(base::Vec3 target, const Move& move);
+  void unknownWay(base::Vec3 target, const Move& move);
+  void arrive(base::Vec3 target, base::Vec3 direction, const Move& move);
+
+  // arcs.cpp
+  void moveArc(const BlockWords& words, base::Vec3 target, Move move);
+  [[nodiscard]] std::optional<Arc> arcOf(const BlockWords& words, base::Vec3 target);
+  [[nodiscard]] bool takeTurns(const BlockWords& words, Arc& arc);
+  [[nodiscard]] ArcWords arcWordsOf(const BlockWords& words) const;
+  void usePoleAsCentre(const BlockWords& words, ArcWords& given) const;
+  void tellArc(const BlockWords& words, const Arc& arc, ArcWords given);
+  [[nodiscard]] bool toMillimetres(const BlockWords& words, ArcWords& given);
+  [[nodiscard]] bool startIsKnown(const BlockWords& words);
+  void ignoreCentreAcross(const BlockWords& words, ArcWords& given);
+  [[nodiscard]] bool reportArcProblem(const ResolvedArc& resolved, const BlockWords& words);
+  void moveSpaceArc(const BlockWords& words, base::Vec3 target, const Move& move);
+
+  // splines.cpp
+  void selectSpline(int key);
+  void addControlPoint(const BlockWords& words, base::Vec3 target, const Move& move);
+  [[nodiscard]] double weightOf(const BlockWords& words);
+  void moveBezier(const BlockWords& words, base::Vec3 target, const Move& move);
+  void spline(const Spline& spline, const Move& move);
+
+  [[nodiscard]] base::Vec3 programmed() const {
+    return m_splineEnd ? *m_splineEnd : m_position.programmedMm;
+  }
+  [[nodiscard]] double lengthMm(const BlockWords& words, std::size_t axis) const {
+    return words.axes.value[axis] * m_state.lengthFactor;
+  }
+  void error(const BlockWords& words, FaultCode code, std::string argument = {}) {
+    m_sink.report(Severity::Error, words.motionColumn, code, std::move(argument));
+  }
+
+  const Language& m_language;
+  const ExecutorOptions& m_options;
+  Sink& m_sink;
+  ModalState m_state;
+  Position m_position;
+  BlockReader m_reader;
+  bool m_pathBegun = false;         ///< X, Y or Z has moved
+  double m_polarTurnDegrees = 0.0;  ///< of the present block, where it is an increment
+
+  // A spline in progress.
+  Spline m_spline;
+  std::optional<base::Vec3> m_splineEnd;  ///< its last control point so far
+  Move m_splineMove;
+  int m_splineDegree = 3;
+  double m_nurbsFirstWeight = 1.0;
+  base::Vec3 m_lastTangent;  ///< P Q of the last G5
+
+  // Findings made once.
+  bool m_feedMissingReported = false;
+  bool m_directionReported = false;
+  bool m_tipReported = false;
+  std::array<std::optional<double>, base::kRotaryAxisCount> m_rotaryFirst;
+  std::array<bool, base::kRotaryAxisCount> m_rotaryReported{};
+};
+
+}  // namespace rivulet::nc

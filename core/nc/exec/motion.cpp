@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The move of a block: where it goes, how fast, and which kind of path it takes.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/text.h"
+#include "nc/exec/executor.h"
+
+namespace rivulet::nc {
+
+using base::Vec3;
+
+void Executor::executeMotion(BlockWords& words) {
+  const Motion motion = m_state.motion;
+  const bool isPolar = words.rare && (words.named("AP") != nullptr || words.named("RP") != nullptr);
+  const bool isTurn = words.rare && words.named("AR") != nullptr;
+  const bool moves =
+      words.moves() || isPolar || (isPlaneArc(motion) && (words.hasAnyCentre() || isTurn));
+  if (words.machineToken != nullptr && words.moves() && !m_options.knowsMachineCoordinates) {
+    leaveOutMachineMove(words);
+    return;
+  }
+  if (motion == Motion::Unsupported) {
+    if (moves) {
+      m_sink.otherMotion();
+    }
+    return;
+  }
+  for (std::size_t axis = kFirstFurther; axis < kProgrammedAxisCount; ++axis) {
+    if (words.axes.given[axis]) {
+      m_sink.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+    }
+  }
+  if (!isPlaneArc(motion) && motion != Motion::CubicSpline && motion != Motion::QuadraticSpline) {
+    rejectArcWords(words);
+  }
+  if (motion == Motion::Nurbs && words.rare && words.rare->splineKey == 52 && !moves) {
+    m_nurbsFirstWeight = words.p.value_or(1.0);
+  }
+  if (!moves) {
+    return;
+  }
+  if (words.machineToken == nullptr) {
+    move(words);
+    return;
+  }
+  const Frame frame = m_position.frame;
+  m_position.setFrame({});
+  move(words);
+  m_position.setFrame(frame);
+}
+
+/// SUPA, G53, M91: where that is in the workpiece is not known.
+void Executor::leaveOutMachineMove(const BlockWords& words) {
+  const Token& token = *words.machineToken;
+  m_sink.error(token, FaultCode::MachineCoordinates,
+               token.kind == TokenKind::Word ? wordText(token) : base::toUpper(tokenName(token)));
+  if (const int g = motionNumber(); g >= -1) {
+    m_sink.programmedForMachine(g, words.axes);
+  } else {
+    m_sink.otherMotion();
+  }
+}
+
+/// 0 to 3 for G0 to G3, -1 before any of them, -2 for other motions.
+int Executor::motionNumber() const {
+  if (m_state.motion == Motion::None || (m_state.motion == Motion::Line && m_state.motionAssumed)) {
+    return -1;
+  }
+  return m_state.motion < Motion::None ? static_cast<int>(m_state.motion) : -2;
+}
+
+void Executor::move(BlockWords& words) {
+  if (m_state.motion == Motion::None) {
+    m_sink.report(Severity::Warning, words.motionColumn, FaultCode::MotionModeAssumed, {});
+    m_state.motion = Motion::Line;
+    m_state.motionAssumed = !m_state.motionNamed;
+  }
+  m_state.motionAssumed = m_state.motionAssumed && words.motionKey < 0;
+  if (!m_options.knowsWorkOffsets) {
+    m_reader.setMoved();
+  }
+  const Vec3 target = targetOf(words);
+  const Move move = moveOf(words, target);
+  m_pathBegun = m_pathBegun || words.movesLinear() || words.rare || words.hasAnyCentre();
+  noteMissingFeed(words, move);
+  switch (m_state.motion) {
+    case Motion::Rapid:
+    case Motion::Line:
+      m_sink.programmed(motionNumber(), words.axes);
+      line(target, move);
+      break;
+    case Motion::ArcClockwise:
+    case Motion::ArcCounter:
+      moveArc(words, target, move);
+      break;
+    case Motion::ThreePointArc:
+    case Motion::TangentArc:
+      m_sink.otherMotion();
+      moveSpaceArc(words, target, move);
+      break;
+    case Motion::BSpline:
+    case Motion::Nurbs:
+      m_sink.otherMotion();
+      addControlPoint(words, target, move);
+      break;
+    case Motion::CubicSpline:
+    case Motion::QuadraticSpline:
+      m_sink.otherMotion();
+      moveBezier(words, target, move);
+      break;
+    case Motion::None:
+    case Motion::Unsupported:
+      break;
+  }
+}
+
+void Executor::noteMissingFeed(const BlockWords& words, const Move& move) {
+  const bool isTimed = m_state.feedMode == FeedMode::InverseTime && words.feed != nullptr;
+  if (move.motion == Motion::Rapid || move.feedMmPerS != 0.0 || isTimed || m_feedMissingReported) {
+    return;
+  }
+  m_sink.report(Severity::Warning, words.motionColumn, FaultCode::FeedMissing, {});
+  m_feedMissingReported = true;
+}
+
+void Executor::line(Vec3 target, const Move& move) {
+  m_sink.line(m_position, target, move);
+  const Vec3 way = target - m_position.programmedMm;
+  arrive(target, base::dot(way, way) > 0.0 ? way : m_position.direction, move);
+}
+
+void Executor::unknownWay(Vec3 target, const Move& move) {
+  m_sink.unknownWay(m_position, target, move);
+  arrive(target, m_position.direction, move);
+}
+
+void Executor::arrive(Vec3 target, Vec3 direction, const Move& move) {
+  m_position.programmedMm = target;
+  m_position.direction = direction;
+  if (move.turns) {
+    m_position.rotaryDeg = move.rotaryDeg;
+  }
+}
+
+// --- where to -----------------------------------------------------------------------------------
+
+/// Takes the programmed axes over. @return the new position, programmed coordinates
+Vec3 Executor::targetOf(const BlockWords& words) {
+  const Vec3 from = programmed();
+  Vec3 target = from;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (!words.axes.given[axis]) {
+      continue;
+    }
+    if (const double value = coordinate(words, axis, from); !std::isnan(value)) {
+      m_state.incrementFrom[axis].reset();
+      target.set(axis, value);
+    }
+  }
+  const std::size_t first = m_state.planeFirstAxis;
+  const std::size_t second = m_state.planeSecondAxis();
+  if (m_state.polar && (words.axes.given[first] || words.axes.given[second])) {
+    // G16: the first axis of the plane is the radius, the second the angle.
+    m_state.polarRadiusMm =
+        words.axes.given[first] ? lengthMm(words, first) : m_state.polarRadiusMm;
+    m_state.polarDegrees =
+        words.axes.given[second] ? words.axes.value[second] : m_state.polarDegrees;
+    setPolar(target);
+  } else if (words.rare) {
+    takePolarWords(words, from, target);
+  }
+  return target;
+}
+
+/// @return NaN if it is not known: the axis stays where it is
+double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  double value = lengthMm(words, axis);
+  if (std::isnan(value)) {
+    return kUnknown;  // has been reported
+  }
+  if (!(std::abs(value) <= kCoordinateMmMax)) {
+    m_sink.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
+    return kUnknown;
+  }
+  const bool isIncrement = words.axes.isIncrement[axis];
+  if (m_state.diameter && axis == 0 && (!isIncrement || m_state.diameterIncrements)) {
+    value /= 2.0;
+  }
+  if (isIncrement) {
+    const double origin = m_state.incrementFrom[axis].value_or(from[axis]);
+    if (std::isnan(origin)) {
+      m_sink.error(*words.axisTokens[axis], FaultCode::RelativeFromUnknownPosition,
+                   std::string(1, base::kAxisNames[axis]));
+      return kUnknown;
+    }
+    value += origin;
+  }
+  return value;
+}
+
+void Executor::setPolar(Vec3& target) const {
+  const Vec3 pole = m_state.polar ? Vec3{} : m_state.poleMm;
+  for (const std::size_t axis : {m_state.planeFirstAxis, m_state.planeSecondAxis()}) {
+    target.set(axis, pole[axis]);
+  }
+  addPolar(target, m_state.polarRadiusMm, m_state.polarDegrees);
+}
+
+void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) {
+  const NamedWord* const radius = words.named("RP");
+  const NamedWord* const angle = words.named("AP");
+  if (radius == nullptr && angle == nullptr) {
+    return;
+  }
+  const std::size_t first = m_state.planeFirstAxis;
+  const std::size_t second = m_state.planeSecondAxis();
+  const double across = from[first] - m_state.poleMm[first];
+  const double up = from[second] - m_state.poleMm[second];
+  // CP of Heidenhain names no radius: it is that of the start.
+  if (radius != nullptr) {
+    m_state.polarRadiusMm =
+        radius->value * m_state.lengthFactor + (radius->isIncrement ? m_state.polarRadiusMm : 0.0);
+  } else if (m_language.turnsAboutPole) {
+    m_state.polarRadiusMm = std::hypot(across, up);
+  }
+  const double degrees = std::atan2(up, across) * 180.0 / std::acos(-1.0);
+  m_polarTurnDegrees = 0.0;
+  if (angle != nullptr) {
+    const bool relative = angle->isIncrement || m_state.relative;
+    if (relative) {
+      m_polarTurnDegrees = angle->value;
+    }
+    m_state.polarDegrees = angle->value + (relative ? degrees : 0.0);
+  }
+  setPolar(target);
+  if (m_polarTurnDegrees != 0.0 && std::fmod(m_polarTurnDegrees, 360.0) == 0.0) {
+    target.set(first, from[first]);
+    target.set(second, from[second]);
+  }
+}
+
+// --- what else the words say --------------------------------------------------------------------
+
+Move Executor::moveOf(const BlockWords& words, Vec3 target) {
+  Move move;
+  move.line = words.line;
+  move.motion = m_state.motion;
+  move.exactStop = words.exactStop;
+  move.column = words.motionColumn;
+  move.feedMmPerS = m_state.feedMmPerS;
+  if (m_state.feedMode == FeedMode::InverseTime) {
+    move.feedMmPerS =
+        words.feed != nullptr ? m_position.lengthMmTo(target) * words.feed->value / 60.0 : 0.0;
+  }
+  if (words.hasRotary) {
+    takeRotary(words, move);
+  }
+  if (words.rare) {
+    takeDirection(words, move);
+  }
+  return move;
+}
+
+void Executor::takeRotary(const BlockWords& words, Move& move) {
+  move.rotaryDeg = m_position.rotaryDeg;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    const std::size_t word = axis + kFirstRotary;
+    if (!words.axes.given[word]) {
+      continue;
+    }
+    double degrees = words.axes.value[word];
+    if (!words.axes.isIncrement[word]) {
+      degrees += m_state.rotaryOffset[axis];
+    } else if (std::isnan(m_position.rotaryDeg[axis])) {
+      error(words, FaultCode::RelativeFromUnknownPosition, std::string(1, kProgrammedAxes[word]));
+      continue;
+    } else {
+      degrees += m_position.rotaryDeg[axis];
+    }
+    move.rotaryDeg[axis] = degrees;
+    move.turns = true;
+    noteRotary(axis, degrees, words.motionColumn);
+  }
+}
+
+void Executor::noteRotary(std::size_t axis, double degrees, int column) {
+  // An axis first named in mid-path turns there: where it stood before is not known.
+  const bool turns = m_rotaryFirst[axis] ? *m_rotaryFirst[axis] != degrees : m_pathBegun;
+  m_rotaryFirst[axis] = m_rotaryFirst[axis].value_or(degrees);
+  if (turns && !m_state.tipWord.empty() && !m_tipReported) {
+    m_tipReported = true;
+    m_sink.report(Severity::Warning, column, FaultCode::ToolTip, m_state.tipWord);
+  }
+  if (turns && !m_rotaryReported[axis]) {
+    m_rotaryReported[axis] = true;
+    m_sink.report(Severity::Warning, column, FaultCode::RotaryAxes,
+                  std::string(1, kProgrammedAxes[axis + kFirstRotary]));
+  }
+}
+
+void Executor::takeDirection(const BlockWords& words, Move& move) {
+  const NamedWord* const a = words.named("A3");
+  const NamedWord* const b = words.named("B3");
+  const NamedWord* const c = words.named("C3");
+  if (a == nullptr && b == nullptr && c == nullptr) {
+    return;
+  }
+  const auto value = [](const NamedWord* word) { return word == nullptr ? 0.0 : word->value; };
+  const Vec3 direction{value(a), value(b), value(c)};
+  const double length = base::norm(direction);
+  if (!(length > 0.0)) {
+    error(words, FaultCode::ValueOutOfRange, "A3= B3= C3=");
+    return;
+  }
+  move.toolDirection = (1.0 / length) * direction;
+  if (!m_directionReported) {
+    m_directionReported = true;
+    m_sink.report(Severity::Warning, words.motionColumn, FaultCode::ToolDirections, "A3 B3 C3");
+  }
+}
+
+}  // namespace rivulet::nc

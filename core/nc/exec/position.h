@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Where the path of a program stands. @threadsafety plain values.
+#pragma once
+
+#include "base/axes.h"
+#include "base/vec3.h"
+#include "nc/modal/frame.h"
+
+namespace rivulet::nc {
+
+/// NaN: no motion has said it yet.
+struct Position {
+  Position();
+
+  base::Vec3 programmedMm;
+  base::RotaryDeg rotaryDeg{};
+  Frame frame;
+  base::Vec3 direction;  ///< of the end of the last move, programmed coordinates; zero: none
+
+  /// The machine does not move; the same place gets other coordinates.
+  void setFrame(const Frame& other);
+  /// In the workpiece, of a straight move from here; 0 if it comes from a place that is not known.
+  [[nodiscard]] double lengthMmTo(base::Vec3 targetMm) const;
+};
+
+}  // namespace rivulet::nc

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Words that are names: SOFT, CR=12, CYCLE83(...), and the cycles of plain text.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/text.h"
+#include "nc/exec/block_reader.h"
+
+namespace rivulet::nc {
+
+void BlockReader::readName(const Token& token, BlockWords& words) {
+  const std::string name = base::toUpper(tokenName(token));
+  if (m_language.isKlartext && name == "CYCL") {
+    readKlartextCycle(token);
+    return;
+  }
+  if (token.kind == TokenKind::NamedValue && m_variables.find(name) != nullptr) {
+    readAssignment(token, words);
+    return;
+  }
+  switch (nameEffect(m_language.dialect, name)) {
+    case NameEffect::Dynamics:
+      m_state.dynamics = name == "SOFT" ? Dynamics::Soft : Dynamics::Brisk;
+      m_sink.ignore(token, name);
+      break;
+    case NameEffect::Rounding:
+      m_state.roundingMm = std::max(0.0, token.value);
+      m_sink.ignore(token, name);
+      break;
+    case NameEffect::None:
+      m_sink.ignore(token, name);
+      break;
+    case NameEffect::Query:
+      forgetArguments(token);
+      m_sink.ignore(token, name);
+      break;
+    case NameEffect::End:
+      words.rareWords().returns = true;
+      break;
+    case NameEffect::Mode:
+      m_sink.error(token, FaultCode::UnsupportedGCode, name);
+      break;
+    case NameEffect::TakesBlock:
+      m_sink.error(token, FaultCode::UnsupportedGCode, name);
+      words.taken = true;
+      m_sink.forgetPosition();
+      break;
+    case NameEffect::Cycle:
+      readCycle(token, name, words);
+      break;
+    case NameEffect::Frame:
+      words.rareWords().frame = name;
+      words.taken = true;
+      break;
+    case NameEffect::Motion:
+      (name == "CIP" ? words.rareWords().threePointArc : words.rareWords().tangentArc) = true;
+      break;
+    case NameEffect::Spline:
+      words.rareWords().bSpline = true;
+      break;
+    case NameEffect::MachineMove:
+      words.machineToken = &token;
+      break;
+    case NameEffect::Diameter:
+      m_state.diameter = name != "DIAMOF";
+      m_state.diameterIncrements = name == "DIAMON";
+      m_sink.ignore(token, name);
+      break;
+    case NameEffect::Transformation:
+      m_state.tipWord = name == "TRAORI" ? "TRAORI" : "";
+      m_sink.ignore(token, name);
+      break;
+    case NameEffect::Address:
+      readNamedAddress(token, name, words);
+      break;
+    case NameEffect::Unknown:
+      readUnknownName(token, words);
+      break;
+  }
+}
+
+void BlockReader::readNamedAddress(const Token& token, const std::string& name, BlockWords& words) {
+  if (token.kind != TokenKind::NamedValue) {
+    m_sink.error(token, FaultCode::UnknownWord);
+  } else {
+    setNamed(name, token, words);
+  }
+}
+
+void BlockReader::setNamed(const std::string& name, const Token& token, BlockWords& words) {
+  if (name == "CR") {
+    setRadius(token, words);
+    return;
+  }
+  words.rareWords().named[name] = {token.value, token.reference == Reference::Incremental};
+  noteColumn(token, words);
+}
+
+/// On a SINUMERIK a name alone, or with arguments, calls a subprogram.
+void BlockReader::readUnknownName(const Token& token, BlockWords& words) {
+  if (!m_language.namesAreCalls || token.kind == TokenKind::NamedValue) {
+    m_sink.error(token, token.kind == TokenKind::Name ? FaultCode::UnknownWord
+                                                      : FaultCode::UnsupportedExpression);
+    return;
+  }
+  words.rareWords().call = token;
+}
+
+/// What a call has written to its variables only the control knows.
+void BlockReader::forgetArguments(const Token& token) {
+  std::string_view rest = token.text.substr(std::min(token.text.find('('), token.text.size()));
+  while (!rest.empty()) {
+    rest.remove_prefix(1);
+    const std::size_t end = std::min(rest.find_first_of(",)"), rest.size());
+    Expression variable;
+    variable.op = Op::Variable;
+    variable.name = base::toUpper(base::trim(rest.substr(0, end)));
+    if (m_variables.find(variable.name) != nullptr) {
+      (void)m_variables.assign(variable, std::nan(""));
+    }
+    rest.remove_prefix(end);
+  }
+}
+
+void BlockReader::readCycle(const Token& token, const std::string& name, BlockWords& words) {
+  words.taken = true;
+  const std::size_t open = token.text.find('(');
+  const std::string_view arguments =
+      open == std::string_view::npos ? "" : token.text.substr(open + 1);
+  m_sink.forgetPosition();
+  const bool swivels = name == "CYCLE800";
+  if (swivels && base::trim(arguments) == ")") {
+    m_sink.ignore(token, name);  // swivels back to the frame of the machine
+    return;
+  }
+  m_sink.error(token, swivels ? FaultCode::UnsupportedGCode : FaultCode::CycleNotRun, name);
+  m_sink.programmedOther();
+}
+
+void BlockReader::readKlartextCycle(const Token& token) {
+  const std::string text = base::toUpper(token.text);
+  std::string_view digits = text;
+  while (!digits.empty() && !base::isDigit(digits.front())) {
+    digits.remove_prefix(1);
+  }
+  const int number = base::parseInteger(digits).value_or(0);
+  // Cycles that move nothing themselves: shift, mirror, rotation, scale and tilt of the plane.
+  static constexpr std::array kFrames{7, 8, 10, 11, 19, 26, 247};
+  if (text.find("CALL") != std::string::npos) {
+    m_sink.error(token, FaultCode::CycleNotRun, "CYCL CALL");
+    m_sink.forgetPosition();
+  } else if (std::find(kFrames.begin(), kFrames.end(), number) != kFrames.end()) {
+    m_sink.error(token, FaultCode::UnsupportedGCode, fmt::format("CYCL DEF {}", number));
+    m_sink.forgetPosition();
+  } else {
+    m_sink.ignore(token, fmt::format("CYCL DEF {}", number));
+  }
+}
+
+}  // namespace rivulet::nc

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Moves along splines: BSPLINE over several blocks, G5, G5.1 and G5.2.
+
+#include <algorithm>
+
+#include "nc/exec/executor.h"
+
+namespace rivulet::nc {
+
+using base::Vec3;
+
+void Executor::selectSpline(int key) {
+  finishCurve();
+  m_lastTangent = {};
+  switch (key) {
+    case 50:
+      m_state.motion = Motion::CubicSpline;
+      break;
+    case 51:
+      m_state.motion = Motion::QuadraticSpline;
+      break;
+    case 52:
+      m_state.motion = Motion::Nurbs;
+      m_splineDegree = 2;
+      break;
+    default:
+      m_state.motion = Motion::None;  // G5.3 closes the curve: the next block names its own motion
+      m_state.motionNamed = true;
+      break;
+  }
+}
+
+void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move& move) {
+  const Vec3 from = programmed();
+  if (!base::isFinite(from)) {
+    error(words, FaultCode::ArcFromUnknownPosition, "X Y Z");
+    unknownWay(target, move);
+    return;
+  }
+  if (!m_splineEnd) {
+    m_spline = {};
+    m_spline.controlMm.push_back(from);
+    m_spline.weights.push_back(m_state.motion == Motion::Nurbs ? m_nurbsFirstWeight : 1.0);
+    m_nurbsFirstWeight = 1.0;
+  }
+  const double weight = weightOf(words);
+  m_spline.controlMm.push_back(target);
+  m_spline.weights.push_back(weight);
+  m_splineEnd = target;
+  m_splineMove = move;
+}
+
+double Executor::weightOf(const BlockWords& words) {
+  double weight = 1.0;
+  if (m_state.motion == Motion::Nurbs) {
+    weight = words.p.value_or(1.0);
+    if (words.l) {
+      m_splineDegree = static_cast<int>(std::clamp(*words.l - 1.0, 1.0, 9.0));
+    }
+  } else if (const NamedWord* const given = words.named("PW")) {
+    weight = given->value;
+  }
+  if (words.named("PL") != nullptr) {
+    error(words, FaultCode::UnsupportedGCode, "PL");
+  }
+  if (!(weight > 0.0)) {
+    error(words, FaultCode::ValueOutOfRange, "PW");
+    weight = 1.0;
+  }
+  return weight;
+}
+
+void Executor::finishCurve() {
+  if (!m_splineEnd) {
+    return;
+  }
+  m_splineEnd.reset();
+  const std::size_t points = m_spline.controlMm.size();
+  m_spline.degree = std::min(m_splineDegree, static_cast<int>(points) - 1);
+  m_spline.knots = clampedKnots(points, m_spline.degree);
+  spline(m_spline, m_splineMove);
+}
+
+void Executor::spline(const Spline& spline, const Move& move) {
+  m_sink.spline(m_position, spline, move);
+  const std::vector<Vec3>& control = spline.controlMm;
+  Vec3 direction;
+  for (std::size_t i = control.size() - 1; i-- > 0 && base::norm(direction) == 0.0;) {
+    direction = control.back() - control[i];
+  }
+  arrive(control.back(), direction, move);
+}
+
+/// G5: I J from the start, P Q from the end. G5.1: I J only.
+void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move) {
+  const Vec3 from = m_position.programmedMm;
+  if (!base::isFinite(from) || m_state.planeFirstAxis != 0) {
+    error(words, FaultCode::ArcFromUnknownPosition, "X Y Z");
+    unknownWay(target, move);
+    return;
+  }
+  const double unit = m_state.lengthFactor;
+  const bool hasStart = words.hasCentre[0] || words.hasCentre[1];
+  const Vec3 start =
+      hasStart ? Vec3{words.centre[0] * unit, words.centre[1] * unit, 0.0} : -1.0 * m_lastTangent;
+  if (!hasStart && m_lastTangent == Vec3{}) {
+    error(words, FaultCode::ArcWithoutCentre);
+    unknownWay(target, move);
+    return;
+  }
+  Spline curve;
+  curve.controlMm = {from, from + start};
+  if (m_state.motion == Motion::CubicSpline) {
+    const Vec3 end{words.p.value_or(0.0) * unit, words.q.value_or(0.0) * unit, 0.0};
+    curve.controlMm.push_back(target + end);
+    m_lastTangent = end;
+  }
+  curve.controlMm.push_back(target);
+  curve.degree = static_cast<int>(curve.controlMm.size()) - 1;
+  curve.weights.assign(curve.controlMm.size(), 1.0);
+  curve.knots = clampedKnots(curve.controlMm.size(), curve.degree);
+  spline(curve, move);
+}
+
+}  // namespace rivulet::nc

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What stays in force from block to block: the active function of each modal group, and what the
+/// next block counts from. Lengths in mm, programmed coordinates. @threadsafety plain values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "base/axes.h"
+#include "base/vec3.h"
+#include "nc/modal/frame.h"
+
+namespace rivulet::nc {
+
+/// The first four are G0 to G3.
+enum class Motion : unsigned char {
+  Rapid,
+  Line,
+  ArcClockwise,
+  ArcCounter,
+  None,             ///< no motion has been named yet
+  ThreePointArc,    ///< CIP
+  TangentArc,       ///< CT
+  BSpline,          ///< BSPLINE
+  CubicSpline,      ///< G5
+  QuadraticSpline,  ///< G5.1
+  Nurbs,            ///< G5.2
+  Unsupported,      ///< a cycle, a thread: motions that are not made here
+};
+
+[[nodiscard]] constexpr bool isPlaneArc(Motion motion) {
+  return motion == Motion::ArcClockwise || motion == Motion::ArcCounter;
+}
+
+enum class FeedMode : unsigned char { PerMinute, InverseTime, PerRevolution, Unknown };
+
+/// How the path continues after a block.
+enum class BlockEnd : unsigned char {
+  ExactStop,  ///< G60, G9: the axes stop
+  Rounded,    ///< G64 and G641 to G645: the corner is rounded
+};
+
+/// What bounds the rounding of a corner.
+enum class RoundingKind : unsigned char {
+  Deviation,  ///< G64, G642: largest distance of the rounded path from the corner
+  Distance,   ///< G641 ADIS=, ADISPOS=: path length before the corner at which rounding may begin
+};
+
+/// How the path speed changes.
+enum class Dynamics : unsigned char {
+  Brisk,  ///< BRISK: with the axes' acceleration
+  Soft,   ///< SOFT: with the axes' acceleration and jerk
+};
+
+struct ModalState {
+  Motion motion = Motion::None;
+  Motion motionBeforeUnsupported = Motion::None;
+  bool motionAssumed = false;  ///< G1 by default, not by a word
+  bool motionNamed = false;
+
+  std::size_t planeFirstAxis = 0;  ///< 0: G17, 2: G18, 1: G19
+  double lengthFactor = 1.0;       ///< mm per unit of the program
+  double feedFactor = 1.0;         ///< mm/min per unit of F
+  bool relative = false;           ///< G91
+  bool centreIsAbsolute = false;   ///< G90.1
+  bool diameter = false;           ///< X is a diameter
+  bool diameterIncrements = false;
+  bool isLathe = false;  ///< ISO: turning cycles, U and W as increments
+
+  FeedMode feedMode = FeedMode::PerMinute;
+  double feedMmPerS = 0.0;   ///< 0: none is programmed
+  double feedDegPerS = 0.0;  ///< the same number, for blocks that only turn
+  double spindlePerMin = 0.0;
+
+  BlockEnd blockEnd = BlockEnd::ExactStop;
+  RoundingKind rounding = RoundingKind::Deviation;
+  double roundingMm = 0.0;  ///< ADIS=
+  Dynamics dynamics = Dynamics::Brisk;
+
+  int workOffset = -1;            ///< key of its G function; -1: none named
+  double workOffsetNumber = 0.0;  ///< of the further ones of G54.1 and G154
+  std::string tipWord;            ///< what keeps X Y Z at the tip of the tool; empty: nothing
+
+  Frame baseFrame;  ///< G52 and G92; TRANS and ROT work on it
+  base::Vec3 setOffsetMm;
+  base::Vec3 localOffsetMm;
+  base::RotaryDeg rotaryOffset{};  ///< G92
+  /// Programmed coordinates from before a change of the frame. The next increment of an axis counts
+  /// from there, so that it passes the shift of the frame as well (SD42440, as delivered).
+  std::array<std::optional<double>, base::kAxisCount> incrementFrom;
+
+  base::Vec3 poleMm;
+  bool polar = false;  ///< G16
+  double polarRadiusMm = 0.0;
+  double polarDegrees = 0.0;
+
+  [[nodiscard]] std::size_t planeSecondAxis() const {
+    return (planeFirstAxis + 1) % base::kAxisCount;
+  }
+  [[nodiscard]] std::size_t planeThirdAxis() const {
+    return (planeFirstAxis + 2) % base::kAxisCount;
+  }
+};
+
+}  // namespace rivulet::nc

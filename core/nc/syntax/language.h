@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What sets the dialects apart, as data: readers and executor ask a `Language`, never which
+/// dialect it is. What single words do is in nc/modal/vocabulary. @threadsafety pure.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "nc/eval/evaluate.h"
+#include "nc/syntax/dialect.h"
+#include "nc/syntax/expression.h"
+
+namespace rivulet::nc {
+
+class SteeringParser;
+struct Tree;
+
+/// A statement that neither steers nor moves.
+struct OtherStatement {
+  enum class Meaning : unsigned char { ModalCall, Ignored, CallsProgram };
+  std::string_view word;
+  Meaning meaning = Meaning::Ignored;
+};
+
+struct Language {
+  Dialect dialect = Dialect::Iso;
+  const Notation& notation;
+  const Semantics& comparison;
+  std::unique_ptr<SteeringParser> (*steeringParser)(Tree& tree);
+  /// Words that jump, decide, repeat, define or call.
+  std::span<const std::string_view> steering;
+  std::span<const OtherStatement> otherStatements;
+
+  // How it is written.
+  bool isKlartext = false;
+  bool hasBracketComments = true;
+  bool hasIndexedWords = false;        ///< M[1]=3, G[6]=2, AX[1]=5
+  bool hasOWords = true;               ///< O100 begins a program, O100 IF is a statement
+  bool comparesNumbersAsText = false;  ///< N010 and N10 are two labels
+
+  // What words mean.
+  bool lettersMayBeVariables = false;  ///< DEF INT I: then I=5 is no centre
+  bool namesAreCalls = false;          ///< PART, L123 and M17; M30 of a subprogram returns
+  bool variablesAreOfCycles = false;   ///< Q1=5 is ignored
+  bool hasTurningCycles = false;       ///< G70 to G73 with P and Q show a lathe
+  bool inchesOfLengthsOnly = false;    ///< G70 leaves the unit of the feed alone
+  bool dwellInMilliseconds = false;    ///< G4 P without a point
+  bool toolChangesZ = false;           ///< T: Z is somewhere else afterwards
+  bool turnsAboutPole = false;         ///< an arc without a centre turns about the pole
+  bool ignoresCentreAcross = false;    ///< of a helix, with a warning
+  /// Share of the radius by which start and end of an arc may differ: a spiral.
+  double spiralShare = 0.0;
+};
+
+[[nodiscard]] const Language& languageOf(Dialect dialect);
+
+}  // namespace rivulet::nc
