@@ -130,8 +130,11 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
     if ((*numbers)[0] == kReset) {
       return {};
     }
-    if ((*numbers)[1] != static_cast<double>(layout) ||
-        (*numbers)[2] != static_cast<double>(last.runNumber)) {
+    // A program that was started for this run but has not granted it yet obeys nobody.
+    const double owner = (*numbers)[2];
+    const bool isOurs =
+        owner == static_cast<double>(last.runNumber) || (owner == 0.0 && !last.granted);
+    if ((*numbers)[1] != static_cast<double>(layout) || !isOurs) {
       return base::fail(StreamError::ChannelBusy,
                         "Another program is running on the control. Wait until it has ended, or "
                         "reset the control.");

@@ -219,6 +219,20 @@ class TestRunOnControl : public QObject {
     QCOMPARE((*found)->number, 0);
     QVERIFY(!(*found)->hasClient);
     QVERIFY(!(*found)->origin);
+    // A client that was killed before it was granted the run can go on where it would have begun.
+    streaming::Checkpoint begun = *report.checkpoint;
+    begun.granted = false;
+    begun.runNumber = 999;
+    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Active);
+    const auto resume = streaming::resumeFrom(world.link, zigzag(), windowSettings(), begun);
+    QVERIFY2(resume.has_value(), resume ? "" : resume.error().text().c_str());
+    QCOMPARE(resume->point, std::size_t{0});
+    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
+    world.machine.writeRParameter(4, 0.0);
+    QVERIFY(world.link.cycleStart().has_value());
+    while (world.machine.rParameter(4) == 0.0) {
+      static_cast<void>(world.link.wait(world.link.now() + std::chrono::milliseconds{20}));
+    }
     world.machine.writeRParameter(6, report.checkpoint->runNumber);
     found = streaming::findRun(world.link, world.link, 30, std::chrono::seconds{1});
     found = streaming::findRun(world.link, world.link, 30, std::chrono::seconds{1});
