@@ -94,6 +94,11 @@ struct AccessCost {
   double programBytesPerS = 0.0;       ///< of its text
   base::Duration samplingMin{};        ///< shortest sampling and publishing interval
   ArrayAccess arrays;
+
+  /// Of storing a program of this size.
+  [[nodiscard]] base::Duration programTime(std::size_t bytes) const {
+    return programOverhead + base::fromSeconds(static_cast<double>(bytes) / programBytesPerS);
+  }
 };
 
 struct MachineConfig {

@@ -119,9 +119,7 @@ class Machine::Impl final : public MainRun {
   }
 
   Instant serveProgram(std::size_t bytes) {
-    const AccessCost& cost = m_config.access;
-    m_serviceFreeAt += cost.programOverhead +
-                       base::fromSeconds(static_cast<double>(bytes) / cost.programBytesPerS);
+    m_serviceFreeAt += m_config.access.programTime(bytes);
     return m_serviceFreeAt;
   }
 
@@ -137,6 +135,11 @@ class Machine::Impl final : public MainRun {
       return base::fail(MachineError::FileExists,
                         "A program of this name is already on the control. Allow overwriting or "
                         "choose another name.",
+                        name);
+    }
+    if (m_channel != ChannelStatus::Reset && key == m_selected) {
+      return base::fail(MachineError::NotInReset,
+                        "The program is active: it cannot be overwritten. Reset the channel.",
                         name);
     }
     m_programs[key] = std::move(text);

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "opcua/await.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
 #include "support/loopback_machine.h"
@@ -303,6 +304,68 @@ class TestFront : public QObject {
     QCOMPARE(item.statusCode, UA_STATUSCODE_GOOD);
     QCOMPARE(item.revisedSamplingInterval, 100.0);  // the shortest, as on the control
     QTRY_VERIFY_WITH_TIMEOUT(cell.server().nodesServed() >= 3, 60'000);
+  }
+
+  /// Only the client that copies waits for its copy; 10 s pass before it is answered.
+  void aLargeCopyHoldsUpNobodyElse() {
+    LoopbackMachine::Options options;
+    options.preset = "dmu75";
+    const LoopbackMachine cell(options);
+    const auto copying = cell.connect();
+    const auto reading = cell.connect();
+    static_cast<void>(copying->store("LARGE.SPF", std::string(std::size_t{2} << 20U, ' '), 60s));
+    static_cast<void>(copying->wait(copying->now() + 50ms));
+    const std::array watched{opcua::rParameter(1)};
+    for (int i = 0; i < 20; ++i) {
+      QVERIFY(opcua::readNumbers(*reading, watched, 5s).has_value());
+    }
+    QVERIFY(!copying->wait(copying->now()).has_value());
+    // A small one is answered when its time has come; what follows keeps its order.
+    const base::RequestId small = reading->store("SMALL.SPF", "M17\n", 60s);
+    const base::RequestId after = reading->read(watched, 60s, opcua::Grouping::List);
+    const auto first = reading->wait(reading->now() + 60s);
+    const auto second = reading->wait(reading->now() + 60s);
+    QVERIFY(first && first->request == small && first->kind == opcua::EventKind::WriteDone);
+    QVERIFY(second && second->request == after && second->kind == opcua::EventKind::ReadDone);
+    QVERIFY(first->at - first->sent >= 100ms);
+  }
+
+  /// Ten clients that vanished have the ten sessions; the eleventh gets one all the same.
+  void orphanedSessionsLockNobodyOut() {
+    const LoopbackMachine cell;
+    std::vector<std::unique_ptr<RawClient>> gone;
+    for (int i = 0; i < 10; ++i) {
+      gone.push_back(std::make_unique<RawClient>(cell.endpoint()));
+    }
+    for (const auto& client : gone) {
+      UA_Client_disconnectSecureChannel(client->get());  // without closing the session
+    }
+    for (int i = 0; i < 10; ++i) {
+      QCOMPARE(RawClient(cell.endpoint()).read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
+    }
+  }
+
+  /// A client that is there keeps its run; the run of one that is gone can be reset.
+  void nobodyResetsTheRunOfAnother() {
+    const LoopbackMachine cell;
+    auto starter = cell.connect();
+    const auto other = cell.connect();
+    QVERIFY(starter->uploadProgram("WAITS.MPF", "G4 F1000\nM30\n", true).has_value());
+    QVERIFY(starter->selectProgram("WAITS.MPF").has_value());
+    QVERIFY(starter->cycleStart().has_value());
+    const auto refused = other->reset();
+    QVERIFY(!refused && refused.error().code == opcua::LinkError::Rejected);
+    const auto overwritten = other->uploadProgram("waits.mpf", "M30\n", true);
+    QVERIFY(!overwritten && overwritten.error().code == opcua::LinkError::ChannelNotInReset);
+    QCOMPARE(other->downloadProgram("WAITS.MPF").value(), std::string("G4 F1000\nM30\n"));
+    QVERIFY(other->uploadProgram("ELSE.MPF", "M30\n", true).has_value());
+    QVERIFY(starter->reset().has_value());
+    QVERIFY(other->reset().has_value());  // in reset it does no harm
+    QVERIFY(starter->cycleStart().has_value());
+    starter.reset();
+    QVERIFY(other->reset().has_value());
+    // Once the axes have stopped.
+    QTRY_VERIFY(other->uploadProgram("WAITS.MPF", "M30\n", true).has_value());
   }
 
   void aTakenPortIsOneClearSentence() {

@@ -102,6 +102,9 @@ UA_StatusCode select(Methods& methods, const UA_Variant* input, UA_Variant* outp
 
 UA_StatusCode cycleStart(Methods& methods, const UA_Variant* /*input*/, UA_Variant* output) {
   const auto started = methods.machine().cycleStart();
+  if (started) {
+    methods.rememberStarter();
+  }
   const UA_StatusCode status =
       answer(output[0], static_cast<UA_Int32>(selectStatusOf(started)), UA_TYPES_INT32);
   const std::string message = started ? std::string() : started.error().message;
@@ -109,6 +112,9 @@ UA_StatusCode cycleStart(Methods& methods, const UA_Variant* /*input*/, UA_Varia
 }
 
 UA_StatusCode reset(Methods& methods, const UA_Variant* /*input*/, UA_Variant* /*output*/) {
+  if (!methods.mayReset()) {
+    return UA_STATUSCODE_BADUSERACCESSDENIED;
+  }
   methods.machine().reset();
   return UA_STATUSCODE_GOOD;
 }
@@ -124,17 +130,28 @@ UA_StatusCode fetchTrace(Methods& methods, const UA_Variant* input, UA_Variant* 
          answer(output[1], UA_UInt64{text.size()}, UA_TYPES_UINT64);
 }
 
+}  // namespace
+
+std::string sessionKey(const UA_NodeId* sessionId) {
+  opcua::Handle<UA_String, UA_TYPES_STRING> text;
+  const bool isPrinted =
+      sessionId != nullptr && UA_NodeId_print(sessionId, text.get()) == UA_STATUSCODE_GOOD;
+  return isPrinted ? std::string(opcua::view(*text.get())) : std::string();
+}
+
+namespace {
+
 enum class Right { Files, Anyone };
 
 /// The one place where the library enters a method.
 template <Work work, Right right>
-UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
-                     void* /*sessionContext*/, const UA_NodeId* /*methodId*/, void* context,
-                     const UA_NodeId* /*objectId*/, void* /*objectContext*/,
-                     std::size_t /*inputSize*/, const UA_Variant* input, std::size_t /*outputSize*/,
-                     UA_Variant* output) noexcept {
+UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* sessionId, void* /*sessionContext*/,
+                     const UA_NodeId* /*methodId*/, void* context, const UA_NodeId* /*objectId*/,
+                     void* /*objectContext*/, std::size_t /*inputSize*/, const UA_Variant* input,
+                     std::size_t /*outputSize*/, UA_Variant* output) noexcept {
   auto& methods = *static_cast<Methods*>(context);
   methods.advance();
+  methods.setCaller(sessionKey(sessionId));
   if (right == Right::Files && !methods.hasFileRights()) {
     return UA_STATUSCODE_BADNOTSUPPORTED;  // the control's word for a missing protection level
   }

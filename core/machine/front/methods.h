@@ -10,7 +10,10 @@
 
 #include <open62541/server.h>
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/result.h"
 #include "machine/front/variable_service.h"
@@ -21,6 +24,9 @@ namespace rivulet::machine {
 inline constexpr std::size_t kFileBytesMax = std::size_t{16} << 20U;
 /// Largest number of bytes of the trace that one call of FetchTrace returns.
 inline constexpr std::size_t kTraceChunkBytesMax = std::size_t{1} << 20U;
+
+/// A session's identifier as text.
+[[nodiscard]] std::string sessionKey(const UA_NodeId* sessionId);
 
 class Methods {
  public:
@@ -38,8 +44,25 @@ class Methods {
   [[nodiscard]] Machine& machine() const { return m_service.machine(); }
   /// Moves the machine to the present; every method begins with it.
   void advance() { m_service.advance(); }
-  /// Waits as long as writing a program takes.
-  void serveProgram(std::size_t bytes) { m_service.serveProgram(bytes); }
+  /// Writing a program takes time: the answer to the present request is due only then.
+  void serveProgram(std::size_t bytes) { m_answerDue = m_service.serveProgram(bytes); }
+  /// When the answer to the last call is due; nothing: at once. Asked once per call.
+  [[nodiscard]] std::optional<base::Instant> takeAnswerDue() {
+    return std::exchange(m_answerDue, std::nullopt);
+  }
+
+  /// The session that calls a method, and whether a session is connected.
+  void setCaller(std::string session) { m_caller = std::move(session); }
+  void setSessionCheck(std::function<bool(const std::string&)> isConnected) {
+    m_isConnected = std::move(isConnected);
+  }
+  /// The caller is the one who may reset from now on.
+  void rememberStarter() { m_starter = m_caller; }
+  /// While a program runs whose client is still connected, only this client may reset it.
+  [[nodiscard]] bool mayReset() const {
+    return m_service.machine().state().channel == ChannelStatus::Reset || m_starter == m_caller ||
+           !m_isConnected || !m_isConnected(m_starter);
+  }
   /// The trace as text; printed anew when a fetch begins at offset 0.
   [[nodiscard]] const std::string& traceText(bool anew);
 
@@ -48,6 +71,10 @@ class Methods {
   VariableService& m_service;
   bool m_fileRights;
   std::string m_traceText;
+  std::optional<base::Instant> m_answerDue;
+  std::string m_caller;
+  std::string m_starter;  ///< session that pressed cycle start
+  std::function<bool(const std::string&)> m_isConnected;
 };
 
 }  // namespace rivulet::machine

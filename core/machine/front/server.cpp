@@ -9,7 +9,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
+#include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/contract.h"
 #include "machine/front/address_space.h"
@@ -36,6 +40,9 @@ constexpr UA_UInt32 kQueueSizeMax = 10'000;
 constexpr UA_UInt32 kNodesPerRequestMax = 1000;
 /// A file of the largest size, its request and some room.
 constexpr UA_UInt32 kMessageBytesMax = static_cast<UA_UInt32>(kFileBytesMax) + (1U << 20U);
+
+/// A session whose connection is gone for so long is closed.
+constexpr base::Duration kOrphanAge = std::chrono::seconds(10);
 
 /// How often the machine is advanced while no client asks.
 constexpr base::Duration kIdleStep = milliseconds(10);
@@ -97,6 +104,37 @@ class Server::Impl {
   [[nodiscard]] base::Result<void> listen(const ServerOptions& options);
   [[nodiscard]] tl::unexpected<base::Error> setUpFailed(const char* what) const;
 
+  /// Answers that are not due yet keep those after them on the same connection waiting.
+  struct HeldAnswer {
+    std::uintptr_t connection = 0;
+    base::Instant due{};
+    std::string message;
+  };
+  /// A client's session, and the connection it was activated on; 0: that is gone.
+  struct Session {
+    UA_NodeId id{};
+    std::uintptr_t connection = 0;
+    base::Instant orphanedAt{};
+  };
+
+  [[nodiscard]] static Impl& of(const UA_ConnectionManager& manager);
+  static UA_StatusCode onOpen(UA_ConnectionManager* manager, const UA_KeyValueMap* parameters,
+                              void* application, void* context,
+                              UA_ConnectionManager_connectionCallback callback) noexcept;
+  static void onConnection(UA_ConnectionManager* manager, std::uintptr_t connectionId,
+                           void* application, void** context, UA_ConnectionState state,
+                           const UA_KeyValueMap* parameters, UA_ByteString message) noexcept;
+  static UA_StatusCode onActivate(UA_Server* server, UA_AccessControl* control,
+                                  const UA_EndpointDescription* endpoint,
+                                  const UA_ByteString* certificate, const UA_NodeId* sessionId,
+                                  const UA_ExtensionObject* token, void** context) noexcept;
+  static void onCloseSession(UA_Server* server, UA_AccessControl* control,
+                             const UA_NodeId* sessionId, void* context) noexcept;
+  void connectionClosed(std::uintptr_t connection);
+  void sendDueAnswers(base::Instant now);
+  /// Sessions whose connection is gone for that long.
+  void closeOrphans(base::Duration age, std::size_t countMax);
+
   static UA_StatusCode onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
                               const UA_KeyValueMap* parameters, UA_ByteString* message) noexcept;
 
@@ -109,6 +147,15 @@ class Server::Impl {
   std::unique_ptr<Methods> m_methods;
   UA_StatusCode (*m_send)(UA_ConnectionManager*, std::uintptr_t, const UA_KeyValueMap*,
                           UA_ByteString*) = nullptr;
+  UA_StatusCode (*m_open)(UA_ConnectionManager*, const UA_KeyValueMap*, void*, void*,
+                          UA_ConnectionManager_connectionCallback) = nullptr;
+  UA_ConnectionManager_connectionCallback m_connection = nullptr;
+  decltype(UA_AccessControl::activateSession) m_activate = nullptr;
+  decltype(UA_AccessControl::closeSession) m_closeSession = nullptr;
+  UA_ConnectionManager* m_manager = nullptr;
+  std::uintptr_t m_receiving = 0;  ///< connection whose message is being handled
+  std::deque<HeldAnswer> m_held;
+  std::map<std::string, Session> m_sessions;
   std::string m_endpoint;
   bool m_running = false;
 };
@@ -121,6 +168,9 @@ Server::Impl::~Impl() {
     UA_Server_run_shutdown(m_server);
   }
   UA_Server_delete(m_server);
+  for (auto& [key, session] : m_sessions) {
+    UA_NodeId_clear(&session.id);
+  }
 }
 
 base::Result<void> Server::Impl::start(const ServerOptions& options) {
@@ -143,6 +193,10 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   if (auto built = m_methods->build(m_addressSpace->namespaceIndex()); !built) {
     return built;
   }
+  m_methods->setSessionCheck([this](const std::string& key) {
+    const auto session = m_sessions.find(key);
+    return session != m_sessions.end() && session->second.connection != 0;
+  });
   m_arrayStore.setAddressSpace(m_addressSpace.get());
   m_service.goLive();
   return listen(options);
@@ -203,6 +257,9 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.accessControl.allowAddReference = &refuseAddReference;
   config.accessControl.allowDeleteNode = &refuseDeleteNode;
   config.accessControl.allowDeleteReference = &refuseDeleteReference;
+  config.context = this;
+  m_activate = std::exchange(config.accessControl.activateSession, &Impl::onActivate);
+  m_closeSession = std::exchange(config.accessControl.closeSession, &Impl::onCloseSession);
   m_arrayStore.install(config);
   m_server = UA_Server_newWithConfig(&config);
   if (m_server == nullptr) {
@@ -229,23 +286,131 @@ base::Result<void> Server::Impl::watchAnswers() {
         UA_STATUSCODE_GOOD) {
       break;
     }
-    m_send = manager->sendWithConnection;
-    manager->sendWithConnection = &Impl::onSend;
+    m_manager = manager;
+    m_send = std::exchange(manager->sendWithConnection, &Impl::onSend);
+    m_open = std::exchange(manager->openConnection, &Impl::onOpen);
     return {};
   }
   return setUpFailed("watch its connections");
 }
 
+Server::Impl& Server::Impl::of(const UA_ConnectionManager& manager) {
+  const void* owner =
+      UA_KeyValueMap_getScalar(&manager.eventSource.params, ownerKey(), &UA_TYPES[UA_TYPES_UINT64]);
+  RIVULET_ASSERT(owner != nullptr);
+  return *reinterpret_cast<Impl*>(
+      static_cast<std::uintptr_t>(*static_cast<const UA_UInt64*>(owner)));
+}
+
 UA_StatusCode Server::Impl::onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
                                    const UA_KeyValueMap* parameters,
                                    UA_ByteString* message) noexcept {
-  const void* owner = UA_KeyValueMap_getScalar(&manager->eventSource.params, ownerKey(),
-                                               &UA_TYPES[UA_TYPES_UINT64]);
-  RIVULET_ASSERT(owner != nullptr);
-  auto* self =
-      reinterpret_cast<Impl*>(static_cast<std::uintptr_t>(*static_cast<const UA_UInt64*>(owner)));
-  self->m_service.endRequest();
-  return self->m_send(manager, connectionId, parameters, message);
+  Impl& self = of(*manager);
+  self.m_service.endRequest();
+  const std::optional<base::Instant> due =
+      self.m_methods ? self.m_methods->takeAnswerDue() : std::nullopt;
+  const auto waiting =
+      std::find_if(self.m_held.rbegin(), self.m_held.rend(),
+                   [&](const HeldAnswer& held) { return held.connection == connectionId; });
+  if (!due && waiting == self.m_held.rend()) {
+    return self.m_send(manager, connectionId, parameters, message);
+  }
+  const base::Instant before = waiting == self.m_held.rend() ? base::Instant{} : waiting->due;
+  self.m_held.push_back({connectionId, std::max(due.value_or(base::Instant{}), before),
+                         std::string(opcua::view(*message))});
+  manager->freeNetworkBuffer(manager, connectionId, message);
+  return UA_STATUSCODE_GOOD;
+}
+
+UA_StatusCode Server::Impl::onOpen(UA_ConnectionManager* manager, const UA_KeyValueMap* parameters,
+                                   void* application, void* context,
+                                   UA_ConnectionManager_connectionCallback callback) noexcept {
+  Impl& self = of(*manager);
+  self.m_connection = callback;
+  return self.m_open(manager, parameters, application, context, &Impl::onConnection);
+}
+
+void Server::Impl::onConnection(UA_ConnectionManager* manager, std::uintptr_t connectionId,
+                                void* application, void** context, UA_ConnectionState state,
+                                const UA_KeyValueMap* parameters, UA_ByteString message) noexcept {
+  Impl& self = of(*manager);
+  if (state == UA_CONNECTIONSTATE_CLOSING) {
+    self.connectionClosed(connectionId);
+  }
+  self.m_receiving = connectionId;
+  self.m_connection(manager, connectionId, application, context, state, parameters, message);
+  self.m_receiving = 0;
+}
+
+UA_StatusCode Server::Impl::onActivate(UA_Server* server, UA_AccessControl* control,
+                                       const UA_EndpointDescription* endpoint,
+                                       const UA_ByteString* certificate, const UA_NodeId* sessionId,
+                                       const UA_ExtensionObject* token, void** context) noexcept {
+  Impl& self = *static_cast<Impl*>(UA_Server_getConfig(server)->context);
+  const UA_StatusCode status =
+      self.m_activate(server, control, endpoint, certificate, sessionId, token, context);
+  if (status == UA_STATUSCODE_GOOD) {
+    Session& session = self.m_sessions[sessionKey(sessionId)];
+    session.connection = self.m_receiving;
+    UA_NodeId_clear(&session.id);
+    UA_NodeId_copy(sessionId, &session.id);
+  }
+  return status;
+}
+
+void Server::Impl::onCloseSession(UA_Server* server, UA_AccessControl* control,
+                                  const UA_NodeId* sessionId, void* context) noexcept {
+  Impl& self = *static_cast<Impl*>(UA_Server_getConfig(server)->context);
+  if (const auto session = self.m_sessions.find(sessionKey(sessionId));
+      session != self.m_sessions.end()) {
+    UA_NodeId_clear(&session->second.id);
+    self.m_sessions.erase(session);
+  }
+  self.m_closeSession(server, control, sessionId, context);
+}
+
+void Server::Impl::connectionClosed(std::uintptr_t connection) {
+  for (auto& [key, session] : m_sessions) {
+    if (session.connection == connection) {
+      session.connection = 0;
+      session.orphanedAt = m_service.now();
+    }
+  }
+  std::erase_if(m_held, [&](const HeldAnswer& held) { return held.connection == connection; });
+}
+
+void Server::Impl::sendDueAnswers(base::Instant now) {
+  // Of one connection, none is due before an earlier one.
+  for (auto answer = m_held.begin(); answer != m_held.end();) {
+    if (answer->due > now) {
+      ++answer;
+      continue;
+    }
+    const HeldAnswer due = std::move(*answer);
+    answer = m_held.erase(answer);
+    UA_ByteString buffer = UA_BYTESTRING_NULL;
+    if (m_manager->allocNetworkBuffer(m_manager, due.connection, &buffer, due.message.size()) ==
+        UA_STATUSCODE_GOOD) {
+      std::memcpy(buffer.data, due.message.data(), due.message.size());
+      m_send(m_manager, due.connection, &UA_KEYVALUEMAP_NULL, &buffer);  // takes the buffer
+    }
+  }
+}
+
+void Server::Impl::closeOrphans(base::Duration age, std::size_t countMax) {
+  std::vector<UA_NodeId> orphans;
+  for (const auto& [key, session] : m_sessions) {
+    if (session.connection == 0 && m_service.now() - session.orphanedAt >= age &&
+        m_sessions.size() - orphans.size() > countMax) {
+      UA_NodeId id{};
+      UA_NodeId_copy(&session.id, &id);
+      orphans.push_back(id);
+    }
+  }
+  for (UA_NodeId& id : orphans) {
+    UA_Server_closeSession(m_server, &id);  // calls `onCloseSession`
+    UA_NodeId_clear(&id);
+  }
 }
 
 base::Result<void> Server::Impl::listen(const ServerOptions& options) {
@@ -287,6 +452,10 @@ void Server::Impl::iterate(base::Duration timeout) {
   m_loop->run(m_loop, static_cast<UA_UInt32>(ms.count()));
   m_service.endRequest();
   m_service.advance();
+  sendDueAnswers(m_service.now());
+  // A client may come back with its session; not if that locks out another.
+  closeOrphans(kOrphanAge, 0);
+  closeOrphans(base::Duration::zero(), kSessionsMax - 1);
 }
 
 Server::Server(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {

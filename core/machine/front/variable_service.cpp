@@ -31,15 +31,10 @@ void VariableService::serve(AccessKind kind) {
   ++m_nodes;
 }
 
-void VariableService::serveProgram(std::size_t bytes) {
-  if (!m_live) {
-    return;
-  }
+base::Instant VariableService::serveProgram(std::size_t bytes) {
   m_request.reset();
-  m_machine.beginRequest(AccessKind::Write, now() - kOnTheWay);
-  const base::Instant served = m_machine.serveProgram(bytes);
-  m_clock.sleepUntil(served - m_offset);
-  m_machine.advance(served);
+  const AccessCost& cost = m_machine.config().access;
+  return m_live ? now() - kOnTheWay + cost.writeOverhead + cost.programTime(bytes) : now();
 }
 
 }  // namespace rivulet::machine

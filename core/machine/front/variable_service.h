@@ -37,17 +37,19 @@ class VariableService {
   /// Waits until the next variable of the present request is served, and advances the machine to
   /// that moment; the caller then reads or writes.
   void serve(AccessKind kind);
-  /// Waits until a program of this size is written, a request of its own.
-  void serveProgram(std::size_t bytes);
+  /// A program of this size is written, a request of its own. It takes time, but the variable
+  /// service goes on meanwhile. @return when the answer is due
+  [[nodiscard]] base::Instant serveProgram(std::size_t bytes);
   /// The present request is complete; the next variable belongs to another one.
   void endRequest() { m_request.reset(); }
 
   [[nodiscard]] std::uint64_t requestsServed() const { return m_requests.load(); }
   [[nodiscard]] std::uint64_t nodesServed() const { return m_nodes.load(); }
 
- private:
+  /// Machine time, which is wall time.
   [[nodiscard]] base::Instant now() const { return m_clock.now() + m_offset; }
 
+ private:
   Machine& m_machine;
   opcua::MonotonicClock m_clock;
   base::Duration m_offset;  ///< machine time when the clock was started
