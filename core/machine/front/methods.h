@@ -51,7 +51,7 @@ class Methods {
     return std::exchange(m_answerDue, std::nullopt);
   }
 
-  /// The session that calls a method, and whether a session is connected.
+  /// The session that calls a method, and whether the client of a session is still there.
   void setCaller(std::string session) { m_caller = std::move(session); }
   void setSessionCheck(std::function<bool(const std::string&)> isConnected) {
     m_isConnected = std::move(isConnected);

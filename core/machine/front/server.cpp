@@ -44,6 +44,9 @@ constexpr UA_UInt32 kMessageBytesMax = static_cast<UA_UInt32>(kFileBytesMax) + (
 /// A session whose connection is gone for so long is closed.
 constexpr base::Duration kOrphanAge = std::chrono::seconds(10);
 
+/// A client that has said nothing for so long may have lost its power.
+constexpr base::Duration kSilenceMax = std::chrono::seconds(3);
+
 /// How often the machine is advanced while no client asks.
 constexpr base::Duration kIdleStep = milliseconds(10);
 
@@ -115,6 +118,7 @@ class Server::Impl {
     UA_NodeId id{};
     std::uintptr_t connection = 0;
     base::Instant orphanedAt{};
+    base::Instant heardAt{};  ///< the last message on its connection
   };
 
   [[nodiscard]] static Impl& of(const UA_ConnectionManager& manager);
@@ -195,7 +199,8 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   }
   m_methods->setSessionCheck([this](const std::string& key) {
     const auto session = m_sessions.find(key);
-    return session != m_sessions.end() && session->second.connection != 0;
+    return session != m_sessions.end() && session->second.connection != 0 &&
+           m_service.now() - session->second.heardAt < kSilenceMax;
   });
   m_arrayStore.setAddressSpace(m_addressSpace.get());
   m_service.goLive();
@@ -337,6 +342,11 @@ void Server::Impl::onConnection(UA_ConnectionManager* manager, std::uintptr_t co
   if (state == UA_CONNECTIONSTATE_CLOSING) {
     self.connectionClosed(connectionId);
   }
+  for (auto& [key, session] : self.m_sessions) {
+    if (message.length > 0 && session.connection == connectionId) {
+      session.heardAt = self.m_service.now();
+    }
+  }
   self.m_receiving = connectionId;
   self.m_connection(manager, connectionId, application, context, state, parameters, message);
   self.m_receiving = 0;
@@ -352,6 +362,7 @@ UA_StatusCode Server::Impl::onActivate(UA_Server* server, UA_AccessControl* cont
   if (status == UA_STATUSCODE_GOOD) {
     Session& session = self.m_sessions[sessionKey(sessionId)];
     session.connection = self.m_receiving;
+    session.heardAt = self.m_service.now();
     UA_NodeId_clear(&session.id);
     UA_NodeId_copy(sessionId, &session.id);
   }
