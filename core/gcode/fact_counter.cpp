@@ -9,7 +9,7 @@
 
 namespace rivulet::gcode {
 
-void FactCounter::takeOver(const AxisValues& axes) {
+void FactCounter::takeOver(const nc::AxisValues& axes) {
   for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
     if (!axes.given[axis]) {
       continue;
@@ -38,7 +38,7 @@ void FactCounter::takeOver(const AxisValues& axes) {
   }
 }
 
-void FactCounter::line(const AxisValues& axes) {
+void FactCounter::line(const nc::AxisValues& axes) {
   double squares = 0.0;
   bool known = true;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -61,8 +61,17 @@ void FactCounter::line(const AxisValues& axes) {
   }
 }
 
-void FactCounter::arc(int g, const AxisValues& axes, Arc arc, ArcWords words) {
+void FactCounter::motion(int g, const nc::AxisValues& axes) {
   count(g);
+  if (g == 1) {
+    line(axes);
+  } else {
+    takeOver(axes);
+  }
+}
+
+void FactCounter::arc(const nc::AxisValues& axes, nc::Arc arc, nc::ArcWords words) {
+  count(arc.clockwise ? 2 : 3);
   const std::size_t third = (arc.firstAxis + 2) % base::kAxisCount;
   bool known = true;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -115,7 +124,7 @@ void FactCounter::arc(int g, const AxisValues& axes, Arc arc, ArcWords words) {
   m_facts.arcExcluded += counted ? 0U : 1U;
 }
 
-void FactCounter::machineMotion(int g, const AxisValues& axes) {
+void FactCounter::machineMotion(int g, const nc::AxisValues& axes) {
   count(g);
   ++m_facts.machineMotions;
   if (g == 1) {

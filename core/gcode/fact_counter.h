@@ -11,35 +11,20 @@
 #include <optional>
 
 #include "gcode/facts.h"
-#include "nc/exec/block_words.h"
-#include "nc/geometry/arc.h"
+#include "nc/exec/sink.h"
 
 namespace rivulet::gcode {
 
-class FactCounter {
+class FactCounter final : public nc::WordObserver {
  public:
-  using AxisValues = nc::AxisValues;
-  using Arc = nc::Arc;
-  using ArcWords = nc::ArcWords;
-
-  /// @param g  0 to 3; -1 before any of them
-  void motion(int g, const AxisValues& axes) {
-    count(g);
-    if (g == 1) {
-      line(axes);
-    } else {
-      takeOver(axes);
-    }
-  }
-  /// @param g  2 or 3  @param arc  plane, direction and turns; start and end are found here
-  void arc(int g, const AxisValues& axes, Arc arc, ArcWords words);
-  /// A move in machine coordinates: counted, but its values are others.
-  void machineMotion(int g, const AxisValues& axes);
-  void otherMotion() { ++m_facts.otherMotions; }
-  /// Where the axis (nothing: all) stands in the program's coordinates is not known any more.
-  void forget(std::optional<std::size_t> axis);
-  void feed(double value);
-  void units(bool inches);
+  void motion(int g, const nc::AxisValues& axes) override;
+  void arc(const nc::AxisValues& axes, nc::Arc arc, nc::ArcWords words) override;
+  /// Counted, but its values are others.
+  void machineMotion(int g, const nc::AxisValues& axes) override;
+  void otherMotion() override { ++m_facts.otherMotions; }
+  void feed(double value) override;
+  void units(bool inches) override;
+  void forget(std::optional<std::size_t> axis) override;
   void incomplete() { m_facts.complete = false; }
 
   [[nodiscard]] ProgramFacts take();
@@ -52,8 +37,8 @@ class FactCounter {
     double length = 0.0;
     double mismatch = 0.0;
   };
-  void line(const AxisValues& axes);
-  void takeOver(const AxisValues& axes);
+  void line(const nc::AxisValues& axes);
+  void takeOver(const nc::AxisValues& axes);
 
   ProgramFacts m_facts;
   std::array<ArcReading, kCentreReadings.size()> m_readings;

@@ -60,28 +60,36 @@ void Findings::reportProgram(Severity severity, DiagnosticCode code, std::string
   m_list.push_back({severity, base::LineNumber{1}, 1, code, std::move(argument), {}});
 }
 
-void Findings::ignore(const nc::Token& token, std::string argument) {
-  if (std::find(m_ignoredNames.begin(), m_ignoredNames.end(), argument) != m_ignoredNames.end()) {
+void Findings::fault(int column, const nc::Fault& fault) {
+  report(Severity::Error, column,
+         nc::isAboutOrder(fault.code) ? DiagnosticCode::FlowFault : DiagnosticCode::ExpressionFault,
+         nc::describe(fault));
+}
+
+void Findings::ignore(const nc::Token& token, std::string word) {
+  if (std::find(m_ignoredNames.begin(), m_ignoredNames.end(), word) != m_ignoredNames.end()) {
     return;
   }
   if (m_ignoredNames.size() < kDiagnosticsMax) {
-    m_ignoredNames.push_back(argument);
+    m_ignoredNames.push_back(word);
   }
-  report(Severity::Note, token.column, DiagnosticCode::IgnoredCode, std::move(argument));
+  report(Severity::Note, token.column, DiagnosticCode::IgnoredCode, std::move(word));
 }
 
-void Findings::ignoreG(std::size_t key, const nc::Token& token) {
-  if (!m_ignoredG.test(key)) {
-    m_ignoredG.set(key);
-    report(Severity::Note, token.column, DiagnosticCode::IgnoredCode, wordText(token));
+void Findings::ignoreG(int key, const nc::Token& token) {
+  const auto index = static_cast<std::size_t>(key);
+  if (!m_ignoredG.test(index)) {
+    m_ignoredG.set(index);
+    report(Severity::Note, token.column, DiagnosticCode::IgnoredCode, nc::wordText(token));
   }
 }
 
-void Findings::ignoreM(Severity severity, std::size_t number, const nc::Token& token) {
+void Findings::ignoreM(Severity severity, int number, const nc::Token& token) {
   auto& seen = severity == Severity::Note ? m_ignoredM : m_warnedM;
-  if (!seen.test(number)) {
-    seen.set(number);
-    report(severity, token.column, DiagnosticCode::IgnoredCode, wordText(token));
+  const auto index = static_cast<std::size_t>(number);
+  if (!seen.test(index)) {
+    seen.set(index);
+    report(severity, token.column, DiagnosticCode::IgnoredCode, nc::wordText(token));
   }
 }
 

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "gcode/diagnostic.h"
-#include "nc/syntax/lexer.h"
+#include "nc/exec/sink.h"
 
 namespace rivulet::gcode {
 
-class Findings {
+class Findings final : public nc::FaultSink {
  public:
   /// @param accepted  names as in `acceptableName`; outlives the object
   explicit Findings(const std::vector<std::string>& accepted) : m_accepted(accepted) {}
@@ -30,17 +30,18 @@ class Findings {
   }
 
   /// @param argument  cut where it is long
-  void report(Severity severity, int column, DiagnosticCode code, std::string argument);
+  void report(Severity severity, int column, DiagnosticCode code, std::string argument) override;
+  void fault(int column, const nc::Fault& fault) override;
   /// A finding about the whole program, listed however many others there are. It stands at the
   /// first line.
   void reportProgram(Severity severity, DiagnosticCode code, std::string argument);
-  /// A word without effect on the path is noted at its first place only: a program with M3 S500
-  /// in every block has one such finding, not a thousand that hide the others.
-  void ignore(const nc::Token& token, std::string argument);
+  /// A word without effect on the path is noted at its first place only: a program with M3 S500 in
+  /// every block has one such finding, not a thousand that hide the others.
+  void ignore(const nc::Token& token, std::string word) override;
   /// The same by number, for the words of which there are millions.
-  void ignoreG(std::size_t key, const nc::Token& token);
-  void ignoreM(Severity severity, std::size_t number, const nc::Token& token);
-  void ignoreLetter(const nc::Token& token);
+  void ignoreG(int key, const nc::Token& token) override;
+  void ignoreM(Severity severity, int number, const nc::Token& token) override;
+  void ignoreLetter(const nc::Token& token) override;
 
   /// True if an error was found that stands in the way of the path.
   [[nodiscard]] bool hasErrors() const { return m_hasErrors; }

@@ -12,8 +12,9 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "gcode/fact_counter.h"
 #include "gcode/findings.h"
-#include "gcode/path_sink.h"
+#include "gcode/path_builder.h"
 #include "gcode/program_variables.h"
 #include "nc/exec/executor.h"
 #include "nc/flow/cursor.h"
@@ -49,9 +50,10 @@ class Interpreter {
                     }),
         m_cursorOptions{options.repeatedLinesMax, options.subprogram},
         m_flow(text, guess.dialect, m_variables, m_cursorOptions),
-        m_sink(options, m_out.trajectory, m_out.statistics, m_findings, m_facts),
+        m_path(options, m_out.trajectory, m_out.statistics, m_findings),
         m_executorOptions{.centres = options.centres},
-        m_executor(m_language, m_executorOptions, m_variables, &m_flow, m_sink) {
+        m_executor(m_language, m_executorOptions, m_variables, &m_flow,
+                   {m_path, m_findings, m_facts}) {
     if (m_language.hasTurningCycles && !guess.turningCycle.empty()) {
       nc::ModalState& state = m_executor.state();
       state.isLathe = true;
@@ -87,7 +89,6 @@ class Interpreter {
       if (step == nc::Cursor::Step::Block && block.tokens.empty()) {
         continue;
       }
-      m_sink.setLine(m_flow.line());
       const nc::Place place = m_flow.place();
       m_findings.setPlace(place.line, m_flow.fileName(place.file));
       if (step == nc::Cursor::Step::Report) {
@@ -128,7 +129,7 @@ class Interpreter {
       counts |= !isNumber && token.kind != TokenKind::Tape && token.kind != TokenKind::BlockSkip;
       if (isNumber && token.address == 'O' && m_out.blocks > 0 && !m_flow.isInSubprogram()) {
         // Another program begins: the one before has ended.
-        m_sink.error(token, DiagnosticCode::UnknownWord);
+        m_findings.error(token, DiagnosticCode::UnknownWord);
       }
       m_executor.read(token, words);
     }
@@ -198,19 +199,19 @@ class Interpreter {
   void settle(const nc::Outcome& outcome, const Token& token) {
     if (const auto* const fault = std::get_if<nc::Fault>(&outcome)) {
       m_facts.incomplete();
-      m_sink.fault(token.column, *fault);
+      m_findings.fault(token.column, *fault);
     } else if (const auto* const missing = std::get_if<nc::SubprogramMissing>(&outcome)) {
-      m_sink.error(token, DiagnosticCode::SubprogramMissing, missing->name);
+      m_findings.error(token, DiagnosticCode::SubprogramMissing, missing->name);
     } else if (const auto* const unsupported = std::get_if<nc::Unsupported>(&outcome)) {
       m_facts.incomplete();
-      m_sink.error(token, DiagnosticCode::UnsupportedExpression, unsupported->word);
+      m_findings.error(token, DiagnosticCode::UnsupportedExpression, unsupported->word);
     } else if (const auto* const ignored = std::get_if<nc::Ignored>(&outcome)) {
       if (!ignored->word.empty()) {
         m_findings.ignore(token, ignored->word);
       }
     } else if (const auto* const modal = std::get_if<nc::ModalCall>(&outcome)) {
       if (!modal->name.empty()) {
-        m_sink.error(token, DiagnosticCode::CycleNotRun, modal->name);
+        m_findings.error(token, DiagnosticCode::CycleNotRun, modal->name);
         m_facts.otherMotion();
       }
     }
@@ -268,7 +269,7 @@ class Interpreter {
   ProgramVariables m_variables;
   nc::CursorOptions m_cursorOptions;
   nc::Cursor m_flow;
-  PathSink m_sink;
+  PathBuilder m_path;
   nc::ExecutorOptions m_executorOptions;
   nc::Executor m_executor;
   bool m_ended = false;

@@ -3,6 +3,9 @@
 
 #include "gcode/path_builder.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,8 +13,9 @@ namespace rivulet::gcode {
 
 using base::Vec3;
 
-PathBuilder::PathBuilder(const LoadOptions& options, Trajectory& trajectory, Statistics& statistics)
-    : m_options(options), m_trajectory(trajectory), m_statistics(statistics) {
+PathBuilder::PathBuilder(const LoadOptions& options, Trajectory& trajectory, Statistics& statistics,
+                         nc::FaultSink& faults)
+    : m_options(options), m_trajectory(trajectory), m_statistics(statistics), m_faults(faults) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   m_statistics.minMm = {kUnknown, kUnknown, kUnknown};
   m_statistics.maxMm = m_statistics.minMm;
@@ -22,7 +26,11 @@ double PathBuilder::chordToleranceMm(const nc::Position& from) const {
 }
 
 void PathBuilder::begin(const nc::Position& from, const nc::Move& move) {
+  if (move.motion < nc::Motion::None) {
+    ++m_statistics.motions[static_cast<std::size_t>(move.motion)];
+  }
   m_from = &from;
+  m_chords.clear();
   m_line = move.line;
   m_feedMmPerS = move.feedMmPerS;
   if (move.turns && !m_hasRotary) {
@@ -113,10 +121,13 @@ void PathBuilder::appendCurve(MoveKind kind, double lengthMm,
 }
 
 void PathBuilder::arc(const nc::Position& from, const nc::Arc& arc, const nc::Move& move) {
-  begin(from, move);
-  m_chords.clear();
-  const double lengthMm = nc::flattenArc(arc, chordToleranceMm(from), m_chords);
   const nc::ArcRadii radii = nc::arcRadii(arc);
+  if (!hasFewChords(from, nc::arcSweep(arc), std::max(radii.startMm, radii.endMm), move)) {
+    unknownWay(from, arc.endMm, move);
+    return;
+  }
+  begin(from, move);
+  const double lengthMm = nc::flattenArc(arc, chordToleranceMm(from), m_chords);
   // A spiral is not an arc: it becomes chords in any case.
   const bool isCircle = std::abs(radii.startMm - radii.endMm) <= nc::kArcRadiusToleranceMm;
   appendCurve(MoveKind::ArcPiece, lengthMm,
@@ -125,8 +136,11 @@ void PathBuilder::arc(const nc::Position& from, const nc::Arc& arc, const nc::Mo
 
 void PathBuilder::spaceArc(const nc::Position& from, const nc::SpaceArc& arc, Vec3 targetMm,
                            const nc::Move& move) {
+  if (!hasFewChords(from, arc.sweepRad, base::distance(arc.centreMm, from.programmedMm), move)) {
+    unknownWay(from, targetMm, move);
+    return;
+  }
   begin(from, move);
-  m_chords.clear();
   const double lengthMm =
       nc::flattenSpaceArc(arc, from.programmedMm, targetMm, chordToleranceMm(from), m_chords);
   appendCurve(MoveKind::ArcPiece, lengthMm, arc);
@@ -134,9 +148,39 @@ void PathBuilder::spaceArc(const nc::Position& from, const nc::SpaceArc& arc, Ve
 
 void PathBuilder::spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move) {
   begin(from, move);
-  m_chords.clear();
   const double lengthMm = nc::flattenSpline(spline, chordToleranceMm(from), m_chords);
   appendCurve(MoveKind::SplinePiece, lengthMm, std::nullopt);
+}
+
+bool PathBuilder::hasFewChords(const nc::Position& from, double sweepRad, double radiusMm,
+                               const nc::Move& move) {
+  constexpr double kChordsMax = 1e6;
+  if (nc::chordCount(sweepRad, radiusMm, chordToleranceMm(from)) <= kChordsMax) {
+    return true;
+  }
+  m_faults.report(nc::Severity::Error, move.column, nc::FaultCode::TooManyPoints,
+                  fmt::format("{:.0f}", kChordsMax));
+  return false;
+}
+
+// --- what the program has for the machine
+// -------------------------------------------------------
+
+void PathBuilder::feed(double mmPerMin) {
+  std::vector<double>& feeds = m_statistics.feedsMmPerMin;
+  if (mmPerMin > 0.0 && (feeds.empty() || feeds.back() != mmPerMin)) {
+    feeds.push_back(mmPerMin);
+  }
+}
+
+void PathBuilder::machineWord(nc::MachineWord kind, double value, base::LineNumber line) {
+  m_trajectory.events.push_back({m_trajectory.points.size(), value, line, kind});
+}
+
+void PathBuilder::toolName(std::string_view name, base::LineNumber line) {
+  m_trajectory.toolNames.emplace_back(name);
+  machineWord(nc::MachineWord::NamedTool, static_cast<double>(m_trajectory.toolNames.size() - 1),
+              line);
 }
 
 }  // namespace rivulet::gcode

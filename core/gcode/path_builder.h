@@ -7,8 +7,8 @@
 /// @threadsafety one object, one thread.
 #pragma once
 
-#include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "gcode/program.h"
@@ -16,25 +16,31 @@
 
 namespace rivulet::gcode {
 
-class PathBuilder {
+class PathBuilder final : public nc::PathSink {
  public:
-  PathBuilder(const LoadOptions& options, Trajectory& trajectory, Statistics& statistics);
+  /// All outlive the builder.
+  PathBuilder(const LoadOptions& options, Trajectory& trajectory, Statistics& statistics,
+              nc::FaultSink& faults);
 
-  /// How far the chords of a curve may be from it in programmed coordinates, so that they are
-  /// within the tolerance in the workpiece.
-  [[nodiscard]] double chordToleranceMm(const nc::Position& from) const;
-
-  // Targets and curves are in programmed coordinates.
-  void line(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move);
-  void arc(const nc::Position& from, const nc::Arc& arc, const nc::Move& move);
+  void line(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) override;
+  void arc(const nc::Position& from, const nc::Arc& arc, const nc::Move& move) override;
   void spaceArc(const nc::Position& from, const nc::SpaceArc& arc, base::Vec3 targetMm,
-                const nc::Move& move);
-  void spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move);
-  /// To a place whose way is not known (an arc with a fault): drawn straight.
-  void unknownWay(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move);
+                const nc::Move& move) override;
+  void spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move) override;
+  /// Drawn straight.
+  void unknownWay(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) override;
+  void feed(double mmPerMin) override;
+  void machineWord(nc::MachineWord kind, double value, base::LineNumber line) override;
+  void toolName(std::string_view name, base::LineNumber line) override;
 
  private:
   void begin(const nc::Position& from, const nc::Move& move);
+  /// How far the chords of a curve may be from it in programmed coordinates, so that they are
+  /// within the tolerance in the workpiece.
+  [[nodiscard]] double chordToleranceMm(const nc::Position& from) const;
+  /// One block may not fill the memory, however large its arc and small the tolerance.
+  [[nodiscard]] bool hasFewChords(const nc::Position& from, double sweepRad, double radiusMm,
+                                  const nc::Move& move);
   void append(base::Vec3 programmedMm, MoveKind kind);
   /// The chords collected, or one point for the arc they stand for.
   /// @param lengthMm  true length of the curve, programmed coordinates
@@ -47,6 +53,7 @@ class PathBuilder {
   const LoadOptions& m_options;
   Trajectory& m_trajectory;
   Statistics& m_statistics;
+  nc::FaultSink& m_faults;
   // Of the move in progress.
   const nc::Position* m_from = nullptr;
   base::LineNumber m_line;

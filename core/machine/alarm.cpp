@@ -37,6 +37,25 @@ int numberOf(nc::FaultCode code) {
     case ArrayTooFewIndices:
     case IndexFromMainRun:
       return 12150;
+    case UnknownGCode:
+    case UnsupportedGCode:
+    case CycleNotRun:
+      return 12470;
+    case UnknownWord:
+      return 12550;
+    case ConflictingGCodes:
+      return 12060;
+    case RepeatedWord:
+      return 12010;
+    case ArcWithoutCentre:
+    case ArcRadiusMismatch:
+    case ArcRadiusTooSmall:
+    case CentreOutsidePlane:
+      return 14040;
+    case FeedNotPositive:
+      return 14800;
+    case FeedMissing:
+      return 10860;
     case TargetMissing:
       return 14080;
     case SubprogramMissing:

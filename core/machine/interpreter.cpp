@@ -10,17 +10,23 @@
 
 #include "base/units.h"
 #include "machine/sync_action.h"
+#include "nc/exec/tree_words.h"
+#include "nc/syntax/language.h"
 
 namespace rivulet::machine {
 
 namespace {
 
-constexpr int kEndPointError = 14040;
 /// Difference of the radii at start and end that is let pass (MD21000).
 constexpr double kCircleErrorMm = 0.01;
-constexpr double kMmPerInch = 25.4;
-/// G0 of rotary axes alone: only their own limits bound it.
-constexpr double kRapidDegPerS = 1e6;
+
+nc::ExecutorOptions executorOptions(const InterpreterOptions& options) {
+  return {.arcRadiusToleranceMm = kCircleErrorMm,
+          .rotaryAxes = options.rotaryAxes,
+          .refusesFurtherAxes = false,
+          .knowsMachineCoordinates = true,
+          .knowsWorkOffsets = true};
+}
 
 template <class... Callables>
 struct Overload : Callables... {
@@ -83,14 +89,17 @@ Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& p
                          const InterpreterOptions& options)
     : m_values(parameters, options),
       m_flow(std::move(program), m_values, options.library),
-      m_endMm(options.startMm),
-      m_endDeg(options.startDeg),
-      m_rotaryAxes(options.rotaryAxes),
-      m_feedMmPerS(options.feedMmPerS),
-      m_feedDegPerS(options.feedMmPerS),
-      m_rapidMmPerS(options.rapidMmPerS),
-      m_roundingMm(options.roundingMm),
-      m_dynamics(options.dynamics) {
+      m_motions({options.startMm, options.rapidMmPerS, options.roundingMm}, m_alarms),
+      m_executorOptions(executorOptions(options)),
+      m_executor(nc::languageOf(nc::Dialect::Sinumerik), m_executorOptions, m_values, nullptr,
+                 {m_motions, m_alarms, m_observer}) {
+  nc::ModalState& state = m_executor.state();
+  state.motion = nc::Motion::Line;  // reset default
+  state.feedMmPerS = options.feedMmPerS;
+  state.feedDegPerS = options.feedMmPerS;
+  state.dynamics = options.dynamics;
+  m_executor.start().programmedMm = options.startMm;
+  m_executor.start().rotaryDeg = options.startDeg;
 }
 
 void Interpreter::refresh() {
@@ -101,7 +110,7 @@ void Interpreter::refresh() {
 Prepared Interpreter::next() {
   const auto isSilent = [](const nc::Statement& statement) {
     const auto* const words = std::get_if<nc::Words>(&statement.what);
-    return words != nullptr && isWithoutEffect(*words);
+    return words != nullptr && nc::isWithoutEffect(*words);
   };
   // A block may hold several statements (R1=0 R2=0 G1 X5): those that neither move nor jump are
   // executed together with what follows them in the same block.
@@ -113,6 +122,10 @@ Prepared Interpreter::next() {
     }
     if (isSilent(*statement)) {
       m_flow.step();
+      Prepared prepared = execute(*statement);
+      if (std::holds_alternative<Alarm>(prepared)) {
+        return prepared;
+      }
       continue;
     }
     if (statement->readsMainRun && !m_hasStopped) {
@@ -134,7 +147,7 @@ Prepared Interpreter::next() {
 Prepared Interpreter::execute(const nc::Statement& statement) {
   return std::visit(
       Overload{
-          [&](const nc::Words& s) { return move(s, statement.place.line); },
+          [&](const nc::Words& s) { return executeWords(s.words, statement.place.line); },
           [&](const nc::Dwell& s) -> Prepared {
             const nc::Expected<double> seconds = m_values.number(s.seconds);
             if (!seconds) {
@@ -152,7 +165,9 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
                 nc::evaluate(*s.text, m_values, m_values.semantics());
             return text ? Prepared(PreparedMessage{nc::textOf(*text)}) : alarmOf(text.error());
           },
-          [this](const nc::FrameStatement& s) { return setFrame(s); },
+          [&](const nc::FrameStatement& s) {
+            return executeWords(s.words, statement.place.line, s.name);
+          },
           [this](const nc::Synchronized& s) -> Prepared {
             nc::Expected<SyncAction> action = frozen(s, m_values);
             if (!action) {
@@ -182,218 +197,38 @@ Prepared Interpreter::leave() {
   return m_flow.leave() ? Prepared(PreparedNothing{true}) : PreparedEnd{};
 }
 
-// --- motion -----------------------------------------------------------------------------------
+// --- words ------------------------------------------------------------------------------------
 
-double Interpreter::unit() const {
-  return m_inches ? kMmPerInch : 1.0;
-}
-
-std::optional<Alarm> Interpreter::modes(const MotionWords& words) {
-  m_mode = words.mode.value_or(m_mode);
-  m_plane = words.plane.value_or(m_plane);
-  m_absolute = words.absolute.value_or(m_absolute);
-  m_inches = words.inches.value_or(m_inches);
-  m_dynamics = words.dynamics.value_or(m_dynamics);
-  m_end = words.end.value_or(m_end);
-  m_rounding = words.rounding.value_or(m_rounding);
-  if (words.roundingMm) {
-    m_adisMm = std::max(0.0, words.roundingMm->value);
+Prepared Interpreter::executeWords(const std::vector<nc::Word>& words, base::LineNumber line,
+                                   std::string_view frame) {
+  const nc::Expected<std::vector<nc::Token>> tokens =
+      nc::tokensOf(words, [this](const nc::Expression& value) { return m_values.number(value); });
+  if (!tokens) {
+    return alarmOf(tokens.error());
   }
-  if (words.feedMmPerMin) {
-    const double feed = words.feedMmPerMin->value;
-    if (!(feed > 0.0)) {
-      return Alarm{14800, fmt::format("The programmed path speed {} is not positive.", feed)};
-    }
-    m_feedMmPerS = base::mmPerSFromMmPerMin(unit() * feed);
-    m_feedDegPerS = feed / 60.0;  // deg/min, in inches too
+  nc::BlockWords block;
+  block.line = line;
+  nc::Token frameToken;
+  frameToken.kind = nc::TokenKind::Name;
+  frameToken.text = frame;
+  if (!frame.empty()) {
+    m_executor.read(frameToken, block);
   }
-  return std::nullopt;
-}
-
-Prepared Interpreter::move(const nc::Words& words, base::LineNumber line) {
-  const std::variant<MotionWords, Alarm> gathered =
-      gather(words, [this](const nc::Expression& value) { return m_values.number(value); });
-  if (const Alarm* alarm = std::get_if<Alarm>(&gathered)) {
-    return *alarm;
+  for (const nc::Token& token : *tokens) {
+    m_executor.read(token, block);
   }
-  const MotionWords& block = std::get<MotionWords>(gathered);
-  if (std::optional<Alarm> alarm = modes(block)) {
+  m_executor.execute(block);
+  if (block.rare && block.rare->macroCall) {
+    m_alarms.fault(1, {nc::FaultCode::UnknownGCode, "G65", {}});
+  }
+  if (m_executor.state().motion == nc::Motion::BSpline) {
+    m_alarms.fault(1, {nc::FaultCode::NotDefined, "BSPLINE", {}});
+  }
+  std::optional<PreparedMotion> motion = m_motions.take(m_executor.state());
+  if (std::optional<Alarm> alarm = m_alarms.take()) {
     return *std::move(alarm);
   }
-  const bool arcWords = block.isArc() || block.radius || block.openingAngle || block.through[0] ||
-                        block.through[1] || block.through[2];
-  bool turns = false;
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    turns = turns || (block.rotary[axis] && m_rotaryAxes[axis]);
-  }
-  if (!block.axes[0] && !block.axes[1] && !block.axes[2] && !arcWords && !turns) {
-    return PreparedNothing{};
-  }
-  // Where a word leads, from where its axis stands.
-  const auto resolve = [this](const Coordinate& word, double from, double scale) {
-    const bool absolute = word.reference == nc::Word::Reference::Modal
-                              ? m_absolute
-                              : word.reference == nc::Word::Reference::Absolute;
-    return (absolute ? 0.0 : from) + scale * word.value;
-  };
-  const nc::Frame frame = block.suppressesFrame ? nc::Frame{} : m_frame;
-  const base::Vec3 programmedFrom = frame.toProgrammed(m_endMm);
-  base::Vec3 programmed = programmedFrom;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (block.axes[axis]) {
-      const double origin = m_incrementFromMm[axis].value_or(programmedFrom[axis]);
-      programmed.set(axis, resolve(*block.axes[axis], origin, unit()));
-      m_incrementFromMm[axis].reset();
-    }
-  }
-  base::RotaryDeg targetDeg = m_endDeg;
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    if (block.rotary[axis] && m_rotaryAxes[axis]) {
-      targetDeg[axis] = resolve(*block.rotary[axis], m_endDeg[axis], 1.0);
-    }
-  }
-  PreparedMotion motion;
-  if (m_mode != PathMode::Rapid && m_mode != PathMode::Line) {
-    const auto arc = arcOf(block, frame, programmedFrom, programmed);
-    if (const Alarm* problem = std::get_if<Alarm>(&arc)) {
-      return *problem;
-    }
-    motion.arc = std::get<ArcPath>(arc);
-  }
-  base::Vec3 target = frame.toWorkpiece(programmed);
-  for (std::size_t axis = 0; axis < base::kAxisCount && frame.isAligned(); ++axis) {
-    if (programmed[axis] == programmedFrom[axis] && !block.axes[axis]) {
-      target.set(axis, m_endMm[axis]);  // to the last bit
-    }
-  }
-  if (m_mode != PathMode::Rapid && m_feedMmPerS <= 0.0) {
-    return Alarm{10860, "No feed is programmed."};
-  }
-  m_endMm = target;
-  m_endDeg = targetDeg;
-  motion.line = line;
-  motion.targetMm = target;
-  motion.targetDeg = targetDeg;
-  motion.feedDegPerS = m_mode == PathMode::Rapid ? kRapidDegPerS : m_feedDegPerS;
-  motion.feedMmPerS = m_mode == PathMode::Rapid ? m_rapidMmPerS : m_feedMmPerS;
-  motion.end = block.exactStopOnce ? BlockEnd::ExactStop : m_end;
-  motion.rounding = m_rounding;
-  motion.roundingMm = m_rounding == RoundingKind::Distance ? m_adisMm : m_roundingMm;
-  motion.dynamics = m_dynamics;
-  return motion;
-}
-
-std::variant<ArcPath, Alarm> Interpreter::arcOf(const MotionWords& words, const nc::Frame& frame,
-                                                base::Vec3 fromMm, base::Vec3& toMm) const {
-  const auto placed = [&frame](ArcPath arc) -> std::variant<ArcPath, Alarm> {
-    if (!frame.keepsCircles()) {
-      return Alarm{kEndPointError, "A circle is no circle any more in a frame scaled unevenly."};
-    }
-    const base::Vec3 axis = frame.turned(arc.axis);
-    arc.centreMm = frame.toWorkpiece(arc.centreMm);
-    arc.axis = ((frame.mirrors() ? -1.0 : 1.0) / base::norm(axis)) * axis;
-    return arc;
-  };
-  if (m_mode == PathMode::Through) {
-    base::Vec3 through = fromMm;
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (words.through[axis]) {
-        const double value = unit() * words.through[axis]->value;
-        through.set(axis, m_absolute ? value : through[axis] + value);
-      }
-    }
-    const std::optional<ArcPath> arc = nc::arcThrough(fromMm, through, toMm);
-    return arc ? placed(*arc)
-               : Alarm{kEndPointError, "Circle end-point error: the three points lie on a line."};
-  }
-  nc::Arc arc;
-  arc.startMm = fromMm;
-  arc.endMm = toMm;
-  arc.firstAxis = m_plane;
-  arc.clockwise = m_mode == PathMode::Clockwise;
-  arc.turns = words.fullTurns
-                  ? static_cast<int>(std::clamp(std::round(words.fullTurns->value), 0.0, 999.0))
-                  : 0;
-  nc::ArcWords given;
-  given.endIsGiven = words.axes[m_plane] || words.axes[(m_plane + 1) % base::kAxisCount];
-  if (words.radius) {
-    given.radius = unit() * words.radius->value;
-  } else if (words.openingAngle) {
-    given.degrees = words.openingAngle->value;
-  }
-  for (const std::size_t axis : {m_plane, (m_plane + 1) % base::kAxisCount}) {
-    // I J K count from the start point, whatever G90 and G91 say; one of two may be left out.
-    if (words.isArc() && !words.radius) {
-      const Coordinate word = words.centre[axis].value_or(Coordinate{});
-      given.centre[axis] = unit() * word.value;
-      given.centreIsAbsolute[axis] = word.reference == nc::Word::Reference::Absolute;
-    }
-  }
-  const nc::ResolvedArc resolved = nc::resolveArc(arc, given, kCircleErrorMm);
-  if (resolved.problem != nc::ArcProblem::None) {
-    return Alarm{kEndPointError,
-                 fmt::format("Circle end-point error: {}.", nc::describe(resolved.problem))};
-  }
-  toMm = resolved.arc.endMm;
-  return placed(nc::inSpace(resolved.arc));
-}
-
-Prepared Interpreter::setFrame(const nc::FrameStatement& statement) {
-  const bool isAdditive = statement.name[0] == 'A';
-  const std::string_view kind = std::string_view(statement.name).substr(isAdditive ? 1 : 0);
-  std::array<std::optional<double>, base::kAxisCount> given;
-  std::optional<double> inPlane;
-  for (const nc::Word& word : statement.words) {
-    const nc::Expected<double> value = m_values.number(*word.value);
-    if (!value) {
-      return alarmOf(value.error());
-    }
-    const std::size_t axis = std::string_view("XYZ").find(word.address);
-    std::optional<double>* const target = word.address == "RPL"     ? &inPlane
-                                          : axis < base::kAxisCount ? &given[axis]
-                                                                    : nullptr;
-    if (target != nullptr && *target) {
-      return Alarm{12010, "An address is programmed more than once in the block."};
-    }
-    if (target != nullptr) {
-      *target = *value;
-    } else if (std::string_view("ABCUVW").find(word.address) == std::string_view::npos) {
-      return Alarm{12550, fmt::format("{} takes no word {}.", statement.name, word.address)};
-    }
-  }
-  // An absolute frame instruction takes the place of all that was programmed before.
-  nc::Frame frame = isAdditive ? m_frame : nc::Frame{};
-  base::Vec3 offset;
-  base::Vec3 factors{1.0, 1.0, 1.0};
-  // About Z, then the turned Y, then the turned X.
-  for (std::size_t axis = base::kAxisCount; axis-- > 0;) {
-    if (!given[axis]) {
-      continue;
-    }
-    offset.set(axis, unit() * *given[axis]);
-    factors.set(axis, kind == "MIRROR" ? -1.0 : *given[axis]);
-    if (kind == "ROT") {
-      frame.rotate(axis, *given[axis]);
-    } else if (factors[axis] == 0.0) {
-      factors.set(axis, 1.0);
-      if (kind == "SCALE") {
-        return Alarm{12550, "A scale factor is 0."};
-      }
-    }
-  }
-  if (kind == "TRANS" && !statement.words.empty()) {
-    frame.translate(offset);
-  } else if (kind == "ROT" && inPlane) {
-    frame.rotate((m_plane + 2) % base::kAxisCount, *inPlane);
-  } else if ((kind == "SCALE" || kind == "MIRROR") && !statement.words.empty()) {
-    frame.scale(factors);
-  }
-  const base::Vec3 before = m_frame.toProgrammed(m_endMm);
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    m_incrementFromMm[axis] = m_incrementFromMm[axis].value_or(before[axis]);
-  }
-  m_frame = frame;
-  return PreparedNothing{};
+  return motion ? Prepared(*std::move(motion)) : PreparedNothing{};
 }
 
 }  // namespace rivulet::machine

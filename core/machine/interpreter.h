@@ -8,17 +8,19 @@
 
 #include <memory>
 #include <string>
-#include <variant>
+#include <string_view>
+#include <vector>
 
 #include "base/axes.h"
 #include "base/instant.h"
+#include "machine/alarm_sink.h"
 #include "machine/main_run.h"
-#include "machine/motion_words.h"
+#include "machine/motion_sink.h"
 #include "machine/prepared.h"
 #include "machine/r_parameters.h"
 #include "nc/eval/variables.h"
+#include "nc/exec/executor.h"
 #include "nc/flow/flow.h"
-#include "nc/modal/frame.h"
 
 namespace rivulet::machine {
 
@@ -67,37 +69,18 @@ class Interpreter {
   };
 
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
-  [[nodiscard]] Prepared move(const nc::Words& words, base::LineNumber line);
-  [[nodiscard]] std::optional<Alarm> modes(const MotionWords& words);
-  /// In programmed coordinates. @param toMm  found here if the block names no end but AR=
-  [[nodiscard]] std::variant<ArcPath, Alarm> arcOf(const MotionWords& words, const nc::Frame& frame,
-                                                   base::Vec3 fromMm, base::Vec3& toMm) const;
+  [[nodiscard]] Prepared executeWords(const std::vector<nc::Word>& words, base::LineNumber line,
+                                      std::string_view frame = {});
   [[nodiscard]] Prepared leave();
-  [[nodiscard]] Prepared setFrame(const nc::FrameStatement& statement);
-  [[nodiscard]] double unit() const;
 
   Values m_values;
   nc::Flow m_flow;
   bool m_hasStopped = false;  ///< the stop that the next statement needs has been made
-  base::Vec3 m_endMm;         ///< of the last block, machine
-  base::RotaryDeg m_endDeg;   ///< of the last block; frames do not turn rotary axes
-  base::RotarySet m_rotaryAxes;
-  nc::Frame m_frame;
-  /// From where the next increment counts after a change of the frame: it passes the shift of the
-  /// frame as well (SD42440, as delivered).
-  std::array<std::optional<double>, base::kAxisCount> m_incrementFromMm;
-  double m_feedMmPerS;
-  double m_feedDegPerS;  ///< the same number, for blocks that only turn
-  double m_rapidMmPerS;
-  double m_roundingMm;
-  double m_adisMm = 0.0;
-  Dynamics m_dynamics;
-  PathMode m_mode = PathMode::Line;  // reset default G1
-  std::size_t m_plane = 0;           ///< first axis: G17
-  bool m_absolute = true;
-  bool m_inches = false;
-  BlockEnd m_end = BlockEnd::ExactStop;  // reset default G60
-  RoundingKind m_rounding = RoundingKind::Deviation;
+  AlarmSink m_alarms;
+  MotionSink m_motions;
+  nc::WordObserver m_observer;
+  nc::ExecutorOptions m_executorOptions;
+  nc::Executor m_executor;
 };
 
 }  // namespace rivulet::machine

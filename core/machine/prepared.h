@@ -18,6 +18,7 @@
 #include "base/vec3.h"
 #include "machine/alarm.h"
 #include "nc/geometry/arc.h"
+#include "nc/modal/state.h"
 
 namespace rivulet::machine {
 
@@ -27,23 +28,9 @@ struct SyncAction;
 /// turns about the axis and rises evenly along it. Workpiece frame.
 using ArcPath = nc::SpaceArc;
 
-/// How the path continues after the block.
-enum class BlockEnd {
-  ExactStop,  ///< G60, G9: the axes stop
-  Rounded,    ///< G64 and G641 to G645: the corner is rounded within `roundingMm`
-};
-
-/// What `roundingMm` bounds.
-enum class RoundingKind {
-  Deviation,  ///< G64, G642: largest distance of the rounded path from the corner
-  Distance,   ///< G641 ADIS=, ADISPOS=: path length before the corner at which rounding may begin
-};
-
-/// How the path speed changes.
-enum class Dynamics {
-  Brisk,  ///< BRISK: with the axes' acceleration
-  Soft,   ///< SOFT: with the axes' acceleration and jerk
-};
+using nc::BlockEnd;
+using nc::Dynamics;
+using nc::RoundingKind;
 
 /// A motion block ready for the main run.
 struct PreparedMotion {

@@ -212,6 +212,13 @@ class TestNcInterpreter : public QObject {
     row("syntax", "X=(1+\nM30", 12080);
     row("unknown G", "G123\nM30", 12470);
     row("unknown name", "ABC=1\nM30", 12550);
+    row("cycle", "G81 Z-5\nM30", 12470);
+    row("macro", "G65 P100\nM30", 12470);
+    row("transformation", "TRAORI\nM30", 12550);
+    row("tool direction", "X1 A3=1\nM30", 12550);
+    row("rounding by name", "X1 RND=5\nM30", 12550);
+    row("spline", "BSPLINE X1\nX2\nM30", 12550);
+    row("query", "DEF INT NN\nGETT(NN,\"MILL\")\nM30", 12550);
     row("group twice", "G0 G1 X1\nM30", 12060);
     row("address twice", "X1 X2\nM30", 12010);
     row("no program", "L99\nM30", 14011);
@@ -280,6 +287,24 @@ class TestNcInterpreter : public QObject {
     const auto through = arcOf("CIP X10 Y0 I1=5 J1=5\nM30");
     QVERIFY(base::distance(through.centreMm, {5, 0, 0}) < 1e-12);
     QVERIFY(std::abs(through.sweepRad - pi) < 1e-12 && through.axis.z < 0.0);
+  }
+
+  /// G70 speaks of lengths only, G700 of the feed as well.
+  void feedOfOtherUnits_data() {
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<double>("mmPerMin");
+    QTest::newRow("inches of lengths") << QStringLiteral("G70 F600 X1") << 600.0;
+    QTest::newRow("inches") << QStringLiteral("G700 F10 X1") << 254.0;
+    QTest::newRow("per revolution") << QStringLiteral("S1000 M3\nG95 F0.1 X1") << 100.0;
+    QTest::newRow("inverse time") << QStringLiteral("G93 F2 X30") << 60.0;
+    QTest::newRow("named again") << QStringLiteral("F600 X1\nG94 X2") << 600.0;
+  }
+  void feedOfOtherUnits() {
+    QFETCH(QString, program);
+    QFETCH(double, mmPerMin);
+    const Outcome outcome = runProgram(program.toStdString() + "\nM30");
+    QVERIFY2(outcome.ended, outcome.alarmText.c_str());
+    QVERIFY(std::abs(outcome.motions.back().feedMmPerS * 60.0 - mmPerMin) < 1e-9);
   }
 
   void modes() {

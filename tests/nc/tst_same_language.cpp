@@ -165,6 +165,12 @@ class TestSameLanguage : public QObject {
     row("texts", "DEF STRING[8] TT\nTT=\"A\"<<1\nIF TT==\"A1\"\nX1\nENDIF", "1,0,0");
     row("arcs", "G2 X10 Y0 I5 J0\nG3 X20 Y0 CR=5\nG2 X30 Y0 AR=90\nCIP X40 Y0 I1=35 J1=5",
         "10,0,0 20,0,0 30,0,0 40,0,0");
+    row("polar coordinates", "G111 X10 Y0\nRP=5 AP=90\nAP=180", "10,5,0 5,0,0");
+    row("diameter", "DIAMON X20\nX=IC(10)\nDIAMOF X20", "10,0,0 15,0,0 20,0,0");
+    row("tangent arc", "X10\nCT X20 Y10\nG1 X21", "10,0,0 20,10,0 21,10,0");
+    row("tangent after an arc", "G2 X10 Y10 I10 J0\nCT X20 Y0", "10,10,0 20,0,0");
+    row("functions by group and number", "G[14]=2 X5\nX5", "5,0,0 10,0,0");
+    row("local offset", "G52 X10\nX1\nG52 X0\nX1", "11,0,0 1,0,0");
     row("assignments of one block", "R1=1 R2=R1+1 R3=R2+1\nX=R1 Y=R2 Z=R3", "1,2,3");
     row("text with a semicolon", "MSG(\"A;B\")\nX1 ; X2", "1,0,0");
     row("lower case", "r1=5\nx=r1", "5,0,0");

@@ -36,7 +36,7 @@ void Executor::moveArc(const BlockWords& words, Vec3 target, Move move) {
                           ? arcLength(*arc) * frame.stretchMax() * words.feed->value / 60.0
                           : 0.0;
   }
-  m_sink.arc(m_position, *arc, move);
+  m_to.path.arc(m_position, *arc, move);
   const SpaceArc turn = inSpace(*arc);
   arrive(arc->endMm, base::cross(turn.axis, arc->endMm - turn.centreMm), move);
 }
@@ -47,7 +47,7 @@ std::optional<Arc> Executor::arcOf(const BlockWords& words, Vec3 target) {
   arc.firstAxis = m_state.planeFirstAxis;
   arc.clockwise = m_state.motion == Motion::ArcClockwise;
   if (!takeTurns(words, arc)) {
-    m_sink.programmed(motionNumber(), words.axes);
+    m_to.words.motion(motionNumber(), words.axes);
     return std::nullopt;
   }
   ArcWords given = arcWordsOf(words);
@@ -124,7 +124,7 @@ void Executor::usePoleAsCentre(const BlockWords& words, ArcWords& given) const {
 void Executor::tellArc(const BlockWords& words, const Arc& arc, ArcWords given) {
   if (words.named("AP") != nullptr) {
     // The end of a polar arc is calculated, not programmed.
-    m_sink.otherMotion();
+    m_to.words.foreignMotion();
     return;
   }
   usePoleAsCentre(words, given);
@@ -133,7 +133,7 @@ void Executor::tellArc(const BlockWords& words, const Arc& arc, ArcWords given) 
       *given.centre[axis] /= m_state.lengthFactor;
     }
   }
-  m_sink.programmedArc(words.axes, arc, given);
+  m_to.words.arc(words.axes, arc, given);
 }
 
 /// @return false if a value is too large, which has been reported
@@ -143,7 +143,7 @@ bool Executor::toMillimetres(const BlockWords& words, ArcWords& given) {
       continue;
     }
     if (!(std::abs(*given.centre[axis] * m_state.lengthFactor) <= kCoordinateMmMax)) {
-      m_sink.error(*words.centreTokens[axis], FaultCode::ValueOutOfRange);
+      m_to.faults.error(*words.centreTokens[axis], FaultCode::ValueOutOfRange);
       return false;
     }
     // I=AC() is a diameter where X is one; an increment, and G90.1, is not.
@@ -154,7 +154,7 @@ bool Executor::toMillimetres(const BlockWords& words, ArcWords& given) {
   if (given.radius) {
     *given.radius *= m_state.lengthFactor;
     if (!(std::abs(*given.radius) <= kCoordinateMmMax)) {
-      m_sink.error(*words.radiusToken, FaultCode::ValueOutOfRange);
+      m_to.faults.error(*words.radiusToken, FaultCode::ValueOutOfRange);
       return false;
     }
   }
@@ -179,8 +179,8 @@ void Executor::ignoreCentreAcross(const BlockWords& words, ArcWords& given) {
   if (m_language.ignoresCentreAcross && given.centre[third].value_or(0.0) != 0.0 &&
       words.axes.given[third]) {
     const Token& token = *words.centreTokens[third];
-    m_sink.report(Severity::Warning, token.column, FaultCode::CentreOutsidePlane,
-                  std::string(token.text));
+    m_to.faults.report(Severity::Warning, token.column, FaultCode::CentreOutsidePlane,
+                       std::string(token.text));
     given.centre[third].reset();
   }
 }
@@ -194,7 +194,7 @@ bool Executor::reportArcProblem(const ResolvedArc& resolved, const BlockWords& w
       error(words, FaultCode::ArcWithoutCentre);
       break;
     case ArcProblem::CentreOutsidePlane:
-      m_sink.error(*words.centreTokens[resolved.axis], FaultCode::CentreOutsidePlane);
+      m_to.faults.error(*words.centreTokens[resolved.axis], FaultCode::CentreOutsidePlane);
       break;
     case ArcProblem::CentreAndRadius:
       error(words, FaultCode::ConflictingGCodes,
@@ -204,8 +204,8 @@ bool Executor::reportArcProblem(const ResolvedArc& resolved, const BlockWords& w
       const ArcRadii radii = arcRadii(resolved.arc);
       const bool isSpiral =
           resolved.mismatch <= m_language.spiralShare * std::max(radii.startMm, radii.endMm);
-      m_sink.report(isSpiral ? Severity::Warning : Severity::Error, words.motionColumn,
-                    FaultCode::ArcRadiusMismatch, base::formatFixed(resolved.mismatch, 4));
+      m_to.faults.report(isSpiral ? Severity::Warning : Severity::Error, words.motionColumn,
+                         FaultCode::ArcRadiusMismatch, base::formatFixed(resolved.mismatch, 4));
       return isSpiral;
     }
     case ArcProblem::RadiusTooSmall:
@@ -249,7 +249,7 @@ void Executor::moveSpaceArc(const BlockWords& words, Vec3 target, const Move& mo
     unknownWay(target, move);
     return;
   }
-  m_sink.spaceArc(m_position, *arc, target, move);
+  m_to.path.spaceArc(m_position, *arc, target, move);
   arrive(target, base::cross(arc->axis, target - arc->centreMm), move);
 }
 

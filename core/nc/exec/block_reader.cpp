@@ -37,13 +37,13 @@ int argumentOf(char letter) {
 }  // namespace
 
 BlockReader::BlockReader(const Language& language, ModalState& state, Variables& variables,
-                         Calculations* calculations, Sink& sink)
+                         Calculations* calculations, Sinks to)
     : m_language(language),
       m_g(gTable(language.dialect)),
       m_state(state),
       m_variables(variables),
       m_calculations(calculations),
-      m_sink(sink) {
+      m_to(to) {
 }
 
 void BlockReader::read(const Token& token, BlockWords& words) {
@@ -61,7 +61,7 @@ void BlockReader::read(const Token& token, BlockWords& words) {
       readName(token, words);
       break;
     case TokenKind::TextWord:
-      readText(token);
+      readText(token, words);
       break;
     case TokenKind::IndexedWord:
       readIndexed(token, words);
@@ -80,7 +80,7 @@ void BlockReader::read(const Token& token, BlockWords& words) {
       words.rareWords().statement = token;
       break;
     case TokenKind::BlockSkip:
-      m_sink.ignore(token, "/");
+      m_to.faults.ignore(token, "/");
       break;
     case TokenKind::Label:
     case TokenKind::Tape:
@@ -93,17 +93,17 @@ void BlockReader::read(const Token& token, BlockWords& words) {
 
 void BlockReader::readUnreadable(const Token& token) {
   if (token.kind == TokenKind::NumberMissing) {
-    m_sink.error(token, FaultCode::NumberMissing, std::string(tokenName(token)));
+    m_to.faults.error(token, FaultCode::NumberMissing, std::string(tokenName(token)));
   } else if (token.kind == TokenKind::NumberMalformed) {
-    m_sink.error(token, FaultCode::NumberMalformed);
+    m_to.faults.error(token, FaultCode::NumberMalformed);
   } else if (token.kind == TokenKind::CommentNotClosed) {
-    m_sink.error(token, FaultCode::CommentNotClosed, {});
+    m_to.faults.error(token, FaultCode::CommentNotClosed, {});
   } else if (static_cast<unsigned char>(token.text.front()) < 0x20) {
     // Left over from a transfer: no control reads it as a word.
-    m_sink.report(Severity::Warning, token.column, FaultCode::UnexpectedCharacter,
-                  "\\x" + fmt::format("{:02x}", token.text.front()));
+    m_to.faults.report(Severity::Warning, token.column, FaultCode::UnexpectedCharacter,
+                       "\\x" + fmt::format("{:02x}", token.text.front()));
   } else {
-    m_sink.error(token, FaultCode::UnexpectedCharacter);
+    m_to.faults.error(token, FaultCode::UnexpectedCharacter);
   }
 }
 
@@ -121,7 +121,7 @@ void BlockReader::assign(const Token& token) {
   const Expected<void> done =
       assignment ? m_variables.assign(*assignment) : fail(assignment.error());
   if (!done) {
-    m_sink.fault(token.column, done.error());
+    m_to.faults.fault(token.column, done.error());
   }
 }
 
@@ -129,7 +129,7 @@ std::optional<double> BlockReader::numberOf(const Token& token,
                                             const Expected<CalculatedValue>& value) {
   const Expected<double> number = value ? m_variables.number(value->value) : fail(value.error());
   if (!number) {
-    m_sink.fault(token.column, number.error());
+    m_to.faults.fault(token.column, number.error());
   }
   return number ? std::optional(*number) : std::nullopt;
 }
@@ -163,7 +163,7 @@ void BlockReader::readIndexedAxis(const Token& token, BlockWords& words) {
   const std::string axis = variable == nullptr ? index : textOf(variable->values.front());
   if (axis.size() != 1 || axisOf(axis[0]) >= kProgrammedAxisCount ||
       equals == std::string_view::npos) {
-    m_sink.error(token, FaultCode::UnsupportedExpression);
+    m_to.faults.error(token, FaultCode::UnsupportedExpression);
     return;
   }
   Token named = token;
@@ -174,7 +174,7 @@ void BlockReader::readIndexedAxis(const Token& token, BlockWords& words) {
 
 void BlockReader::readAssignment(const Token& token, BlockWords& words) {
   if (m_language.variablesAreOfCycles) {
-    m_sink.ignore(token, "Q");  // a word made of one is refused
+    m_to.faults.ignore(token, "Q");  // a word made of one is refused
     return;
   }
   const std::string name = base::toUpper(tokenName(token));
@@ -184,7 +184,7 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
   }
   if (token.address == 'T') {
     // T="MILL_"<<R1: which tool it is does not touch the path.
-    m_sink.ignore(token, "T");
+    m_to.faults.ignore(token, "T");
     return;
   }
   if (!name.empty() && m_variables.find(name) == nullptr) {
@@ -203,11 +203,11 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
       case NameEffect::None:
       case NameEffect::Dynamics:
       case NameEffect::Rounding:
-        m_sink.ignore(token, name);
+        m_to.faults.ignore(token, name);
         return;
       case NameEffect::Mode:
       case NameEffect::TakesBlock:
-        m_sink.error(token, FaultCode::UnsupportedGCode, name);
+        m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
         return;
       default:
         break;
@@ -215,7 +215,7 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
   }
   if (name.empty() && !token.text.empty() && token.text.front() == '$') {
     // Commands of a sender, and variables of the control.
-    m_sink.error(token, FaultCode::UnknownWord);
+    m_to.faults.error(token, FaultCode::UnknownWord);
     return;
   }
   assign(token);
@@ -224,25 +224,25 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
 /// M1=3, M[R1]=3 and S2=500 are the spindles'; G[6]=2 is a G function by group and number.
 void BlockReader::readIndexed(const Token& token, BlockWords& words) {
   if (token.address != 'G') {
-    m_sink.ignore(token, std::string(token.text));
+    m_to.faults.ignore(token, std::string(token.text));
     return;
   }
   const Expected<Assignment>& group = m_calculations->assignment(token);
   if (!group || group->target.operands.size() != 1) {
-    m_sink.error(token, FaultCode::UnknownWord);
+    m_to.faults.error(token, FaultCode::UnknownWord);
     return;
   }
   const Expected<double> index = m_variables.number(group->target.operands.front());
   const Expected<double> number =
       index ? m_variables.number(*group->initial.values.front()) : index;
   if (!number) {
-    m_sink.fault(token.column, number.error());
+    m_to.faults.fault(token.column, number.error());
     return;
   }
   const std::optional<int> key = gOfGroup(static_cast<int>(std::clamp(*index, 0.0, 1000.0)),
                                           static_cast<int>(std::clamp(*number, 0.0, 1000.0)));
   if (!key) {
-    m_sink.error(token, FaultCode::UnsupportedGCode);
+    m_to.faults.error(token, FaultCode::UnsupportedGCode);
     return;
   }
   Token named = token;
@@ -252,20 +252,20 @@ void BlockReader::readIndexed(const Token& token, BlockWords& words) {
   readG(m_calculated.back(), words);
 }
 
-void BlockReader::readText(const Token& token) {
+void BlockReader::readText(const Token& token, const BlockWords& words) {
   if (token.address == 'T') {
     const std::size_t open = token.text.find('"');
-    m_sink.toolName(token.text.substr(open + 1, token.text.size() - open - 2));
-    m_sink.ignore(token, "T");
+    m_to.path.toolName(token.text.substr(open + 1, token.text.size() - open - 2), words.line);
+    m_to.faults.ignore(token, "T");
     return;
   }
   const std::string name = base::toUpper(tokenName(token));
   if (token.address == 0 && m_variables.find(name) != nullptr) {
     assign(token);
   } else if (nameEffect(m_language.dialect, name) == NameEffect::None) {
-    m_sink.ignore(token, name);
+    m_to.faults.ignore(token, name);
   } else {
-    m_sink.error(token, FaultCode::UnknownWord);
+    m_to.faults.error(token, FaultCode::UnknownWord);
   }
 }
 
@@ -324,8 +324,8 @@ void BlockReader::readWord(const Token& token, BlockWords& words) {
 
 void BlockReader::reportRepetition(const Token& token) {
   const bool path = std::string_view("XYZIJKRFABC").find(token.address) != std::string_view::npos;
-  m_sink.report(path ? Severity::Error : Severity::Warning, token.column, FaultCode::RepeatedWord,
-                std::string(1, token.address));
+  m_to.faults.report(path ? Severity::Error : Severity::Warning, token.column,
+                     FaultCode::RepeatedWord, std::string(1, token.address));
 }
 
 void BlockReader::noteColumn(const Token& token, BlockWords& words) {
@@ -379,7 +379,7 @@ void BlockReader::readRadius(const Token& token, BlockWords& words) {
 
 void BlockReader::setRadius(const Token& token, BlockWords& words) {
   if (words.hasRadius) {
-    m_sink.error(token, FaultCode::RepeatedWord, "CR=");
+    m_to.faults.error(token, FaultCode::RepeatedWord, "CR=");
   }
   words.radius = token.value;
   words.hasRadius = true;
@@ -391,15 +391,15 @@ void BlockReader::readFeed(const Token& token, BlockWords& words) {
   words.feed = &token;
 }
 
-void BlockReader::readMachineWord(const Token& token, BlockWords& /*words*/) {
-  m_sink.ignoreLetter(token);
+void BlockReader::readMachineWord(const Token& token, BlockWords& words) {
+  m_to.faults.ignoreLetter(token);
   if (token.address == 'S') {
     m_state.spindlePerMin = token.value;
-    m_sink.machineWord(MachineWord::Spindle, token.value);
+    m_to.path.machineWord(MachineWord::Spindle, token.value, words.line);
   } else if (token.address == 'T') {
-    m_sink.machineWord(MachineWord::Tool, token.value);
+    m_to.path.machineWord(MachineWord::Tool, token.value, words.line);
     if (m_language.toolChangesZ) {
-      m_sink.forgetPosition(2);
+      m_to.words.forget(2);
     }
   }
 }
@@ -424,7 +424,7 @@ void BlockReader::readL(const Token& token, BlockWords& words) {
 }
 
 void BlockReader::refuseWord(const Token& token, BlockWords& /*words*/) {
-  m_sink.error(token, FaultCode::UnknownWord);
+  m_to.faults.error(token, FaultCode::UnknownWord);
 }
 
 }  // namespace rivulet::nc

@@ -39,7 +39,7 @@ class BlockReader {
  public:
   /// All outlive the reader. @param calculations  null if every token has its value
   BlockReader(const Language& language, ModalState& state, Variables& variables,
-              Calculations* calculations, Sink& sink);
+              Calculations* calculations, Sinks to);
 
   /// @param token  lives as long as `words`
   void read(const Token& token, BlockWords& words);
@@ -55,14 +55,10 @@ class BlockReader {
   void selectWorkOffset(int key, const Token& token, double number = 0.0);
 
  private:
-  struct GRow;
-  [[nodiscard]] static const GRow& rowOf(GEffect effect);
-  [[nodiscard]] GEffect effectOf(int key) const { return m_g[static_cast<std::size_t>(key)]; }
-
   // Kinds of tokens.
   void readWord(const Token& token, BlockWords& words);
   void readUnreadable(const Token& token);
-  void readText(const Token& token);
+  void readText(const Token& token, const BlockWords& words);
   void readIndexed(const Token& token, BlockWords& words);
   void readCalculated(const Token& token, BlockWords& words);
   void readIndexedAxis(const Token& token, BlockWords& words);
@@ -91,31 +87,13 @@ class BlockReader {
   // G and M functions.
   void readG(const Token& token, BlockWords& words);
   void readM(const Token& token, BlockWords& words);
+  void readG(GEffect effect, int key, const Token& token, BlockWords& words);
+  void readBlockG(GEffect effect, int key, const Token& token, BlockWords& words);
+  void setFeedMode(FeedMode mode);
   void setModal(int& slot, int key, const Token& token);
-  void refuseG(int key, const Token& token, BlockWords& words);
-  void readMotion(int key, const Token& token, BlockWords& words);
-  void readPlane(int key, const Token& token, BlockWords& words);
   void readDistance(int key, const Token& token, BlockWords& words);
-  void readCentreMode(int key, const Token& token, BlockWords& words);
-  void readUnits(int key, const Token& token, BlockWords& words);
-  void readFeedMode(int key, const Token& token, BlockWords& words);
-  void readDiameter(int key, const Token& token, BlockWords& words);
-  void readDwell(int key, const Token& token, BlockWords& words);
-  void readPole(int key, const Token& token, BlockWords& words);
-  void readPolar(int key, const Token& token, BlockWords& words);
-  void readSpline(int key, const Token& token, BlockWords& words);
-  void readNone(int key, const Token& token, BlockWords& words);
   void readBlockEnd(int key, const Token& token, BlockWords& words);
-  void readTolerance(int key, const Token& token, BlockWords& words);
-  void readToolLength(int key, const Token& token, BlockWords& words);
-  void readCycleOff(int key, const Token& token, BlockWords& words);
-  void readWorkOffset(int key, const Token& token, BlockWords& words);
-  void readWorkOffsetP(int key, const Token& token, BlockWords& words);
-  void readMachineMove(int key, const Token& token, BlockWords& words);
-  void readOffset(int key, const Token& token, BlockWords& words);
-  void readMacroCall(int key, const Token& token, BlockWords& words);
-  void readForeignMotion(int key, const Token& token, BlockWords& words);
-  void readForeignBlock(int key, const Token& token, BlockWords& words);
+  void readForeignMotion(GEffect effect, const Token& token, BlockWords& words);
   void readTurningCycle(const Token& token, BlockWords& words);
 
   // Names.
@@ -132,7 +110,7 @@ class BlockReader {
   ModalState& m_state;
   Variables& m_variables;
   Calculations* m_calculations;
-  Sink& m_sink;
+  Sinks m_to;
   std::deque<Token> m_calculated;  ///< of the present block
   bool m_moved = false;
 };

@@ -41,11 +41,8 @@ struct RareWords {
   bool macroCall = false;
   bool call98 = false;
   bool returns = false;
-  bool setsPosition = false;
-  bool resetsPosition = false;
-  bool localOffset = false;
-  bool pole = false;
-  int poleKey = 0;
+  GEffect offset = GEffect::None;  ///< SetPosition, ResetPosition, LocalOffset
+  int poleKey = -1;
   int splineKey = -1;
   bool tangentArc = false;
   bool threePointArc = false;

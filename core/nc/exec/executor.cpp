@@ -16,11 +16,11 @@
 namespace rivulet::nc {
 
 Executor::Executor(const Language& language, const ExecutorOptions& options, Variables& variables,
-                   Calculations* calculations, Sink& sink)
+                   Calculations* calculations, Sinks to)
     : m_language(language),
       m_options(options),
-      m_sink(sink),
-      m_reader(language, m_state, variables, calculations, sink) {
+      m_to(to),
+      m_reader(language, m_state, variables, calculations, to) {
 }
 
 std::optional<double> Executor::positionOf(char axis, bool inWorkpiece) const {
@@ -48,7 +48,7 @@ void Executor::execute(BlockWords& words) {
     executeRare(words);
   }
   if (hasUnusedParameter(words)) {
-    m_sink.error(*words.parameter, FaultCode::UnknownWord);
+    m_to.faults.error(*words.parameter, FaultCode::UnknownWord);
   }
   if (words.dwell) {
     executeDwell(words);
@@ -81,7 +81,7 @@ void Executor::leaveOutMissingAxes(BlockWords& words) const {
 /// a mill.
 void Executor::executeTurningCycle(BlockWords& words) {
   error(words, FaultCode::CycleNotRun, fmt::format("G{}", words.latheKey / 10));
-  m_sink.otherMotion();
+  m_to.words.foreignMotion();
   words.taken = true;
 }
 
@@ -101,7 +101,7 @@ void Executor::setModes(const BlockWords& words) {
     const bool lengthsOnly = words.unitsKey == 700 && m_language.inchesOfLengthsOnly;
     m_state.lengthFactor = inches ? base::kMmPerInch : 1.0;
     m_state.feedFactor = lengthsOnly ? 1.0 : m_state.lengthFactor;
-    m_sink.programmedUnits(inches);
+    m_to.words.units(inches);
   }
   if (words.planeKey >= 0) {
     m_state.planeFirstAxis = words.planeKey == 170 ? 0 : (words.planeKey == 180 ? 2 : 1);
@@ -142,17 +142,17 @@ void Executor::executeRare(BlockWords& words) {
     selectSpline(rare.splineKey);
   }
   if (rare.workOffsetToken != nullptr && !words.p) {
-    m_sink.error(*rare.workOffsetToken, FaultCode::NumberMissing, "P");
+    m_to.faults.error(*rare.workOffsetToken, FaultCode::NumberMissing, "P");
   } else if (rare.workOffsetToken != nullptr) {
     m_reader.selectWorkOffset(rare.workOffsetKey, *rare.workOffsetToken, *words.p);
   }
-  if (rare.pole) {
+  if (rare.poleKey >= 0) {
     setPole(words);
   }
   if (!rare.frame.empty()) {
     setFrame(rare.frame, words);
   }
-  if (rare.setsPosition || rare.resetsPosition || rare.localOffset) {
+  if (rare.offset != GEffect::None) {
     setOffset(words);
   }
 }
@@ -161,7 +161,7 @@ void Executor::executeRare(BlockWords& words) {
 void Executor::executeDwell(const BlockWords& words) {
   for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
     if (words.axes.given[axis]) {
-      m_sink.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+      m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
     }
   }
   rejectArcWords(words);
@@ -177,40 +177,38 @@ void Executor::executeDwell(const BlockWords& words) {
   } else if (words.axes.given[kFirstFurther]) {
     seconds = words.axes.value[kFirstFurther];
   }
-  m_sink.machineWord(MachineWord::Dwell, seconds);
+  m_to.path.machineWord(MachineWord::Dwell, seconds, words.line);
 }
 
 void Executor::rejectArcWords(const BlockWords& words) {
   if (words.hasRadius) {
-    m_sink.error(*words.radiusToken, FaultCode::UnknownWord);
+    m_to.faults.error(*words.radiusToken, FaultCode::UnknownWord);
   }
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (words.hasCentre[axis]) {
-      m_sink.error(*words.centreTokens[axis], FaultCode::UnknownWord);
+      m_to.faults.error(*words.centreTokens[axis], FaultCode::UnknownWord);
     }
   }
 }
 
 void Executor::setFeed(const BlockWords& words) {
   const double feed = words.feed->value;
+  m_to.words.feed(feed);
   if (!(feed > 0.0)) {
-    m_sink.programmedFeed(feed, std::nullopt);
-    m_sink.error(*words.feed, FaultCode::FeedNotPositive, base::formatNumber(feed));
+    m_to.faults.error(*words.feed, FaultCode::FeedNotPositive, base::formatNumber(feed));
     return;
   }
   double mmPerMin = feed * m_state.feedFactor;
   if (m_state.feedMode == FeedMode::PerRevolution) {
     mmPerMin = feed * m_state.lengthFactor * m_state.spindlePerMin;
   } else if (m_state.feedMode != FeedMode::PerMinute) {
-    m_sink.programmedFeed(feed, std::nullopt);
     return;  // known block by block, or not at all
   }
   if (!(mmPerMin <= kCoordinateMmMax)) {
-    m_sink.programmedFeed(feed, std::nullopt);
-    m_sink.error(*words.feed, FaultCode::ValueOutOfRange);
+    m_to.faults.error(*words.feed, FaultCode::ValueOutOfRange);
     return;
   }
-  m_sink.programmedFeed(feed, mmPerMin);
+  m_to.path.feed(mmPerMin);
   m_state.feedMmPerS = base::mmPerSFromMmPerMin(mmPerMin);
   m_state.feedDegPerS = feed / 60.0;
 }

@@ -38,7 +38,7 @@ class Executor {
  public:
   /// All outlive the executor.
   Executor(const Language& language, const ExecutorOptions& options, Variables& variables,
-           Calculations* calculations, Sink& sink);
+           Calculations* calculations, Sinks to);
 
   /// Before the first block.
   [[nodiscard]] ModalState& state() { return m_state; }
@@ -119,12 +119,12 @@ class Executor {
     return words.axes.value[axis] * m_state.lengthFactor;
   }
   void error(const BlockWords& words, FaultCode code, std::string argument = {}) {
-    m_sink.report(Severity::Error, words.motionColumn, code, std::move(argument));
+    m_to.faults.report(Severity::Error, words.motionColumn, code, std::move(argument));
   }
 
   const Language& m_language;
   const ExecutorOptions& m_options;
-  Sink& m_sink;
+  Sinks m_to;
   ModalState m_state;
   Position m_position;
   BlockReader m_reader;

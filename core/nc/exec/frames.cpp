@@ -50,7 +50,7 @@ void Executor::setFrame(const std::string& name, const BlockWords& words) {
   }
   const Vec3 before = m_position.programmedMm;
   m_position.setFrame(frame);
-  m_sink.forgetPosition();
+  m_to.words.forget(std::nullopt);
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     m_state.incrementFrom[axis] = m_state.incrementFrom[axis].value_or(before[axis]);
   }
@@ -64,7 +64,7 @@ std::optional<Vec3> Executor::scaleFactors(bool mirrors, const BlockWords& words
     }
     factors.set(axis, mirrors ? -1.0 : words.axes.value[axis]);
     if (factors[axis] == 0.0) {
-      m_sink.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
+      m_to.faults.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
       return std::nullopt;
     }
   }
@@ -104,32 +104,32 @@ void Executor::setPosition(const BlockWords& words) {
 /// G92, G92.1 and G52.
 void Executor::setOffset(const BlockWords& words) {
   finishCurve();
-  const RareWords& rare = *words.rare;
-  m_sink.forgetPosition();
+  const GEffect offset = words.rare->offset;
+  m_to.words.forget(std::nullopt);
   const bool further = std::find(words.axes.given.begin() + kFirstFurther, words.axes.given.end(),
                                  true) != words.axes.given.end();
-  if ((rare.localOffset || further) && !knowsAllAxes(words, rare.localOffset ? "G52" : "G92")) {
+  const bool isLocal = offset == GEffect::LocalOffset;
+  if ((isLocal || further) && !knowsAllAxes(words, isLocal ? "G52" : "G92")) {
     return;
   }
-  if (rare.setsPosition && !words.moves()) {
-    return;  // G92 S: a limit of the spindle; G92 alone: nothing
-  }
-  if (rare.setsPosition) {
-    setPosition(words);
-  } else if (rare.resetsPosition) {
-    m_state.setOffsetMm = {};
-    m_state.rotaryOffset = {};
-  } else {
+  if (isLocal) {
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (words.axes.given[axis]) {
         m_state.localOffsetMm.set(axis, lengthMm(words, axis));
       }
     }
+  } else if (offset == GEffect::ResetPosition) {
+    m_state.setOffsetMm = {};
+    m_state.rotaryOffset = {};
+  } else if (words.moves()) {
+    setPosition(words);
+  } else {
+    return;  // G92 S: a limit of the spindle; G92 alone: nothing
   }
   m_state.baseFrame = {};
-  const Vec3 offset = m_state.setOffsetMm + m_state.localOffsetMm;
-  if (offset != Vec3{}) {
-    m_state.baseFrame.translate(offset);
+  const Vec3 offsetMm = m_state.setOffsetMm + m_state.localOffsetMm;
+  if (offsetMm != Vec3{}) {
+    m_state.baseFrame.translate(offsetMm);
   }
   m_position.setFrame(m_state.baseFrame);
 }

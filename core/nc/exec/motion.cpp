@@ -26,13 +26,13 @@ void Executor::executeMotion(BlockWords& words) {
   }
   if (motion == Motion::Unsupported) {
     if (moves) {
-      m_sink.otherMotion();
+      m_to.words.foreignMotion();
     }
     return;
   }
   for (std::size_t axis = kFirstFurther; axis < kProgrammedAxisCount; ++axis) {
     if (words.axes.given[axis]) {
-      m_sink.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+      m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
     }
   }
   if (!isPlaneArc(motion) && motion != Motion::CubicSpline && motion != Motion::QuadraticSpline) {
@@ -57,12 +57,13 @@ void Executor::executeMotion(BlockWords& words) {
 /// SUPA, G53, M91: where that is in the workpiece is not known.
 void Executor::leaveOutMachineMove(const BlockWords& words) {
   const Token& token = *words.machineToken;
-  m_sink.error(token, FaultCode::MachineCoordinates,
-               token.kind == TokenKind::Word ? wordText(token) : base::toUpper(tokenName(token)));
+  m_to.faults.error(
+      token, FaultCode::MachineCoordinates,
+      token.kind == TokenKind::Word ? wordText(token) : base::toUpper(tokenName(token)));
   if (const int g = motionNumber(); g >= -1) {
-    m_sink.programmedForMachine(g, words.axes);
+    m_to.words.machineMotion(g, words.axes);
   } else {
-    m_sink.otherMotion();
+    m_to.words.foreignMotion();
   }
 }
 
@@ -76,7 +77,7 @@ int Executor::motionNumber() const {
 
 void Executor::move(BlockWords& words) {
   if (m_state.motion == Motion::None) {
-    m_sink.report(Severity::Warning, words.motionColumn, FaultCode::MotionModeAssumed, {});
+    m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::MotionModeAssumed, {});
     m_state.motion = Motion::Line;
     m_state.motionAssumed = !m_state.motionNamed;
   }
@@ -91,7 +92,7 @@ void Executor::move(BlockWords& words) {
   switch (m_state.motion) {
     case Motion::Rapid:
     case Motion::Line:
-      m_sink.programmed(motionNumber(), words.axes);
+      m_to.words.motion(motionNumber(), words.axes);
       line(target, move);
       break;
     case Motion::ArcClockwise:
@@ -100,17 +101,17 @@ void Executor::move(BlockWords& words) {
       break;
     case Motion::ThreePointArc:
     case Motion::TangentArc:
-      m_sink.otherMotion();
+      m_to.words.foreignMotion();
       moveSpaceArc(words, target, move);
       break;
     case Motion::BSpline:
     case Motion::Nurbs:
-      m_sink.otherMotion();
+      m_to.words.foreignMotion();
       addControlPoint(words, target, move);
       break;
     case Motion::CubicSpline:
     case Motion::QuadraticSpline:
-      m_sink.otherMotion();
+      m_to.words.foreignMotion();
       moveBezier(words, target, move);
       break;
     case Motion::None:
@@ -124,18 +125,18 @@ void Executor::noteMissingFeed(const BlockWords& words, const Move& move) {
   if (move.motion == Motion::Rapid || move.feedMmPerS != 0.0 || isTimed || m_feedMissingReported) {
     return;
   }
-  m_sink.report(Severity::Warning, words.motionColumn, FaultCode::FeedMissing, {});
+  m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::FeedMissing, {});
   m_feedMissingReported = true;
 }
 
 void Executor::line(Vec3 target, const Move& move) {
-  m_sink.line(m_position, target, move);
+  m_to.path.line(m_position, target, move);
   const Vec3 way = target - m_position.programmedMm;
   arrive(target, base::dot(way, way) > 0.0 ? way : m_position.direction, move);
 }
 
 void Executor::unknownWay(Vec3 target, const Move& move) {
-  m_sink.unknownWay(m_position, target, move);
+  m_to.path.unknownWay(m_position, target, move);
   arrive(target, m_position.direction, move);
 }
 
@@ -185,7 +186,7 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
     return kUnknown;  // has been reported
   }
   if (!(std::abs(value) <= kCoordinateMmMax)) {
-    m_sink.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
+    m_to.faults.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
     return kUnknown;
   }
   const bool isIncrement = words.axes.isIncrement[axis];
@@ -195,8 +196,8 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
   if (isIncrement) {
     const double origin = m_state.incrementFrom[axis].value_or(from[axis]);
     if (std::isnan(origin)) {
-      m_sink.error(*words.axisTokens[axis], FaultCode::RelativeFromUnknownPosition,
-                   std::string(1, base::kAxisNames[axis]));
+      m_to.faults.error(*words.axisTokens[axis], FaultCode::RelativeFromUnknownPosition,
+                        std::string(1, base::kAxisNames[axis]));
       return kUnknown;
     }
     value += origin;
@@ -254,6 +255,7 @@ Move Executor::moveOf(const BlockWords& words, Vec3 target) {
   move.exactStop = words.exactStop;
   move.column = words.motionColumn;
   move.feedMmPerS = m_state.feedMmPerS;
+  move.feedDegPerS = m_state.feedDegPerS;
   if (m_state.feedMode == FeedMode::InverseTime) {
     move.feedMmPerS =
         words.feed != nullptr ? m_position.lengthMmTo(target) * words.feed->value / 60.0 : 0.0;
@@ -295,12 +297,12 @@ void Executor::noteRotary(std::size_t axis, double degrees, int column) {
   m_rotaryFirst[axis] = m_rotaryFirst[axis].value_or(degrees);
   if (turns && !m_state.tipWord.empty() && !m_tipReported) {
     m_tipReported = true;
-    m_sink.report(Severity::Warning, column, FaultCode::ToolTip, m_state.tipWord);
+    m_to.faults.report(Severity::Warning, column, FaultCode::ToolTip, m_state.tipWord);
   }
   if (turns && !m_rotaryReported[axis]) {
     m_rotaryReported[axis] = true;
-    m_sink.report(Severity::Warning, column, FaultCode::RotaryAxes,
-                  std::string(1, kProgrammedAxes[axis + kFirstRotary]));
+    m_to.faults.report(Severity::Warning, column, FaultCode::RotaryAxes,
+                       std::string(1, kProgrammedAxes[axis + kFirstRotary]));
   }
 }
 
@@ -321,7 +323,8 @@ void Executor::takeDirection(const BlockWords& words, Move& move) {
   move.toolDirection = (1.0 / length) * direction;
   if (!m_directionReported) {
     m_directionReported = true;
-    m_sink.report(Severity::Warning, words.motionColumn, FaultCode::ToolDirections, "A3 B3 C3");
+    m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::ToolDirections,
+                       "A3 B3 C3");
   }
 }
 

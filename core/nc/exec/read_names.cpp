@@ -20,36 +20,37 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
     readKlartextCycle(token);
     return;
   }
-  if (token.kind == TokenKind::NamedValue && m_variables.find(name) != nullptr) {
+  if (m_calculations != nullptr && token.kind == TokenKind::NamedValue &&
+      m_variables.find(name) != nullptr) {
     readAssignment(token, words);
     return;
   }
   switch (nameEffect(m_language.dialect, name)) {
     case NameEffect::Dynamics:
       m_state.dynamics = name == "SOFT" ? Dynamics::Soft : Dynamics::Brisk;
-      m_sink.ignore(token, name);
+      m_to.faults.ignore(token, name);
       break;
     case NameEffect::Rounding:
       m_state.roundingMm = std::max(0.0, token.value);
-      m_sink.ignore(token, name);
+      m_to.faults.ignore(token, name);
       break;
     case NameEffect::None:
-      m_sink.ignore(token, name);
+      m_to.faults.ignore(token, name);
       break;
     case NameEffect::Query:
       forgetArguments(token);
-      m_sink.ignore(token, name);
+      m_to.faults.ignore(token, name);
       break;
     case NameEffect::End:
       words.rareWords().returns = true;
       break;
     case NameEffect::Mode:
-      m_sink.error(token, FaultCode::UnsupportedGCode, name);
+      m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
       break;
     case NameEffect::TakesBlock:
-      m_sink.error(token, FaultCode::UnsupportedGCode, name);
+      m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
       words.taken = true;
-      m_sink.forgetPosition();
+      m_to.words.forget(std::nullopt);
       break;
     case NameEffect::Cycle:
       readCycle(token, name, words);
@@ -70,11 +71,11 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
     case NameEffect::Diameter:
       m_state.diameter = name != "DIAMOF";
       m_state.diameterIncrements = name == "DIAMON";
-      m_sink.ignore(token, name);
+      m_to.faults.ignore(token, name);
       break;
     case NameEffect::Transformation:
       m_state.tipWord = name == "TRAORI" ? "TRAORI" : "";
-      m_sink.ignore(token, name);
+      m_to.faults.ignore(token, name);
       break;
     case NameEffect::Address:
       readNamedAddress(token, name, words);
@@ -87,7 +88,7 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
 
 void BlockReader::readNamedAddress(const Token& token, const std::string& name, BlockWords& words) {
   if (token.kind != TokenKind::NamedValue) {
-    m_sink.error(token, FaultCode::UnknownWord);
+    m_to.faults.error(token, FaultCode::UnknownWord);
   } else {
     setNamed(name, token, words);
   }
@@ -105,8 +106,8 @@ void BlockReader::setNamed(const std::string& name, const Token& token, BlockWor
 /// On a SINUMERIK a name alone, or with arguments, calls a subprogram.
 void BlockReader::readUnknownName(const Token& token, BlockWords& words) {
   if (!m_language.namesAreCalls || token.kind == TokenKind::NamedValue) {
-    m_sink.error(token, token.kind == TokenKind::Name ? FaultCode::UnknownWord
-                                                      : FaultCode::UnsupportedExpression);
+    m_to.faults.error(token, token.kind == TokenKind::Name ? FaultCode::UnknownWord
+                                                           : FaultCode::UnsupportedExpression);
     return;
   }
   words.rareWords().call = token;
@@ -133,14 +134,14 @@ void BlockReader::readCycle(const Token& token, const std::string& name, BlockWo
   const std::size_t open = token.text.find('(');
   const std::string_view arguments =
       open == std::string_view::npos ? "" : token.text.substr(open + 1);
-  m_sink.forgetPosition();
+  m_to.words.forget(std::nullopt);
   const bool swivels = name == "CYCLE800";
   if (swivels && base::trim(arguments) == ")") {
-    m_sink.ignore(token, name);  // swivels back to the frame of the machine
+    m_to.faults.ignore(token, name);  // swivels back to the frame of the machine
     return;
   }
-  m_sink.error(token, swivels ? FaultCode::UnsupportedGCode : FaultCode::CycleNotRun, name);
-  m_sink.programmedOther();
+  m_to.faults.error(token, swivels ? FaultCode::UnsupportedGCode : FaultCode::CycleNotRun, name);
+  m_to.words.otherMotion();
 }
 
 void BlockReader::readKlartextCycle(const Token& token) {
@@ -153,13 +154,13 @@ void BlockReader::readKlartextCycle(const Token& token) {
   // Cycles that move nothing themselves: shift, mirror, rotation, scale and tilt of the plane.
   static constexpr std::array kFrames{7, 8, 10, 11, 19, 26, 247};
   if (text.find("CALL") != std::string::npos) {
-    m_sink.error(token, FaultCode::CycleNotRun, "CYCL CALL");
-    m_sink.forgetPosition();
+    m_to.faults.error(token, FaultCode::CycleNotRun, "CYCL CALL");
+    m_to.words.forget(std::nullopt);
   } else if (std::find(kFrames.begin(), kFrames.end(), number) != kFrames.end()) {
-    m_sink.error(token, FaultCode::UnsupportedGCode, fmt::format("CYCL DEF {}", number));
-    m_sink.forgetPosition();
+    m_to.faults.error(token, FaultCode::UnsupportedGCode, fmt::format("CYCL DEF {}", number));
+    m_to.words.forget(std::nullopt);
   } else {
-    m_sink.ignore(token, fmt::format("CYCL DEF {}", number));
+    m_to.faults.ignore(token, fmt::format("CYCL DEF {}", number));
   }
 }
 

@@ -84,7 +84,7 @@ void Executor::finishCurve() {
 }
 
 void Executor::spline(const Spline& spline, const Move& move) {
-  m_sink.spline(m_position, spline, move);
+  m_to.path.spline(m_position, spline, move);
   const std::vector<Vec3>& control = spline.controlMm;
   Vec3 direction;
   for (std::size_t i = control.size() - 1; i-- > 0 && base::norm(direction) == 0.0;) {

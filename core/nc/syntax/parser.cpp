@@ -791,6 +791,9 @@ class Parser final : public SteeringParser {
         }
         m_in->take(c);
         word.address = base::toUpper(std::string_view(&c, 1));
+        if (std::string_view("XYZABCUVW").find(word.address) == std::string_view::npos) {
+          return fault(FaultCode::UnknownWord, word.address);
+        }
       }
       if (!wordValue(word)) {
         return false;

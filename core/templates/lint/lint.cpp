@@ -19,8 +19,10 @@
 
 #include "base/error.h"
 #include "machine/main_run.h"
-#include "machine/motion_words.h"
+#include "machine/motion_sink.h"
 #include "nc/eval/evaluate.h"
+#include "nc/exec/block_reader.h"
+#include "nc/exec/tree_words.h"
 #include "nc/syntax/parser.h"
 #include "templates/generator.h"
 #include "templates/lint/flow.h"
@@ -65,11 +67,48 @@ const nc::Expression* valueOf(const Words& words, std::string_view address) {
   return found != words.words.end() && found->value ? &*found->value : nullptr;
 }
 
-/// The words as far as they do not depend on values; nothing if the control would complain.
-std::variant<machine::MotionWords, machine::Alarm> modesOf(const Words& words) {
-  return machine::gather(words, [](const nc::Expression& value) -> nc::Expected<double> {
-    return value.op == nc::Op::Number ? value.number : 1.0;
+/// What a block says whatever its values are.
+struct BlockSummary {
+  std::optional<machine::Alarm> alarm;  ///< the control would complain: nothing else is known
+  std::optional<bool> rapid;            ///< of the motion it names
+  std::optional<bool> relative;         ///< G90, G91
+  bool namesFeed = false;
+  bool moves = false;  ///< names an axis, also a rotary one the machine has not
+};
+
+BlockSummary summaryOf(const Words& words) {
+  BlockSummary made;
+  const auto tokens = nc::tokensOf(words.words, [](const nc::Expression& value) {
+    return nc::Expected<double>(value.op == nc::Op::Number ? value.number : 1.0);
   });
+  if (!tokens) {
+    made.alarm = machine::alarmOf(tokens.error());
+    return made;
+  }
+  machine::AlarmSink alarms;
+  machine::MotionSink path({}, alarms);
+  nc::WordObserver observer;
+  nc::ModalState state;
+  nc::Variables variables(nc::sinumerikSemantics());
+  nc::BlockReader reader(nc::languageOf(nc::Dialect::Sinumerik), state, variables, nullptr,
+                         {path, alarms, observer});
+  nc::BlockWords block;
+  for (const nc::Token& token : *tokens) {
+    reader.read(token, block);
+  }
+  made.alarm = alarms.take();
+  if (block.motionKey >= 0 || (block.rare && block.rare->threePointArc)) {
+    made.rapid = block.motionKey == 0;
+  }
+  if (block.distanceKey >= 0) {
+    made.relative = state.relative;
+  }
+  made.namesFeed = block.feed != nullptr;
+  const auto firstFurther = block.axes.given.begin() + nc::kFirstFurther;
+  made.moves =
+      !made.alarm && (block.hasAnyCentre() ||
+                      std::find(block.axes.given.begin(), firstFurther, true) != firstFurther);
+  return made;
 }
 
 /// What is known when control arrives at a statement. "Must" facts hold on every path to it, "may"
@@ -191,9 +230,8 @@ class Linter {
       return machine::alarmOf(faulty->fault);
     }
     if (const auto* words = std::get_if<Words>(&statement.what)) {
-      const auto modes = modesOf(*words);
-      if (const auto* alarm = std::get_if<machine::Alarm>(&modes)) {
-        return *alarm;
+      if (std::optional<machine::Alarm> alarm = summaryOf(*words).alarm) {
+        return alarm;
       }
     }
     std::optional<nc::Fault> fault;
@@ -524,24 +562,18 @@ class Linter {
 
   void move(base::LineNumber line, const Words& words, const std::vector<int>& reads,
             State& state) {
-    const auto modes = modesOf(words);
-    const auto* block = std::get_if<machine::MotionWords>(&modes);
-    if (block == nullptr) {
+    const BlockSummary block = summaryOf(words);
+    if (block.alarm) {
       return;
     }
-    const machine::MotionWords& motion = *block;
-    if (motion.mode) {
-      state.mayRapid = *motion.mode == machine::PathMode::Rapid;
-    }
-    if (motion.absolute) {
-      state.mayRelative = !*motion.absolute;
-    }
-    if (motion.feedMmPerMin) {
+    state.mayRapid = block.rapid.value_or(state.mayRapid);
+    state.mayRelative = block.relative.value_or(state.mayRelative);
+    if (block.namesFeed) {
       state.mustFeed = true;
       const Evaluation feed = evaluate(*valueOf(words, "F"), state.values);
       m_usesClientFeed = m_usesClientFeed || feed.asks(m_cells.feed);
     }
-    if (!motion.moves()) {
+    if (!block.moves) {
       return;
     }
     if (!state.mustFeed) {
@@ -653,9 +685,7 @@ class Linter {
 
   [[nodiscard]] static bool moves(const Statement& statement) {
     const auto* words = std::get_if<Words>(&statement.what);
-    const auto modes = modesOf(words != nullptr ? *words : Words{});
-    const auto* block = std::get_if<machine::MotionWords>(&modes);
-    return block != nullptr && block->moves();
+    return words != nullptr && summaryOf(*words).moves;
   }
 
   // --- loops ------------------------------------------------------------------------------
