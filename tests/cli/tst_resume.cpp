@@ -62,6 +62,11 @@ class TestResume : public QObject {
                        path(recording)};
   }
 
+  /// The same with time to look at it.
+  [[nodiscard]] QStringList slowly(const QString& recording) const {
+    return streamed(recording).replaceInStrings(QStringLiteral("2000"), QStringLiteral("500"));
+  }
+
   /// Blocks the machine executed in a run, by its own trace.
   [[nodiscard]] std::vector<trace::ExecutedBlock> executed(const QString& recording) const {
     const auto text = base::readFile(path(recording).toStdString());
@@ -70,8 +75,39 @@ class TestResume : public QObject {
                                           : std::vector<trace::ExecutedBlock>{};
   }
 
+  /// Words of a command that was printed for a person.
+  [[nodiscard]] static QStringList resumeWords(const json& run) {
+    QStringList words =
+        QProcess::splitCommand(QString::fromStdString(run["resume"].get<std::string>())
+                                   .replace(QLatin1Char('\''), QLatin1Char('"')));
+    words.removeFirst();  // the program
+    return words;
+  }
+  [[nodiscard]] json ask(const QStringList& arguments, int exit) const {
+    QProcess process;
+    process.start(QStringLiteral(RIVULET_CLI), arguments);
+    if (!process.waitForFinished(kRunMs) || process.exitCode() != exit) {
+      qWarning("exit %d: %s", process.exitCode(), process.readAllStandardError().constData());
+      return {};
+    }
+    return json::parse(process.readAllStandardOutput().toStdString(), nullptr, false);
+  }
+  [[nodiscard]] json onControl() const {
+    const json found = ask(words("runs --json --endpoint") << m_endpoint, 0);
+    return found.is_object() ? found["on_control"] : json();
+  }
+
+  /// Windows executed by the run on the control, if it is another one than that.
+  [[nodiscard]] int windowsOf(int otherThan) const {
+    const json found = onControl();
+    return found.is_object() && found["run_number"].get<int>() != otherThan
+               ? found["windows_executed"].get<int>()
+               : -1;
+  }
+
  private Q_SLOTS:
   void initTestCase() {
+    qputenv("XDG_STATE_HOME", path(QStringLiteral("state")).toUtf8());
     m_program = path(QStringLiteral("rows.nc"));
     QFile program(m_program);
     QVERIFY(program.open(QIODevice::WriteOnly));
@@ -156,6 +192,52 @@ class TestResume : public QObject {
     QVERIFY(again.waitForFinished(kRunMs));
     QCOMPARE(again.exitCode(), 2);
     QVERIFY(!QFile::exists(path(QStringLiteral("4.rivulet"))));
+  }
+
+  /// The client is killed. Whoever comes next is told whose run it is and how to go on.
+  void aRunThatIsFoundIsOffered() {
+    QProcess first;
+    first.start(QStringLiteral(RIVULET_CLI), slowly(QStringLiteral("5.rivulet")));
+    QTRY_VERIFY_WITH_TIMEOUT(windowsOf(0) > 1, kRunMs);
+    const json alive = onControl();
+    QVERIFY(alive["has_client"].get<bool>());
+    QVERIFY(!alive["can_resume"].get<bool>());
+    QVERIFY(!alive["started_by"]["user"].get<std::string>().empty());
+    // As long as its client is there, the run is nobody else's.
+    const json busy = ask(slowly(QStringLiteral("6.rivulet")), 2);
+    const std::string who = busy["error"]["message"].get<std::string>();
+    QVERIFY(who.find("started by " + alive["started_by"]["user"].get<std::string>()) !=
+            std::string::npos);
+    QVERIFY(who.find("--resume") == std::string::npos);
+    first.kill();
+    QVERIFY(first.waitForFinished(kSoonMs));
+
+    const json waiting = onControl();
+    QVERIFY(!waiting["has_client"].get<bool>());
+    QVERIFY(waiting["can_resume"].get<bool>());
+    QCOMPARE(waiting["run_number"].get<int>(), alive["run_number"].get<int>());
+    const json offered = ask(slowly(QStringLiteral("6.rivulet")), 2);
+    QVERIFY(offered["error"]["message"].get<std::string>().find("--resume") != std::string::npos);
+
+    // The command as it is offered goes on; a terminal that is closed stops it in order.
+    QProcess second;
+    second.start(QStringLiteral(RIVULET_CLI), resumeWords(waiting["saved_run"]));
+    QVERIFY(second.waitForStarted(kSoonMs));
+    const int before = waiting["run_number"].get<int>();
+    QTRY_VERIFY_WITH_TIMEOUT(windowsOf(before) > 0, kRunMs);
+    ::kill(static_cast<pid_t>(second.processId()), SIGHUP);
+    QVERIFY(second.waitForFinished(kRunMs));
+    const json report = json::parse(second.readAllStandardOutput().toStdString(), nullptr, false);
+    QVERIFY2(report["outcome"] == "stopped", report.dump(1).c_str());
+    QVERIFY(report["faultless"].get<bool>());
+    QVERIFY(report["checkpoint"]["first_point"].get<int>() > 0);
+    QVERIFY(QFile::exists(QString::fromStdString(report["saved_run"].get<std::string>())));
+    QVERIFY(onControl().is_null());
+    const json kept = ask(words("runs --json"), 0)["runs"];
+    QCOMPARE(kept.size(), std::size_t{1});
+    QVERIFY(ask(words("runs --json --forget") << QString::number(kept[0]["run_number"].get<int>()),
+                0)["runs"]
+                .empty());
   }
 };
 

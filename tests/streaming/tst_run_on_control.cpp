@@ -192,6 +192,28 @@ class TestRunOnControl : public QObject {
     QCOMPARE(rest.integrity.executed, kPoints - place);
   }
 
+  /// Ctrl-C at any moment, also while the program waits for its first client.
+  void aStopIsNeverAnotherRun() {
+    /// Wants to stop from the n-th question on.
+    struct Impatient final : streaming::RunSink, streaming::RunOrders {
+      void update(const streaming::LiveUpdate&) override {}
+      void access(const trace::Access&) override {}
+      void note(const trace::Note&) override {}
+      bool stopRequested(base::Instant) override { return ++asked >= stopAt; }
+      int asked = 0;
+      int stopAt = 0;
+    };
+    for (int stopAt = 1; stopAt <= 60; ++stopAt) {
+      World world;
+      Impatient client;
+      client.stopAt = stopAt;
+      const streaming::RunReport report =
+          streaming::runJob(world.link, world.link, zigzag(), windowSettings(), client, client);
+      QVERIFY2(report.outcome == Outcome::Stopped,
+               (std::to_string(stopAt) + ": " + report.error.text()).c_str());
+    }
+  }
+
   void findsTheRunAndItsClient() {
     World world;
     QVERIFY(!streaming::findRun(world.link, world.link, 0, std::chrono::seconds{3})->has_value());
