@@ -321,6 +321,7 @@ class UaLink::Impl {
   /// Calls that nobody waits for any more and that the server may still answer.
   [[nodiscard]] std::size_t unanswered() const;
   void noticeState();
+  [[nodiscard]] base::Error lossError() const;
   void step(Instant until);
   void settle();
   void finishAnswered();
@@ -944,6 +945,18 @@ void UaLink::Impl::noticeState() {
   }
 }
 
+base::Error UaLink::Impl::lossError() const {
+  if (!m_isSilent) {
+    return error(LinkError::ConnectionLost);
+  }
+  return base::makeError(
+      LinkError::ConnectionLost,
+      fmt::format("Nothing has come from the control for {:.0f} s: the network is interrupted, or "
+                  "the server hangs. Check cable, switch and server, then connect again.",
+                  base::toSeconds(m_options.silenceMax)),
+      endpoint());
+}
+
 void UaLink::Impl::noticeLoss() {
   if (!m_lost || m_lossReported) {
     return;
@@ -954,14 +967,7 @@ void UaLink::Impl::noticeLoss() {
   event.kind = EventKind::ConnectionLost;
   event.at = now();
   event.sent = event.at;
-  event.error = error(LinkError::ConnectionLost);
-  if (m_isSilent) {
-    event.error.message = fmt::format(
-        "Nothing has come from the control for {:.0f} s: the network is interrupted, or the server "
-        "hangs. Check cable, switch and server, then connect again.",
-        base::toSeconds(m_options.silenceMax));
-    event.error.context = endpoint();
-  }
+  event.error = lossError();
   m_events.push_back(std::move(event));
 }
 
@@ -1056,7 +1062,8 @@ base::Result<CallResponse> UaLink::Impl::call(UA_UInt16 namespaceIndex, std::str
                                         : UA_STATUSCODE_BADUNKNOWNRESPONSE;
   }
   if (isBad(status)) {
-    return base::fail(requestError(status, Operation::Call, methodIdentifier));
+    return base::fail(m_isSilent ? lossError()
+                                 : requestError(status, Operation::Call, methodIdentifier));
   }
   return response;
 }

@@ -20,7 +20,8 @@ struct ConnectOptions {
   std::string endpoint;  ///< as typed, e.g. "opc.tcp://192.168.214.1:4840"; used as it stands
   /// For each answer while connecting; altogether six times as long.
   base::Duration connectDeadline = std::chrono::seconds(5);
-  base::Duration commandDeadline = std::chrono::seconds(5);  ///< of each method of `Control`
+  /// Of each method of `Control`; longer than a silence that the connection survives.
+  base::Duration commandDeadline = std::chrono::seconds(12);
   /// A connection whose other side is silent for longer, although it was asked, is lost.
   base::Duration silenceMax = std::chrono::seconds(10);
   std::string name = "Rivulet";  ///< session name the server shows
