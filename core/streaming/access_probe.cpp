@@ -27,10 +27,14 @@ constexpr double kReset = 0.0;
 /// A value that was confirmed may be readable only from the next interpolation cycle on.
 constexpr int kReadBackTries = 3;
 
-/// The deadline of a request with this many items.
-Duration deadlineOf(Duration deadline, std::size_t items) {
+/// Single access costs one round trip per cell: over a slow network fewer cells are tried.
+constexpr Duration kSlowAccess = std::chrono::milliseconds{50};
+constexpr std::size_t kSlowCells = 8;
+
+/// The deadline of a request with this many items. @param access  duration of a single one
+Duration deadlineOf(Duration deadline, std::size_t items, Duration access) {
   constexpr Duration kPerItem = std::chrono::milliseconds{20};
-  return deadline + kPerItem * static_cast<Duration::rep>(items);
+  return deadline + std::max(kPerItem, 3 * access) * static_cast<Duration::rep>(items);
 }
 
 class Probe {
@@ -40,7 +44,6 @@ class Probe {
     for (int cell = cells.first; cell <= cells.last; ++cell) {
       m_cells.push_back(opcua::rParameter(cell));
     }
-    m_deadline = deadlineOf(deadline, m_cells.size());
   }
 
   Result<AccessForms> run() {
@@ -83,10 +86,16 @@ class Probe {
   /// Checks whether the cells may be used, and keeps their values.
   Result<void> begin() {
     const std::array<opcua::Variable, 1> channel{{{opcua::VariableKind::ChannelStatus, 0}}};
+    const base::Instant asked = m_link.now();
     const auto status = opcua::readNow(m_link, channel, m_deadline);
     if (!status) {
       return base::fail(status.error());
     }
+    const Duration access = m_link.now() - asked;
+    if (access > kSlowAccess) {
+      m_cells.resize(std::min(m_cells.size(), kSlowCells));
+    }
+    m_deadline = deadlineOf(m_deadline, m_cells.size(), access);
     if ((*status)[0].status || (*status)[0].number != kReset) {
       return base::fail(StreamError::ChannelBusy,
                         "A program is running on the control. Wait until it has ended, or reset "
@@ -153,7 +162,7 @@ class Probe {
         opcua::awaitAnswer(m_link, m_link.write(items, m_deadline, proof.form), m_deadline);
     proof.writes = false;
     if (!written) {
-      if (isFinal(written.error())) {
+      if (isFinal(written.error(), proof.form)) {
         return base::fail(written.error());
       }
       proof.why = written.error().text();
@@ -184,7 +193,7 @@ class Probe {
     }
     Result<std::string> problem = standsThere(m_expected, proof.form);
     if (!problem) {
-      if (isFinal(problem.error())) {
+      if (isFinal(problem.error(), proof.form)) {
         return base::fail(problem.error());
       }
       problem = problem.error().text();
@@ -210,9 +219,11 @@ class Probe {
   }
 
   /// A late request may still be carried out at any time: these cells can no longer be relied on.
-  static bool isFinal(const base::Error& error) {
-    return error.code == LinkError::ConnectionLost || error.code == LinkError::DeadlineExceeded ||
-           error.code == LinkError::NotReachable;
+  /// Some servers do not answer arrays at all; what is tried after them shows whether the
+  /// connection goes on.
+  static bool isFinal(const base::Error& error, Grouping form) {
+    return error.code == LinkError::ConnectionLost || error.code == LinkError::NotReachable ||
+           (error.code == LinkError::DeadlineExceeded && !opcua::isArray(form));
   }
 
   /// Whether the numbers can be read in that form, and the cells on both sides are unchanged.

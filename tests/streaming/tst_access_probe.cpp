@@ -28,17 +28,23 @@ constexpr streaming::ScratchCells kCells{20, 49};
 /// A control that gets arrays wrong in its own way.
 class WrongLink final : public opcua::Link {
  public:
-  enum class Way { OneFurther, OneTooMany, LosesConnection };
+  enum class Way { OneFurther, OneTooMany, LosesConnection, DoesNotAnswer };
   WrongLink(opcua::Link& link, Way way) : m_link(link), m_way(way) {}
 
   [[nodiscard]] base::Instant now() const override { return m_link.now(); }
   base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
                        Grouping grouping) override {
+    if (opcua::isArray(grouping) && m_way == Way::DoesNotAnswer) {
+      return neverAnswered(deadline);
+    }
     return m_link.read(variables, deadline, grouping);
   }
   base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
                         Grouping grouping) override {
     std::vector<opcua::Assignment> items(assignments.begin(), assignments.end());
+    if (opcua::isArray(grouping) && m_way == Way::DoesNotAnswer) {
+      return neverAnswered(deadline);
+    }
     if (opcua::isArray(grouping)) {
       if (m_way == Way::OneFurther) {
         for (opcua::Assignment& item : items) {
@@ -63,12 +69,24 @@ class WrongLink final : public opcua::Link {
       event.error = base::makeError(LinkError::ConnectionLost, "gone");
       return event;
     }
-    return m_link.wait(until);
+    std::optional<opcua::Event> event = m_link.wait(until);
+    if (event && m_unanswered && event->request == *m_unanswered) {
+      event->kind = opcua::EventKind::RequestFailed;
+      event->error = base::makeError(LinkError::DeadlineExceeded, "no answer");
+    }
+    return event;
   }
 
  private:
+  base::RequestId neverAnswered(base::Duration deadline) {
+    const std::vector<opcua::Variable> any{opcua::rParameter(0)};
+    m_unanswered = m_link.read(any, deadline, Grouping::List);
+    return *m_unanswered;
+  }
+
   opcua::Link& m_link;
   Way m_way;
+  std::optional<base::RequestId> m_unanswered;
   bool m_lost = false;
 };
 
@@ -167,6 +185,28 @@ class TestAccessProbe : public QObject {
       QVERIFY(forms->best() == Grouping::List);
       QVERIFY(bench.isUntouched());
     }
+  }
+
+  void fallsBackToListsWhereArraysAreNotAnswered() {
+    Bench bench({true, true, ArrayWrite::All, ArrayCharge::Node});
+    WrongLink wrong(bench.link, WrongLink::Way::DoesNotAnswer);
+    const auto forms = streaming::probeAccess(wrong, kCells, 2s);
+    QVERIFY2(forms.has_value(), forms ? "" : forms.error().text().c_str());
+    QVERIFY(forms->best() == Grouping::List);
+    QVERIFY(bench.isUntouched());
+  }
+
+  /// Single access costs a round trip per cell.
+  void longRoundTripsAreNoReasonToFail() {
+    machine::MachineConfig config = *machine::loadPreset("ideal");
+    config.access.arrays = {true, true, ArrayWrite::All, ArrayCharge::Node};
+    config.access.readOverhead = config.access.writeOverhead = 1s;
+    machine::Machine machine(config, 1);
+    streaming::SimulatedLink link(machine);
+    const auto forms = streaming::probeAccess(link, kCells, 2s);
+    QVERIFY2(forms.has_value(), forms ? "" : forms.error().text().c_str());
+    QVERIFY(forms->best() == Grouping::ArrayCount);
+    QVERIFY(machine.now().time_since_epoch() < 120s);
   }
 
   void saysWhenTheCellsAreNotAsTheyWere() {
