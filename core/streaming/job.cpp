@@ -57,10 +57,10 @@ class Ledger final : public RunSink {
   }
 
   void access(const trace::Access& access) override {
-    m_requests.push_back(access.took);
+    m_requests.add(access.took);
     m_nodes += static_cast<std::size_t>(access.nodes);
     if (access.nodes > 0) {  // a file has none
-      m_perNode.push_back(access.took / access.nodes);
+      m_perNode.add(access.took / access.nodes);
     }
     if (m_writer != nullptr) {
       m_writer->access(access);
@@ -86,18 +86,18 @@ class Ledger final : public RunSink {
 
   [[nodiscard]] AccessStatistics statistics() const {
     AccessStatistics statistics;
-    statistics.requests = m_requests.size();
     statistics.nodes = m_nodes;
-    statistics.perNode = trace::durationStatistics(m_perNode);
-    statistics.perRequest = trace::durationStatistics(m_requests);
+    statistics.perNode = m_perNode.statistics();
+    statistics.perRequest = m_requests.statistics();
+    statistics.requests = statistics.perRequest.count;
     return statistics;
   }
 
  private:
   RunSink& m_next;
   trace::RecordingWriter* m_writer;
-  std::vector<Duration> m_requests;
-  std::vector<Duration> m_perNode;
+  trace::DurationCounter m_requests;
+  trace::DurationCounter m_perNode;
   std::size_t m_nodes = 0;
 };
 

@@ -35,6 +35,22 @@ class TestStatistics : public QObject {
     QCOMPARE(figures.mean.count(), 51);  // 50.5 rounded
   }
 
+  void countsAnyNumberInBoundedMemory() {
+    rivulet::trace::DurationCounter counter;
+    QCOMPARE(counter.statistics().count, std::size_t{0});
+    constexpr int kCount = 1'000'000;
+    for (int i = 0; i < kCount; ++i) {
+      counter.add(Duration(i % 1000 + 1));
+    }
+    counter.add(Duration(5000));
+    const DurationStatistics figures = counter.statistics();
+    QCOMPARE(figures.count, std::size_t{kCount + 1});
+    QCOMPARE(figures.max.count(), 5000);
+    QCOMPARE(figures.mean.count(), 501);  // 500.5 and a little
+    QVERIFY(std::abs(figures.p50.count() - 500) < 40);
+    QVERIFY(std::abs(figures.p99.count() - 990) < 40);
+  }
+
   void roundsRanksUp() {
     const std::vector<Duration> twenty = [] {
       std::vector<Duration> values;

@@ -30,4 +30,30 @@ DurationStatistics durationStatistics(std::vector<base::Duration> durations) {
   return figures;
 }
 
+void DurationCounter::add(base::Duration duration) {
+  m_sum += static_cast<long double>(duration.count());
+  m_max = std::max(m_max, duration);
+  if (m_count++ % m_stride != 0) {
+    return;
+  }
+  m_values.push_back(duration);
+  if (m_values.size() == kValuesMax) {
+    for (std::size_t i = 0; i < kValuesMax / 2; ++i) {
+      m_values[i] = m_values[2 * i];
+    }
+    m_values.resize(kValuesMax / 2);
+    m_stride *= 2;
+  }
+}
+
+DurationStatistics DurationCounter::statistics() const {
+  DurationStatistics figures = durationStatistics(m_values);
+  if (m_count > 0) {
+    figures.count = m_count;
+    figures.mean = base::Duration{std::llround(m_sum / static_cast<long double>(m_count))};
+    figures.max = m_max;
+  }
+  return figures;
+}
+
 }  // namespace rivulet::trace

@@ -25,4 +25,21 @@ struct DurationStatistics {
 /// Quantiles by nearest rank. O(n log n). @param durations  in any order; copied and sorted
 [[nodiscard]] DurationStatistics durationStatistics(std::vector<base::Duration> durations);
 
+/// The same of durations that arrive one by one, in bounded memory: beyond `kValuesMax` values,
+/// quantiles are those of every second, fourth, … value. Count, mean and maximum are exact.
+class DurationCounter {
+ public:
+  static constexpr std::size_t kValuesMax = 65'536;
+
+  void add(base::Duration duration);
+  [[nodiscard]] DurationStatistics statistics() const;
+
+ private:
+  std::vector<base::Duration> m_values;
+  std::size_t m_stride = 1;  ///< one value in so many is kept
+  std::size_t m_count = 0;
+  long double m_sum = 0;  ///< ns
+  base::Duration m_max{};
+};
+
 }  // namespace rivulet::trace
