@@ -3,12 +3,20 @@
 
 #include "network_scenario.h"
 
+#include <open62541/client.h>
+#include <open62541/client_config_default.h>
+#include <open62541/client_highlevel.h>
+#include <open62541/client_subscriptions.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <thread>
 
 #include "base/units.h"
+#include "opcua/node_map.h"
+#include "opcua/open62541/handle.h"
+#include "opcua/open62541/quiet_logger.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/scenario.h"
@@ -94,6 +102,50 @@ class Reader {
   std::thread m_thread;
 };
 
+/// Another client with a subscription of many items.
+class Watcher {
+ public:
+  Watcher(const LoopbackMachine& cell, std::size_t items) {
+    UA_ClientConfig config{};
+    config.logging = m_logger.handle();
+    RIVULET_ASSERT(UA_ClientConfig_setDefault(&config) == UA_STATUSCODE_GOOD);
+    m_client = UA_Client_newWithConfig(&config);
+    RIVULET_ASSERT(UA_Client_connect(m_client, cell.endpoint().c_str()) == UA_STATUSCODE_GOOD);
+    UA_String uri = opcua::borrow(opcua::kNamespaceUri);
+    UA_UInt16 space = 0;
+    RIVULET_ASSERT(UA_Client_NamespaceGetIndex(m_client, &uri, &space) == UA_STATUSCODE_GOOD);
+    const UA_CreateSubscriptionResponse made = UA_Client_Subscriptions_create(
+        m_client, UA_CreateSubscriptionRequest_default(), nullptr, nullptr, nullptr);
+    for (std::size_t i = 0; i < items; ++i) {
+      const std::string name = opcua::nodeIdentifier(opcua::rParameter(static_cast<int>(i % 100)));
+      UA_MonitoredItemCreateRequest item =
+          UA_MonitoredItemCreateRequest_default(opcua::borrowNodeId(space, name));
+      item.requestedParameters.samplingInterval = 100.0;
+      UA_Client_MonitoredItems_createDataChange(m_client, made.subscriptionId,
+                                                UA_TIMESTAMPSTORETURN_NEITHER, item, nullptr,
+                                                nullptr, nullptr);
+    }
+    m_thread = std::thread([this] {
+      while (!m_stop.load()) {
+        UA_Client_run_iterate(m_client, 50);
+      }
+    });
+  }
+  ~Watcher() {
+    m_stop.store(true);
+    m_thread.join();
+    UA_Client_delete(m_client);
+  }
+  Watcher(const Watcher&) = delete;
+  Watcher& operator=(const Watcher&) = delete;
+
+ private:
+  opcua::QuietLogger m_logger;
+  UA_Client* m_client = nullptr;
+  std::atomic<bool> m_stop{false};
+  std::thread m_thread;
+};
+
 class Exposure {
  public:
   explicit Exposure(const NetworkScenario& scenario)
@@ -114,6 +166,8 @@ class Exposure {
     m_settings.isCommissioned = true;
     m_settings.deltaMm = 0.5;
     m_settings.startDeadline = 60s;
+    m_settings.access = scenario.access;
+    m_settings.monitor = scenario.monitor;
   }
 
   NetworkEvidence run() {
@@ -125,6 +179,10 @@ class Exposure {
     std::optional<Reader> reader;
     if (m_scenario.hasReader) {
       reader.emplace(m_cell);
+    }
+    std::optional<Watcher> watcher;
+    if (m_scenario.watchedItems > 0) {
+      watcher.emplace(m_cell, m_scenario.watchedItems);
     }
     m_proxy.begin(m_scenario.fault);
     for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
@@ -138,6 +196,8 @@ class Exposure {
       }
       takeTrace(*direct);
     }
+    reader.reset();
+    watcher.reset();
     takeTrace(*direct);
     m_evidence.integrity = trace::judgeIntegrity(m_points, m_blocks, kToleranceMm);
     m_evidence.requests = m_cell.server().requestsServed();

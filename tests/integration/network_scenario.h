@@ -30,6 +30,8 @@ struct NetworkScenario {
   std::optional<base::Duration> holdAfter;
   base::Duration holdFor{};
   double correctionLimitMm = 0.0;
+  streaming::AccessChoice access = streaming::AccessChoice::Fixed;
+  bool monitor = true;
   std::size_t watchedItems = 0;  ///< of another client
   bool hasReader = false;        ///< another client reads 1000 nodes again and again
 };

@@ -86,6 +86,49 @@ class TestNetworkFaults : public QObject {
     QVERIFY2(requests < 300.0 * lastsS, std::to_string(requests / lastsS).c_str());
   }
 
+  /// The server serves one node after another, whoever asks.
+  void otherClientsOnlySlowTheRun_data() {
+    QTest::addColumn<int>("watched");
+    QTest::addColumn<bool>("reads");
+    QTest::newRow("100 watched items") << 100 << false;
+    QTest::newRow("1000 nodes read") << 0 << true;
+  }
+  void otherClientsOnlySlowTheRun() {
+    if (environment("RIVULET_SCENARIOS", 0) == 0) {
+      QSKIP("takes minutes: scripts/soak --network");
+    }
+    QFETCH(int, watched);
+    QFETCH(bool, reads);
+    NetworkScenario scenario;
+    scenario.points = 28;
+    scenario.watchedItems = static_cast<std::size_t>(watched);
+    scenario.hasReader = reads;
+    const NetworkEvidence evidence = tests::exposeToNetwork(scenario);
+    QVERIFY2(evidence.hasSurvived() && evidence.isWhole(), describe(scenario, evidence).c_str());
+    const streaming::RunReport& report = evidence.attempts.front();
+    qInfo("%.1f s, access p50 %.0f ms, max %.0f ms: %s", base::toSeconds(report.duration),
+          base::toMilliseconds(report.access.perRequest.p50),
+          base::toMilliseconds(report.access.perRequest.max), report.slowedBy.c_str());
+    QVERIFY2(report.slowedBy.find("client") != std::string::npos, report.slowedBy.c_str());
+  }
+
+  /// Connects, tries the forms of access and streams. @see docs/methods.md
+  void roundTrips() {
+    if (environment("RIVULET_SCENARIOS", 0) == 0) {
+      QSKIP("takes minutes: scripts/soak --network");
+    }
+    for (const base::Duration roundTrip : {0ms, 50ms, 200ms, 500ms, 1000ms}) {
+      NetworkScenario scenario;
+      scenario.points = 28;
+      scenario.oneWay = roundTrip / 2;
+      scenario.access = streaming::AccessChoice::Best;
+      const NetworkEvidence evidence = tests::exposeToNetwork(scenario);
+      QVERIFY2(evidence.hasSurvived() && evidence.isWhole(), describe(scenario, evidence).c_str());
+      qInfo("round trip %.0f ms: %.1f s", base::toMilliseconds(roundTrip),
+            base::toSeconds(evidence.attempts.front().duration));
+    }
+  }
+
   void drawnFaults() {
     const std::uint64_t count = environment("RIVULET_SCENARIOS", 6);
     const std::uint64_t first = environment("RIVULET_FIRST", 1);
