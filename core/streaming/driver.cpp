@@ -34,6 +34,8 @@ constexpr Duration kSilenceNoticed = std::chrono::seconds{3};
 /// Accesses that take this many times their estimate slow the run.
 constexpr double kSlowFactor = 5.0;
 constexpr Duration kSlowAccess = std::chrono::milliseconds{50};
+/// A single one is enough from here on.
+constexpr Duration kHungAccess = std::chrono::milliseconds{500};
 /// Counters without a sample reach the display this often.
 constexpr Duration kPublishInterval = std::chrono::milliseconds{40};
 /// An inferred pause gives way to a measured one that comes within this time.
@@ -170,18 +172,21 @@ void Driver::noticeSlowness() {
   const double slowness = m_slowness.quantile(900);
   const Duration least = m_lastAccesses.quantile(1);
   const Duration most = m_lastAccesses.quantile(1000);
-  if (slowness < kSlowFactor || most < kSlowAccess) {
+  const bool isSlow = slowness >= kSlowFactor && most >= kSlowAccess;
+  const bool hasHung = m_slowness.quantile(1000) >= kSlowFactor && most >= kHungAccess;
+  if (!isSlow && !hasHung) {
     return;
   }
   m_end.slowedBy = fmt::format(
       "The control answered slowly: accesses took up to {:.2f} s, {:.0f} times as long as "
       "expected. {}",
-      base::toSeconds(most), slowness,
+      base::toSeconds(most), m_slowness.quantile(1000),
       least >= kSlowAccess
           ? fmt::format("Each took at least {:.2f} s: the network is slow, or the server is busy "
                         "with another OPC UA client.",
                         base::toSeconds(least))
-          : "Some were fast: another OPC UA client keeps the server busy.");
+          : "Others were fast: another OPC UA client keeps the server busy at times, or the "
+            "network stalls.");
   m_sink.note({m_link.now(), "slowed: " + m_end.slowedBy});
 }
 

@@ -171,8 +171,7 @@ class Exposure {
   }
 
   NetworkEvidence run() {
-    const auto direct = m_cell.connect();
-    const auto flight = streaming::preflight(*direct, *m_program, m_settings);
+    const auto flight = streaming::preflight(*m_cell.connect(), *m_program, m_settings);
     RIVULET_ASSERT(flight.has_value());
     m_points = flight->points.points;
     m_evidence.total = m_points.size();
@@ -191,14 +190,15 @@ class Exposure {
         break;
       }
       m_proxy.begin({});
-      if (!findResume(*direct)) {
+      const auto beside = m_cell.connect();
+      if (!findResume(*beside)) {
         break;
       }
-      takeTrace(*direct);
+      takeTrace(*beside);
     }
     reader.reset();
     watcher.reset();
-    takeTrace(*direct);
+    takeTrace(*m_cell.connect());
     m_evidence.integrity = trace::judgeIntegrity(m_points, m_blocks, kToleranceMm);
     m_evidence.requests = m_cell.server().requestsServed();
     return std::move(m_evidence);
