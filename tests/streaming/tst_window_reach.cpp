@@ -11,6 +11,7 @@
 #include "support/test_program.h"
 
 using namespace rivulet;
+using namespace std::chrono_literals;
 using machine::ArrayCharge;
 using opcua::Grouping;
 using streaming::RunReport;
@@ -128,6 +129,30 @@ class TestWindowReach : public QObject {
     qInfo("lists: no wait up to F %.0f; arrays charged per element: up to F %.0f", list, element);
     for (const double reach : {list, element}) {
       QVERIFY2(reach >= 300.0 && reach <= 2.0 * kPaperFeedMmPerMin, std::to_string(reach).c_str());
+    }
+  }
+
+  /// A window costs at least three round trips: its content, its number, and the look at the
+  /// control.
+  void roundTripsCostFeed() {
+    constexpr double kStep = 1.1;
+    double before = 40000.0;
+    for (const std::chrono::milliseconds roundTrip : {50ms, 200ms, 500ms}) {
+      std::array<double, 2> reach{};
+      for (const bool isArray : {false, true}) {
+        machine::MachineConfig config = fastMachine(ArrayCharge::Node);
+        config.access.readOverhead += roundTrip;
+        config.access.writeOverhead += roundTrip;
+        const Grouping grouping = isArray ? Grouping::ArrayCount : Grouping::List;
+        for (double feed = 20.0; feed < before && waitsForNobody(config, feed, grouping);
+             feed *= kStep) {
+          reach[isArray ? 1 : 0] = feed;
+        }
+      }
+      qInfo("round trip %d ms: no wait up to F %.0f with lists, F %.0f with arrays",
+            static_cast<int>(roundTrip.count()), reach[0], reach[1]);
+      QVERIFY(reach[0] >= 20.0 && reach[0] <= reach[1] && reach[1] < before);
+      before = reach[1];
     }
   }
 
