@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "base/units.h"
 
 namespace rivulet::cli {
 
@@ -22,12 +22,47 @@ std::string shellWord(const std::string& word) {
   return quoted + "'";
 }
 
-std::string resumeCommand(const std::vector<std::string>& command,
-                          const std::filesystem::path& file) {
-  constexpr std::string_view kResume = "--resume";
-  if (command.empty()) {
-    return "Open the window and press Resume.";
+namespace {
+
+/// A command with the settings of a run that was started in the HMI.
+std::vector<std::string> commandOf(const report::SavedRun& run) {
+  const templates::TemplateParameters& parameters = run.settings.parameters;
+  std::vector<std::string> command{
+      "rivulet-cli",
+      "stream",
+      run.programFile.empty() ? run.programName : run.programFile,
+      "--method",
+      std::string(base::methodName(parameters.method)),
+      "--points",
+      std::to_string(parameters.pointsPerLoop),
+      "--windows",
+      std::to_string(parameters.windows),
+      "--base-cell",
+      std::to_string(parameters.baseCell),
+      "--axes",
+      templates::axisLetters(parameters),
+      "--feed",
+      fmt::format("{:g}", base::mmPerMinFromMmPerS(run.settings.feedMmPerS)),
+      "--endpoint",
+      run.endpoint};
+  if (parameters.method == base::MethodKind::Credit) {
+    command.insert(command.end(), {"--windows-ahead", std::to_string(parameters.windowsAhead)});
+    if (!parameters.slowDown) {
+      command.emplace_back("--no-slow-down");
+    }
   }
+  if (parameters.correctionLimitMm > 0.0) {
+    command.insert(command.end(),
+                   {"--correction-limit", fmt::format("{:g}", parameters.correctionLimitMm)});
+  }
+  return command;
+}
+
+}  // namespace
+
+std::string resumeCommand(const report::SavedRun& run, const std::filesystem::path& file) {
+  constexpr std::string_view kResume = "--resume";
+  const std::vector<std::string> command = run.command.empty() ? commandOf(run) : run.command;
   std::string text;
   for (std::size_t i = 0; i < command.size(); ++i) {
     // The option for the earlier run is replaced; a change was accepted for that run only.
@@ -48,7 +83,7 @@ std::string adviceFor(const report::FoundRun& run, const std::string& endpoint) 
                   report::describeRun(run), run.onControl.executed,
                   run.onControl.hasClient ? "is still at work" : "is gone");
   if (run.canResume()) {
-    text += fmt::format("\n  resume: {}", resumeCommand(run.saved->command, run.saved->file));
+    text += fmt::format("\n  resume: {}", resumeCommand(*run.saved, run.saved->file));
   } else if (!run.onControl.hasClient && run.onControl.number != 0) {
     text += " It can be resumed on the computer where it was started.";
   }

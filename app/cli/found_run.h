@@ -17,10 +17,10 @@ namespace rivulet::cli {
 /// A word as a shell takes it.
 [[nodiscard]] std::string shellWord(const std::string& word);
 
-/// The command that resumes a run.
-/// @param command  the words that started it; empty: it was started in the HMI
-/// @param file     where it is kept
-[[nodiscard]] std::string resumeCommand(const std::vector<std::string>& command,
+/// The command that resumes a run: the one that started it, or for a run of the HMI one with the
+/// same settings.
+/// @param file  where it is kept
+[[nodiscard]] std::string resumeCommand(const report::SavedRun& run,
                                         const std::filesystem::path& file);
 
 /// Whose run is on the control, and the commands to resume, watch and stop it.

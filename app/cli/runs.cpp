@@ -29,7 +29,7 @@ ordered_json savedJson(const report::SavedRun& run) {
   return {{"run_number", run.checkpoint.runNumber},        {"program", run.programName},
           {"points", run.checkpoint.pointCount},           {"endpoint", run.endpoint},
           {"started_by", originJson(run.settings.origin)}, {"file", run.file.string()},
-          {"resume", resumeCommand(run.command, run.file)}};
+          {"resume", resumeCommand(run, run.file)}};
 }
 
 ordered_json foundJson(const report::FoundRun& run) {
@@ -114,7 +114,7 @@ Exit stop(const Connection& connection, const report::FoundRun& run, const RunsO
     fmt::print("Stopped: {}. It executed the windows that it had copied.\n",
                report::describeRun(run));
     if (run.saved) {
-      fmt::print("To go on: {}\n", resumeCommand(run.saved->command, run.saved->file));
+      fmt::print("To go on: {}\n", resumeCommand(*run.saved, run.saved->file));
     }
   }
   return Exit::Done;
@@ -128,8 +128,7 @@ void printList(const std::vector<report::SavedRun>& runs) {
     const streaming::RunOrigin& origin = run.settings.origin;
     fmt::print("run {}: {}, {} points, {}\n  started by {} on {} at {}\n  resume: {}\n",
                run.checkpoint.runNumber, run.programName, run.checkpoint.pointCount, run.endpoint,
-               origin.user, origin.computer, origin.startedAtUtc,
-               resumeCommand(run.command, run.file));
+               origin.user, origin.computer, origin.startedAtUtc, resumeCommand(run, run.file));
   }
 }
 

@@ -268,6 +268,10 @@ base::Result<void> StreamCommand::prepare() {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;
     }
+    if (wasInterrupted()) {
+      return base::fail(streaming::StreamError::Cancelled,
+                        "Stopped before the run was started. Nothing has moved.");
+    }
   }
   return m_settings.transfer == streaming::TransferWay::ByHand
              ? printSteps(m_options, m_settings.parameters)
@@ -504,7 +508,7 @@ Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<vo
   }
   if (left) {
     fmt::print(stderr, "The run is not complete. To go on:\n  {}\n",
-               resumeCommand(m_options.command, *left));
+               resumeCommand(savedRun(), *left));
   }
   if (done.error.code && exitFor(done.error) == Exit::Connection) {
     return Exit::Connection;

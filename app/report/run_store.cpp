@@ -21,6 +21,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "report/report_json.h"
 
 namespace rivulet::report {
@@ -134,6 +135,17 @@ streaming::RunSettings settingsOf(Members& members) {
                   [&members](const char* at) {
                     return members.number(at, 0.0, templates::kCorrectionLimitMmMax);
                   });
+  constexpr double kFeedMax = 1e9;
+  const auto above0 = [&members](const char* at) {
+    const double number = members.number(at, 0.0, kFeedMax);
+    if (!(number > 0.0)) {
+      members.refuse(at);
+    }
+    return number;
+  };
+  double feedMmPerMin = base::mmPerMinFromMmPerS(settings.feedMmPerS);
+  members.ifThere("/settings/feed_mm_per_min", feedMmPerMin, above0);
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   std::string axes = "XYZ";
   members.ifThere("/settings/axes", axes, text);
   if (!templates::chooseAxes(parameters, axes)) {

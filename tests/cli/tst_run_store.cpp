@@ -105,6 +105,7 @@ class TestRunStore : public QObject {
     QVERIFY(run.command == expected.command);
     QVERIFY(run.settings.origin == expected.settings.origin);
     const templates::TemplateParameters& parameters = run.settings.parameters;
+    QCOMPARE(run.settings.feedMmPerS, expected.settings.feedMmPerS);
     QCOMPARE(parameters.method, base::MethodKind::Credit);
     QCOMPARE(parameters.pointsPerLoop, 4);
     QCOMPARE(parameters.windows, 3);
