@@ -131,6 +131,25 @@ class TestNetwork : public QObject {
     link->reset();
   }
 
+  /// The system's buffers are full, and the library waits for room in them.
+  void whoTakesNoDataIsLeft() {
+    const LoopbackMachine cell;
+    FaultProxy proxy(cell.endpoint());
+    opcua::ConnectOptions options;
+    options.endpoint = proxy.endpoint();
+    options.silenceMax = 1s;
+    auto link = opcua::UaLink::connect(options);
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    proxy.begin(fault(FaultKind::Stall, kPatience));
+    while (!proxy.hasStruck()) {
+      QVERIFY(!(*link)->wait((*link)->now() + 1ms));
+    }
+    const auto refused = (*link)->uploadProgram("A.MPF", std::string(12'000'000, ';'), true);
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().code == LinkError::ConnectionLost, refused.error().text().c_str());
+    link->reset();
+  }
+
   void whoClosesAtOnceIsAskedSeldom() {
     FaultProxy proxy("");
     proxy.begin(fault(FaultKind::AcceptAndClose, kPatience));

@@ -4,8 +4,11 @@
 #include "opcua/open62541/ua_link.h"
 
 #include <fmt/format.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <open62541/client.h>
 #include <open62541/client_config_default.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
@@ -64,6 +67,8 @@ constexpr int kConnectDeadlines = 6;
 constexpr int kHandshakesMax = 4;
 /// Pause before a server that closed the connection is tried again; each is twice as long.
 constexpr Duration kRetryPause = milliseconds(100);
+/// Key under which the library's connection manager knows the link it sends for.
+constexpr std::string_view kOwnerKey = "rivulet-owner";
 /// For closing the session.
 constexpr Duration kCloseDeadline = std::chrono::seconds(1);
 constexpr UA_UInt32 kCloseStepMs = 10;
@@ -312,6 +317,9 @@ class UaLink::Impl {
   [[nodiscard]] base::Error error(LinkError code) const;
   [[nodiscard]] base::Error connectError(UA_StatusCode status) const;
 
+  void limitSending();
+  static UA_StatusCode onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
+                              const UA_KeyValueMap* parameters, UA_ByteString* message) noexcept;
   [[nodiscard]] base::Result<void> handshake();
   /// After the server has closed the connection while connecting. @return the new status
   [[nodiscard]] UA_StatusCode reconnect(bool wasOpen, Instant deadline);
@@ -345,6 +353,8 @@ class UaLink::Impl {
   MonotonicClock m_clock;
   QuietLogger m_logger;
   UA_Client* m_client = nullptr;
+  UA_StatusCode (*m_send)(UA_ConnectionManager*, std::uintptr_t, const UA_KeyValueMap*,
+                          UA_ByteString*) = nullptr;
   UA_UInt16 m_namespace = 0;
   std::optional<UA_UInt16> m_virtualNamespace;
   std::string_view m_fileMethods = kMethodsObject;  ///< where this edition keeps them
@@ -432,12 +442,48 @@ base::Result<void> UaLink::Impl::open() {
   m_client = UA_Client_newWithConfig(&config);
   RIVULET_ASSERT(m_client != nullptr);
 
+  limitSending();
   if (auto connected = handshake(); !connected) {
     return connected;
   }
   UA_Client_getConfig(m_client)->noNewSession = true;
   m_established = true;
   return resolveNamespaces(addSaturating(now(), 2 * m_options.connectDeadline));
+}
+
+/// While the other side takes no data, the library tries to send for ever. So the system is told to
+/// end such a connection. The number of a connection is that of its socket.
+void UaLink::Impl::limitSending() {
+  UA_EventLoop* loop = UA_Client_getConfig(m_client)->eventLoop;
+  for (UA_EventSource* source = loop->eventSources; source != nullptr; source = source->next) {
+    if (source->eventSourceType != UA_EVENTSOURCETYPE_CONNECTIONMANAGER) {
+      continue;
+    }
+    // The event source is the first member of the manager, as the library itself relies on.
+    auto* manager = reinterpret_cast<UA_ConnectionManager*>(source);
+    UA_UInt64 owner = reinterpret_cast<std::uintptr_t>(this);
+    if (view(manager->protocol) == "tcp" &&
+        UA_KeyValueMap_setScalar(&source->params, {0, borrow(kOwnerKey)}, &owner,
+                                 &UA_TYPES[UA_TYPES_UINT64]) == UA_STATUSCODE_GOOD) {
+      m_send = manager->sendWithConnection;
+      manager->sendWithConnection = &Impl::onSend;
+    }
+  }
+}
+
+UA_StatusCode UaLink::Impl::onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
+                                   const UA_KeyValueMap* parameters,
+                                   UA_ByteString* message) noexcept {
+  const void* owner = UA_KeyValueMap_getScalar(&manager->eventSource.params, {0, borrow(kOwnerKey)},
+                                               &UA_TYPES[UA_TYPES_UINT64]);
+  RIVULET_ASSERT(owner != nullptr);
+  const auto* self = reinterpret_cast<const Impl*>(
+      static_cast<std::uintptr_t>(*static_cast<const UA_UInt64*>(owner)));
+  const auto limitMs = static_cast<unsigned>(
+      std::chrono::duration_cast<milliseconds>(self->m_options.silenceMax).count());
+  setsockopt(static_cast<int>(connectionId), IPPROTO_TCP, TCP_USER_TIMEOUT, &limitMs,
+             sizeof limitMs);
+  return self->m_send(manager, connectionId, parameters, message);
 }
 
 base::Result<void> UaLink::Impl::handshake() {
