@@ -34,7 +34,7 @@ machine::MachineConfig fastMachine(ArrayCharge charge) {
 }
 
 RunReport run(machine::MachineConfig config, double feedMmPerMin, Grouping grouping,
-              std::uint64_t seed) {
+              std::uint64_t seed, bool monitor = true) {
   base::Random random(seed);
   streaming::Scenario scenario;
   scenario.machine = std::move(config);
@@ -44,6 +44,7 @@ RunReport run(machine::MachineConfig config, double feedMmPerMin, Grouping group
   scenario.settings.parameters.pointsPerLoop = kPointsPerWindow;
   scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   scenario.settings.grouping = grouping;
+  scenario.settings.monitor = monitor;
   return streaming::simulate(scenario);
 }
 
@@ -129,6 +130,22 @@ class TestWindowReach : public QObject {
     qInfo("lists: no wait up to F %.0f; arrays charged per element: up to F %.0f", list, element);
     for (const double reach : {list, element}) {
       QVERIFY2(reach >= 300.0 && reach <= 2.0 * kPaperFeedMmPerMin, std::to_string(reach).c_str());
+    }
+  }
+
+  /// The position of the axes is read at least once a second even where nothing is left for it.
+  void readingThePositionCostsLittle() {
+    const machine::MachineConfig config = fastMachine(ArrayCharge::Node);
+    for (const double feed : {900.0, 1200.0, 2000.0}) {
+      base::Duration withIt{};
+      base::Duration without{};
+      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        withIt += run(config, feed, Grouping::List, seed).duration;
+        without += run(config, feed, Grouping::List, seed, false).duration;
+      }
+      qInfo("F %.0f, beyond the reach: %.2f s with the display, %.2f s without", feed,
+            base::toSeconds(withIt), base::toSeconds(without));
+      QVERIFY(base::toSeconds(withIt) < 1.05 * base::toSeconds(without));
     }
   }
 
