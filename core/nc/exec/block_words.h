@@ -20,7 +20,7 @@ namespace rivulet::nc {
 
 /// The axes a block names, as written. NaN: a value that could not be computed.
 struct AxisValues {
-  std::array<double, kProgrammedAxisCount> value{};
+  std::array<double, kProgrammedAxisCount> value;  ///< has one where `given`
   std::array<bool, kProgrammedAxisCount> given{};
   std::array<bool, kProgrammedAxisCount> isIncrement{};
 };
@@ -85,8 +85,9 @@ struct BlockWords {
   std::optional<double> l;
   const Token* radiusToken = nullptr;
   const Token* machineToken = nullptr;  ///< G53, SUPA: the block is in machine coordinates
-  std::array<const Token*, base::kAxisCount> centreTokens{};
-  std::array<const Token*, kProgrammedAxisCount> axisTokens{};
+  // Set for what the block names: a block is made for every line of a program.
+  std::array<const Token*, base::kAxisCount> centreTokens;
+  std::array<const Token*, kProgrammedAxisCount> axisTokens;
   std::optional<RareWords> rare;
 
   [[nodiscard]] bool movesLinear() const { return axes.given[0] || axes.given[1] || axes.given[2]; }

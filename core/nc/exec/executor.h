@@ -87,7 +87,7 @@ class Executor {
   void takeRotary(const BlockWords& words, Move& move);
   void takeDirection(const BlockWords& words, Move& move);
   void noteRotary(std::size_t axis, double degrees, int column);
-  void noteMissingFeed(const BlockWords& words, const Move& move);
+  void noteMissingFeed(const BlockWords& words);
   void line(base::Vec3 target, const Move& move);
   void unknownWay(base::Vec3 target, const Move& move);
   void arrive(base::Vec3 target, base::Vec3 direction, const Move& move);

@@ -88,7 +88,9 @@ void Executor::move(BlockWords& words) {
   const Vec3 target = targetOf(words);
   const Move move = moveOf(words, target);
   m_pathBegun = m_pathBegun || words.movesLinear() || words.rare || words.hasAnyCentre();
-  noteMissingFeed(words, move);
+  if (move.feedMmPerS == 0.0 && move.motion != Motion::Rapid && !m_feedMissingReported) {
+    noteMissingFeed(words);
+  }
   switch (m_state.motion) {
     case Motion::Rapid:
     case Motion::Line:
@@ -120,9 +122,8 @@ void Executor::move(BlockWords& words) {
   }
 }
 
-void Executor::noteMissingFeed(const BlockWords& words, const Move& move) {
-  const bool isTimed = m_state.feedMode == FeedMode::InverseTime && words.feed != nullptr;
-  if (move.motion == Motion::Rapid || move.feedMmPerS != 0.0 || isTimed || m_feedMissingReported) {
+void Executor::noteMissingFeed(const BlockWords& words) {
+  if (m_state.feedMode == FeedMode::InverseTime && words.feed != nullptr) {
     return;
   }
   m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::FeedMissing, {});
@@ -182,11 +183,10 @@ Vec3 Executor::targetOf(const BlockWords& words) {
 double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   double value = lengthMm(words, axis);
-  if (std::isnan(value)) {
-    return kUnknown;  // has been reported
-  }
   if (!(std::abs(value) <= kCoordinateMmMax)) {
-    m_to.faults.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
+    if (!std::isnan(value)) {  // else it has been reported
+      m_to.faults.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
+    }
     return kUnknown;
   }
   const bool isIncrement = words.axes.isIncrement[axis];

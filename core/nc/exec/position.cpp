@@ -21,18 +21,21 @@ void Position::setFrame(const Frame& other) {
 }
 
 double Position::lengthMmTo(base::Vec3 targetMm) const {
-  double squares = 0.0;
-  const base::Vec3 from = frame.toWorkpiece(programmedMm);
   const base::Vec3 to = frame.toWorkpiece(targetMm);
+  const base::Vec3 way = to - frame.toWorkpiece(programmedMm);
+  const double squares = base::dot(way, way);
+  if (!std::isnan(squares)) {
+    return std::sqrt(squares);
+  }
+  double knownSquares = 0.0;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const double step = to[axis] - from[axis];
-    if (!std::isnan(step)) {
-      squares += step * step;
+    if (!std::isnan(way[axis])) {
+      knownSquares += way[axis] * way[axis];
     } else if (!std::isnan(to[axis])) {
       return 0.0;
     }
   }
-  return std::sqrt(squares);
+  return std::sqrt(knownSquares);
 }
 
 }  // namespace rivulet::nc

@@ -53,10 +53,6 @@ void Frame::setMatrix(const Columns& columns) {
   m_isIdentity = false;
 }
 
-Vec3 Frame::toWorkpiece(Vec3 programmedMm) const {
-  return m_isIdentity ? programmedMm : times(m_columns, programmedMm) + m_translationMm;
-}
-
 Vec3 Frame::toProgrammed(Vec3 workpieceMm) const {
   return m_isIdentity ? workpieceMm : times(m_inverseColumns, workpieceMm - m_translationMm);
 }

@@ -16,7 +16,9 @@ namespace rivulet::nc {
 /// they stay so as long as no rotation mixes them with others.
 class Frame {
  public:
-  [[nodiscard]] base::Vec3 toWorkpiece(base::Vec3 programmedMm) const;
+  [[nodiscard]] base::Vec3 toWorkpiece(base::Vec3 programmedMm) const {
+    return m_isIdentity ? programmedMm : turned(programmedMm) + m_translationMm;
+  }
   [[nodiscard]] base::Vec3 toProgrammed(base::Vec3 workpieceMm) const;
   /// Of a direction: without the translation.
   [[nodiscard]] base::Vec3 turned(base::Vec3 programmed) const;
