@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 #include <unordered_map>
 
 namespace rivulet::nc {
@@ -105,16 +106,15 @@ GTable makeTable(Dialect dialect) {
 
 using NameTable = std::unordered_map<std::string_view, NameEffect>;
 
-NameTable makeNames() {
-  NameTable table;
-  const auto add = [&table](NameEffect effect, std::initializer_list<std::string_view> names) {
+/// Names without effect on the path.
+void addIgnored(NameTable& table) {
+  const auto add = [&table](std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) {
-      table.emplace(name, effect);
+      table.emplace(name, NameEffect::None);
     }
   };
   // Dynamics, look-ahead, compressor: how exactly and how softly, not where.
-  add(NameEffect::None,
-      {"SOFTA",      "BRISKA",    "DRIVEA",   "FFWON",    "FFWOF",   "COMPOF",  "COMPON",
+  add({"SOFTA",      "BRISKA",    "DRIVEA",   "FFWON",    "FFWOF",   "COMPOF",  "COMPON",
        "COMPCAD",    "COMPCURV",  "COMPSURF", "COMPPATH", "UPATH",   "SPATH",   "FIFOCTRL",
        "STARTFIFO",  "STOPFIFO",  "STOPRE",   "CFC",      "CFTCP",   "CFIN",    "FNORM",
        "FLIN",       "FCUB",      "CPRECON",  "CPRECOF",  "DYNNORM", "DYNPOS",  "DYNROUGH",
@@ -123,21 +123,29 @@ NameTable makeNames() {
        "VELOLIMA",   "JERKLIMA",  "PACCLIM",  "OVR",      "OVRRAP",  "OVRA",    "FB",
        "FD",         "FA",        "FZ"});
   // States that are the default, or that guard and do not move; orientation of the tool.
-  add(NameEffect::None,
-      {"CUT2D",    "CUT2DF", "CUT3DC",   "CUT3DF",   "CUTCONON", "CUTCONOF", "WALIMON",
+  add({"CUT2D",    "CUT2DF", "CUT3DC",   "CUT3DF",   "CUTCONON", "CUTCONOF", "WALIMON",
        "WALIMOF",  "CDOF",   "CDON",     "CDOF2",    "NORM",     "KONT",     "KONTC",
        "KONTT",    "DISC",   "OFFN",     "ORIWKS",   "ORIMKS",   "ORIAXES",  "ORIVECT",
        "ORIEULER", "ORIRPY", "ORIRPY2",  "ORIVIRT1", "ORIVIRT2", "ORIC",     "ORID",
        "ORISON",   "ORISOF", "ORIRESET", "ORIPLANE", "LEAD",     "TILT",     "TCARR",
        "TCOABS",   "TCOFR",  "TOFFOF",   "GEOAX",    "TOWSTD",   "TOWMCS",   "TOWWCS"});
   // Spindle, tool, display, and what a program says of itself.
-  add(NameEffect::None,
-      {"SPOS",      "SPOSA",       "LIMS",      "SETMS",        "SPCON",    "SPCOF",   "MSG",
+  add({"SPOS",      "SPOSA",       "LIMS",      "SETMS",        "SPCON",    "SPCOF",   "MSG",
        "WORKPIECE", "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "DISPLOF",  "DISPLON", "SBLOF",
        "SBLON",     "ACTBLOCNO",   "SETPIECE",  "SETAL",        "DELDTG",   "WAITM",   "WAITMC",
        "WAITE",     "WAITP",       "GETSELT",   "NEWCONF",      "EXTCLOSE", "WRITE",   "ENABLE",
        "DISABLE",   "SVC",         "DL",        "TLIFT",        "ISD"});
-  add(NameEffect::None, {"CLRINT", "PRIO", "BLSYNC"});
+  add({"CLRINT", "PRIO", "BLSYNC"});
+}
+
+NameTable sharedNames() {
+  NameTable table;
+  addIgnored(table);
+  const auto add = [&table](NameEffect effect, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) {
+      table.emplace(name, effect);
+    }
+  };
   add(NameEffect::Dynamics, {"SOFT", "BRISK", "DRIVE"});
   add(NameEffect::Rounding, {"ADIS"});
   add(NameEffect::Query, {"GETT", "GETDNO", "DELETE", "READ", "ISFILE", "GETFREELOC"});
@@ -215,36 +223,37 @@ MEffect mEffect(Dialect dialect, int number) {
     int number;
     MEffect effect;
   };
-  static constexpr std::array kPlain{
-      Function{91, MEffect::MachineMove}, Function{92, MEffect::MachineMove},
-      Function{99, MEffect::CycleCall}, Function{140, MEffect::Retract}};
-  static constexpr std::array kSinumerik{Function{17, MEffect::Return}};
   static constexpr std::array kCommon{
       Function{2, MEffect::End},      Function{30, MEffect::End},
       Function{98, MEffect::Call},    Function{99, MEffect::Return},
       Function{96, MEffect::Refused}, Function{97, MEffect::Refused}};
-  const auto find = [number](const auto& functions) -> std::optional<MEffect> {
+  static constexpr std::array kSinumerik{Function{17, MEffect::Return}};
+  static constexpr std::array kPlain{
+      Function{91, MEffect::MachineMove}, Function{92, MEffect::MachineMove},
+      Function{99, MEffect::CycleCall}, Function{140, MEffect::Retract}};
+  static constexpr std::array<std::span<const Function>, kDialects.size()> kOwn{
+      kSinumerik, {}, {}, {}, kPlain};
+  for (const std::span<const Function> functions :
+       {kOwn[static_cast<std::size_t>(dialect)], std::span<const Function>(kCommon)}) {
     const auto found =
         std::find_if(functions.begin(), functions.end(),
                      [number](const Function& each) { return each.number == number; });
-    return found == functions.end() ? std::nullopt : std::optional(found->effect);
-  };
-  const std::optional<MEffect> own = dialect == Dialect::Heidenhain  ? find(kPlain)
-                                     : dialect == Dialect::Sinumerik ? find(kSinumerik)
-                                                                     : std::nullopt;
-  return own ? *own : find(kCommon).value_or(MEffect::None);
+    if (found != functions.end()) {
+      return found->effect;
+    }
+  }
+  return MEffect::None;
 }
 
 NameEffect nameEffect(Dialect dialect, std::string_view name) {
-  if (dialect == Dialect::Heidenhain) {
-    static const NameTable plain{{"CT", NameEffect::Motion},  {"AP", NameEffect::Address},
-                                 {"RP", NameEffect::Address}, {"A3", NameEffect::Address},
-                                 {"B3", NameEffect::Address}, {"C3", NameEffect::Address},
-                                 {"BLK", NameEffect::None},   {"TOOL", NameEffect::None}};
-    const auto found = plain.find(name);
-    return found == plain.end() ? NameEffect::Unknown : found->second;
-  }
-  static const NameTable names = makeNames();
+  static const NameTable shared = sharedNames();
+  static const NameTable plain{{"CT", NameEffect::Motion},  {"AP", NameEffect::Address},
+                               {"RP", NameEffect::Address}, {"A3", NameEffect::Address},
+                               {"B3", NameEffect::Address}, {"C3", NameEffect::Address},
+                               {"BLK", NameEffect::None},   {"TOOL", NameEffect::None}};
+  static const std::array<const NameTable*, kDialects.size()> tables{&shared, &shared, &shared,
+                                                                     &shared, &plain};
+  const NameTable& names = *tables[static_cast<std::size_t>(dialect)];
   const auto found = names.find(name);
   return found == names.end() ? NameEffect::Unknown : found->second;
 }
