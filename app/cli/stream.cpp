@@ -77,6 +77,14 @@ class ConsoleSink final : public streaming::RunSink {
     }
   }
   void update(const streaming::LiveUpdate& update) override {
+    const bool isOver =
+        update.state == streaming::RunState::Aborted || update.state == streaming::RunState::Done;
+    if (!isOver && (update.waitingFor == "network") != m_isSilent) {
+      m_isSilent = !m_isSilent;
+      log::logger().warn(m_isSilent
+                             ? "Nothing comes from the control. Check cable, switch and server."
+                             : "The control answers again.");
+    }
     if (!m_isTerminal || update.counters.total == 0) {
       return;
     }
@@ -97,6 +105,7 @@ class ConsoleSink final : public streaming::RunSink {
  private:
   bool m_isTerminal;
   bool m_drawn = false;
+  bool m_isSilent = false;  ///< nothing comes from the control
   std::size_t m_share = 0;
   streaming::RunState m_state = streaming::RunState::Idle;
 };

@@ -153,7 +153,7 @@ Instant Driver::nextWakeUp() const {
 
 void Driver::noticeSilence() {
   const Duration silence = m_link.silence();
-  if (m_isSilent == (silence >= kSilenceNoticed)) {
+  if (m_done || m_isSilent == (silence >= kSilenceNoticed)) {
     return;
   }
   m_isSilent = !m_isSilent;
