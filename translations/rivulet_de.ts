@@ -110,6 +110,14 @@
         <source>Only method window can resume an interrupted run.</source>
         <translation>Nur das Verfahren Fenster kann einen unterbrochenen Lauf fortsetzen.</translation>
     </message>
+    <message>
+        <source>The program is being simulated.</source>
+        <translation>Das Programm wird simuliert.</translation>
+    </message>
+    <message>
+        <source>The simulation of this program failed in %1 of %2 runs. Change F, N or δ.</source>
+        <translation>Die Simulation dieses Programms schlug in %1 von %2 Läufen fehl. F, N oder δ ändern.</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -669,6 +677,29 @@
     </message>
 </context>
 <context>
+    <name>RehearsalTexts</name>
+    <message>
+        <source>The program is being simulated with these settings.</source>
+        <translation>Das Programm wird mit diesen Einstellungen simuliert.</translation>
+    </message>
+    <message>
+        <source>all %1 points</source>
+        <translation>allen %1 Punkten</translation>
+    </message>
+    <message>
+        <source>the %1 most difficult points</source>
+        <translation>den %1 schwierigsten Punkten</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: no wrong point in %2 runs.</source>
+        <translation>Simulation mit %1: kein falscher Punkt in %2 Läufen.</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
+        <translation>Simulation mit %1: falsche Punkte in %2 von %3 Läufen.</translation>
+    </message>
+</context>
+<context>
     <name>RunStateTexts</name>
     <message>
         <source>Idle</source>
@@ -950,6 +981,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Access</source>
         <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
     </message>
 </context>
 <context>
@@ -1945,6 +1980,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>For a control that gives no right to its part programs: store the template there, select it and press cycle start. The run waits until this is done.</source>
         <translation>Für eine Steuerung, die kein Recht an ihren Teileprogrammen gibt: die Vorlage dort ablegen, anwählen und NC-Start drücken. Der Lauf wartet so lange.</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Wird geprüft …</translation>
     </message>
 </context>
 <context>

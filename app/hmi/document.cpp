@@ -3,6 +3,8 @@
 
 #include "hmi/document.h"
 
+#include <fmt/format.h>
+
 #include <QFileInfo>
 #include <algorithm>
 
@@ -58,9 +60,13 @@ Document::Document(const widgets::StreamSettings& settings) : m_settings(setting
               Q_EMIT pausesChanged();
             }
           });
+  connect(&m_rehearsal, &session::Rehearsal::finished, this, &Document::takeRehearsal);
   m_estimateTimer.setSingleShot(true);
   m_estimateTimer.setInterval(kEstimateMs);
-  connect(&m_estimateTimer, &QTimer::timeout, this, &Document::estimateTimes);
+  connect(&m_estimateTimer, &QTimer::timeout, this, [this] {
+    rehearse();
+    estimateTimes();
+  });
   judge();
 }
 
@@ -187,6 +193,10 @@ void Document::setRunning(bool isRunning) {
   m_isRunning = isRunning;
   if (isRunning) {
     m_timer.cancel();
+    m_rehearsal.cancel();
+    if (!m_rehearsed) {
+      m_rehearsedFor.clear();
+    }
   } else if (!m_hasTimes || !m_estimatedFor) {
     m_estimatedFor.reset();  // the run has interrupted it
     m_estimateTimer.start();
@@ -221,7 +231,9 @@ void Document::judge() {
       found.distances = feasibility::programDistances(points(), perLoop);
     }
   }
-  if (!found.settingsError && found.distances) {
+  // Of a path that is not known nothing can be said.
+  const bool isKnown = m_view && program()->isStreamable();
+  if (!found.settingsError && found.distances && isKnown) {
     auto verdict = feasibility::judge(found.operatingPoint, *found.distances, found.access);
     if (verdict) {
       found.verdict = *verdict;
@@ -230,6 +242,13 @@ void Document::judge() {
     }
   }
   m_findings = std::move(found);
+  // The equations see averages; a feasible verdict is checked by a simulation before any start.
+  if (m_findings.verdict && m_findings.verdict->feasible) {
+    m_findings.rehearsed = streaming::Rehearsed{};
+    if (m_rehearsed && rehearsalKey() == m_rehearsedFor) {
+      takeRehearsal(m_rehearsed, m_rehearsedFor);
+    }
+  }
   m_estimateTimer.start();
   Q_EMIT judged();
   Q_EMIT pausesChanged();
@@ -247,6 +266,57 @@ void Document::estimateTimes() {
   }
   m_estimatedFor = settings;
   m_timer.start(m_view, settings);
+}
+
+std::string Document::rehearsalKey() const {
+  const feasibility::OperatingPoint& point = m_findings.operatingPoint;
+  return fmt::format("{} {} {} {} {} {} {} {} {} {}", program()->hash, points().size(),
+                     m_view->startMm.x, m_view->startMm.y, m_view->startMm.z,
+                     m_findings.templateText, point.feedMmPerS, point.deltaMm,
+                     static_cast<int>(m_settings.access),
+                     static_cast<const void*>(m_source.isUsed() ? m_source.record.get() : nullptr));
+}
+
+void Document::rehearse() {
+  if (!m_findings.rehearsed || m_findings.rehearsed->isDone || m_isRunning) {
+    return;
+  }
+  const std::string key = rehearsalKey();
+  if (key == m_rehearsedFor && !m_rehearsed) {
+    return;  // in progress
+  }
+  m_rehearsedFor = key;
+  m_rehearsed.reset();
+  session::RehearsalJob job;
+  job.points = points();
+  const feasibility::ProgramDistances& distances = *m_findings.distances;
+  job.tightest =
+      (m_settings.parameters.method == base::MethodKind::Position ? distances.pointDistancePlace
+                                                                  : distances.windowPlace)
+          .point.value;
+  job.settings = runSettings();
+  job.access = m_findings.access.measured;
+  m_rehearsal.start(std::move(job), key);
+}
+
+void Document::takeRehearsal(const std::shared_ptr<const session::RehearsalOutcome>& outcome,
+                             const std::string& key) {
+  if (key != m_rehearsedFor) {
+    return;
+  }
+  const bool isNew = m_rehearsed != outcome;
+  m_rehearsed = outcome;
+  if (!m_findings.rehearsed || key != rehearsalKey()) {
+    return;
+  }
+  m_findings.rehearsal = outcome;
+  m_findings.rehearsed =
+      outcome->runs == 0
+          ? std::nullopt
+          : std::optional(streaming::Rehearsed{true, outcome->runs, outcome->faulty});
+  if (isNew) {
+    Q_EMIT judged();
+  }
 }
 
 std::shared_ptr<const widgets::PauseMap> Document::pauses() const {

@@ -18,7 +18,9 @@
 #include "session/file_watch.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
+#include "session/rehearsal.h"
 #include "streaming/run.h"
+#include "streaming/start_policy.h"
 #include "widgets/calibration/access_source.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/stream_settings.h"
@@ -35,6 +37,9 @@ struct Findings {
   std::optional<base::Error> settingsError;  ///< why no flexible program or verdict can be had
   std::optional<feasibility::ProgramDistances> distances;
   std::optional<feasibility::Verdict> verdict;
+  /// The simulation of the program with these settings; nothing: there is no verdict to check.
+  std::optional<streaming::Rehearsed> rehearsed;
+  std::shared_ptr<const session::RehearsalOutcome> rehearsal;  ///< null: not done (yet)
 };
 
 class Document final : public QObject {
@@ -107,11 +112,17 @@ class Document final : public QObject {
   void takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
                   const std::shared_ptr<const widgets::ProgramView>& of);
   void estimateTimes();
+  /// Everything that the simulation depends on.
+  [[nodiscard]] std::string rehearsalKey() const;
+  void rehearse();
+  void takeRehearsal(const std::shared_ptr<const session::RehearsalOutcome>& outcome,
+                     const std::string& key);
   void forgetTimes();
   [[nodiscard]] session::TimeSettings timeSettings() const;
 
   session::ProgramLoader m_loader;
   session::ProgramTimer m_timer;
+  session::Rehearsal m_rehearsal;
   session::FileWatch m_watch;
   QTimer m_estimateTimer;  ///< settings change while an operator turns them: wait for a rest
 
@@ -131,6 +142,8 @@ class Document final : public QObject {
   std::shared_ptr<const widgets::PauseMap> m_pauses;  ///< null: not known
   std::optional<session::TimeSettings> m_pausesFor;
   std::optional<widgets::RunTime> m_runTime;
+  std::string m_rehearsedFor;  ///< key of the simulation that was made last or is in progress
+  std::shared_ptr<const session::RehearsalOutcome> m_rehearsed;  ///< of that key; null: not done
 };
 
 }  // namespace rivulet::hmi

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "hmi/pages/pages.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/number_format.h"
 
@@ -76,6 +77,15 @@ std::vector<PreflightItem> Preflight::items() const {
   items.push_back(firstMoveItem());
   items.push_back(feedItem());
   items.push_back(methodItem());
+  if (const auto rehearsal = rehearsalView(m_document.findings())) {
+    items.push_back({rehearsal->hasFailed() ? Status::Fault
+                     : rehearsal->isDone    ? Status::Good
+                                            : Status::Busy,
+                     tr("Simulation"),
+                     widgets::rehearsalText(*rehearsal),
+                     {},
+                     0});
+  }
   items.push_back(accessItem());
   return items;
 }

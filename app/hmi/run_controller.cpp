@@ -81,6 +81,7 @@ streaming::StartFacts RunController::facts() const {
   facts.method = m_document.settings().parameters.method;
   facts.settingsError = findings.settingsError;
   facts.verdict = findings.verdict;
+  facts.rehearsed = findings.rehearsed;
   facts.channelStatus = machine.channelStatus;
   facts.alarm = machine.alarmNumber;
   facts.controlAxes = machine.rotaryAxes;

@@ -63,6 +63,15 @@ Reason settingsBlocked(const StartFacts& facts) {
                    {std::string(feasibility::equationLabel(facts.verdict->limiting.equation)),
                     fmt::format("{:.0f}", feedMax)});
   }
+  if (facts.rehearsed && !facts.acceptsInfeasible) {
+    if (!facts.rehearsed->isDone) {
+      return because(BlockReason::NotRehearsed);
+    }
+    if (facts.rehearsed->failures > 0) {
+      return because(BlockReason::RehearsalFailed, {std::to_string(facts.rehearsed->failures),
+                                                    std::to_string(facts.rehearsed->runs)});
+    }
+  }
   if (base::needsCommissioning(facts.method) && facts.isCommissioned == false) {
     return because(BlockReason::NotCommissioned);
   }
@@ -117,6 +126,8 @@ StreamError codeOf(BlockReason reason) {
     case BlockReason::PathUnknown:
     case BlockReason::SettingsInvalid:
     case BlockReason::Infeasible:
+    case BlockReason::NotRehearsed:
+    case BlockReason::RehearsalFailed:
       break;
   }
   return StreamError::ProgramNotStreamable;
@@ -154,6 +165,12 @@ std::string sentence(const Blocked& blocked) {
       return fmt::format(
           "Not feasible: equation {} does not hold, the control would repeat "
           "points. Reduce the feed to {} mm/min.",
+          argument(0), argument(1));
+    case BlockReason::NotRehearsed:
+      return "The program is being simulated. Wait for the result.";
+    case BlockReason::RehearsalFailed:
+      return fmt::format(
+          "The simulation of this program executed wrong points in {} of {} runs. Reduce the feed.",
           argument(0), argument(1));
     case BlockReason::NotCommissioned:
       return "Method credit is experimental and starts only on a control that has passed its "

@@ -41,6 +41,8 @@ enum class BlockReason {
   AxesMissing,          ///< the program turns axes the control lacks; axes
   SettingsInvalid,      ///< see `Blocked::cause`
   Infeasible,           ///< the control would repeat points; equation, largest feed in mm/min
+  NotRehearsed,         ///< the simulation of this program with these settings is in progress
+  RehearsalFailed,      ///< that simulation executed wrong points; runs that failed, all runs
   NotCommissioned,      ///< the method needs a test that this control has not passed
   AlarmActive,          ///< number of the alarm
   ChannelBusy,          ///< a program runs on the control
@@ -54,6 +56,13 @@ struct Blocked {
   std::optional<base::Error> cause;  ///< SettingsInvalid only
 };
 
+/// A simulation of the program that is to be started, with the settings it is to be started with.
+struct Rehearsed {
+  bool isDone = false;  ///< false: in progress
+  std::size_t runs = 0;
+  std::size_t failures = 0;
+};
+
 /// What is known when somebody wants to start something. What is not known blocks nothing: the run
 /// finds out.
 struct StartFacts {
@@ -64,6 +73,7 @@ struct StartFacts {
   base::MethodKind method = base::MethodKind::Window;
   std::optional<base::Error> settingsError;     ///< no program can be made of the settings
   std::optional<feasibility::Verdict> verdict;  ///< nothing: there is none to be had
+  std::optional<Rehearsed> rehearsed;           ///< nothing: it cannot be simulated
   bool acceptsInfeasible = false;      ///< wrong motion does no harm, or the user answers for it
   std::optional<bool> isCommissioned;  ///< the control has passed the test of the method
   std::optional<int> channelStatus;    ///< 0: reset

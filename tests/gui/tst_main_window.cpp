@@ -27,6 +27,7 @@
 #include <cmath>
 
 #include "base/file.h"
+#include "base/random.h"
 #include "base/units.h"
 #include "hmi/main_window.h"
 #include "opcua/error.h"
@@ -272,6 +273,7 @@ class TestMainWindow : public QObject {
     // Another program: what was simulated is gone. A start ends what is being simulated.
     m_window->openProgram(kScorpion);
     QTRY_VERIFY_WITH_TIMEOUT(!chart->region().has_value(), kSoonMs);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
     QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(!button->isVisible());
     QVERIFY(m_window->start());
@@ -463,6 +465,55 @@ class TestMainWindow : public QObject {
     auto* panel = m_window->findChild<widgets::ConnectionPanel*>();
     QVERIFY(!shows(panel, QStringLiteral("Active")) && !shows(panel, QStringLiteral("Running")));
     QVERIFY(struck() >= 3);
+  }
+
+  /// Points closer than δ: the equations hold, but the simulation of this program at this point
+  /// repeats points. Nothing starts.
+  void simulationOverrulesTheEquation() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("circle.nc")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    for (int i = 0; i < 200; ++i) {
+      const double angle = 0.015 * i;
+      file.write(QStringLiteral("G1 X%1 Y%2 Z0 F150\n")
+                     .arg(10.0 * std::cos(angle), 0, 'f', 4)
+                     .arg(10.0 * std::sin(angle), 0, 'f', 4)
+                     .toLatin1());
+    }
+    file.close();
+    m_window->setStreamSettings(streamSettings(base::MethodKind::Position, 7, 0.3, 150.0));
+    m_window->openProgram(file.fileName());
+    connectToMachine();
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->verdict() && m_window->verdict()->feasible, kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        m_window->startBlockedReason().contains(QStringLiteral("simulation of this program")),
+        kSoonMs);
+    QVERIFY(!m_window->start());
+    QVERIFY(shows(m_window.get(), QStringLiteral("Not feasible")));
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/overruled.png")));
+    m_window->setStreamSettings(streamSettings(base::MethodKind::Window, 7, 0.3, 150.0));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+
+  /// Random bytes have no path: there is no verdict on them.
+  void randomBytesAreNotFeasible() {
+    connectToMachine();
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("random.bin")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    base::Random random(7);
+    QByteArray bytes;
+    for (int i = 0; i < 4000; ++i) {
+      bytes.append(static_cast<char>(random.bits() & 0xff));
+    }
+    file.write("X1 Y1\nX2 Y5\nG1 X7 Y3 F100\n" + bytes);
+    file.close();
+    m_window->openProgram(file.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->program() != nullptr, kSoonMs);
+    QVERIFY(!m_window->program()->isStreamable());
+    QVERIFY(!m_window->verdict());
+    QVERIFY(!shows(m_window.get(), QStringLiteral("Feasible")));
+    QVERIFY(!m_window->startBlockedReason().isEmpty());
   }
 
   void badFileKeepsTheProgram() {

@@ -43,6 +43,12 @@ struct BlockedTexts {
         return blocked.cause ? errorText(*blocked.cause) : QString();
       case BlockReason::Infeasible:
         return tr("Not feasible: the control would repeat points. Change F, N or δ.");
+      case BlockReason::NotRehearsed:
+        return tr("The program is being simulated.");
+      case BlockReason::RehearsalFailed:
+        return tr("The simulation of this program failed in %1 of %2 runs. Change F, N or δ.")
+            .arg(QString::fromStdString(blocked.arguments.at(0)),
+                 QString::fromStdString(blocked.arguments.at(1)));
       case BlockReason::NotCommissioned:
         return tr(
             "Method credit starts only on a control that has passed its test: choose method "

@@ -88,7 +88,7 @@ void FoldingColumns::uncover() {
 }
 
 QSize FoldingColumns::minimumSizeHint() const {
-  return {0, m_centre->minimumSizeHint().height()};
+  return {0, 0};
 }
 
 void FoldingColumns::setOpen(Side side, bool open) {

@@ -34,7 +34,7 @@ class FoldingColumns final : public QWidget {
   [[nodiscard]] bool coversCentre() const;
   /// Closes what covers the page.
   void uncover();
-  /// With everything folded away.
+  /// In a very low window the page gives way to what is above and below it.
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:

@@ -5,6 +5,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -49,6 +50,34 @@ std::optional<double> offeredFeedMmPerS(double feedMmPerSMax) {
   return base::mmPerSFromMmPerMin(offered);
 }
 
+namespace {
+
+struct RehearsalTexts {
+  Q_DECLARE_TR_FUNCTIONS(RehearsalTexts)
+
+ public:
+  static QString text(const RehearsalView& rehearsal) {
+    if (!rehearsal.isDone) {
+      return tr("The program is being simulated with these settings.");
+    }
+    const QString points =
+        rehearsal.isWhole ? tr("all %1 points").arg(countText(rehearsal.points))
+                          : tr("the %1 most difficult points").arg(countText(rehearsal.points));
+    if (!rehearsal.hasFailed()) {
+      return tr("Simulation of %1: no wrong point in %2 runs.")
+          .arg(points, countText(rehearsal.runs));
+    }
+    return tr("Simulation of %1: wrong points in %2 of %3 runs.")
+        .arg(points, countText(rehearsal.faulty), countText(rehearsal.runs));
+  }
+};
+
+}  // namespace
+
+QString rehearsalText(const RehearsalView& rehearsal) {
+  return RehearsalTexts::text(rehearsal);
+}
+
 MethodPanel::MethodPanel(QWidget* parent)
     : Page(parent),
       m_settingsGroup(new QGroupBox(this)),
@@ -76,6 +105,7 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_verdictGroup(new QGroupBox(this)),
       m_headline(new StatusLabel(this)),
       m_reason(new QLabel(this)),
+      m_rehearsalText(new StatusLabel(this)),
       m_marginLabel(new QLabel(this)),
       m_margin(makeValueLabel(this)),
       m_limitLabel(new QLabel(this)),
@@ -168,6 +198,8 @@ void MethodPanel::buildVerdict() {
   auto* verdict = new QVBoxLayout(m_verdictGroup);
   verdict->addWidget(m_headline);
   verdict->addWidget(m_reason);
+  verdict->addWidget(m_rehearsalText);
+  m_rehearsalText->setWordWrap(true);
   verdict->addLayout(figures);
   verdict->addWidget(m_useFeed);
   verdict->addWidget(m_useDelta);
@@ -183,7 +215,7 @@ void MethodPanel::connectFields() {
   connect(m_correction, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_feed, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_useFeed, &QPushButton::clicked, this, [this] {
-    if (const auto offer = m_verdict ? offeredFeedMmPerS(m_verdict->feedMmPerSMax) : std::nullopt) {
+    if (const auto offer = offeredFeed()) {
       m_settings.feedMmPerS = *offer;
       showSettings();
       Q_EMIT settingsChanged(m_settings);
@@ -208,6 +240,25 @@ void MethodPanel::setVerdict(const std::optional<feasibility::Verdict>& verdict,
   m_verdict = verdict;
   m_problem = problem;
   showVerdict();
+}
+
+void MethodPanel::setRehearsal(const std::optional<RehearsalView>& rehearsal) {
+  m_rehearsal = rehearsal;
+  showVerdict();
+}
+
+std::optional<double> MethodPanel::offeredFeed() const {
+  if (!m_verdict) {
+    return std::nullopt;
+  }
+  const auto byEquation = offeredFeedMmPerS(m_verdict->feedMmPerSMax);
+  if (!hasFailedRehearsal()) {
+    return byEquation;
+  }
+  const auto bySimulation =
+      m_rehearsal->safeFeedMmPerS ? offeredFeedMmPerS(*m_rehearsal->safeFeedMmPerS) : std::nullopt;
+  return byEquation && bySimulation ? std::optional(std::min(*byEquation, *bySimulation))
+                                    : std::nullopt;
 }
 
 void MethodPanel::setPauses(const std::optional<PauseSummary>& pauses) {
@@ -376,6 +427,25 @@ void MethodPanel::showPauses() {
   }
 }
 
+void MethodPanel::showHeadline() {
+  if (m_rehearsal) {
+    m_rehearsalText->setStatus(hasFailedRehearsal()  ? Status::Fault
+                               : m_rehearsal->isDone ? Status::Good
+                                                     : Status::Busy,
+                               rehearsalText(*m_rehearsal));
+  }
+  if (hasFailedRehearsal()) {
+    m_headline->setStatus(Status::Fault, tr("Not feasible"));
+  } else if (m_rehearsal && !m_rehearsal->isDone) {
+    m_headline->setStatus(Status::Busy, tr("Checking …"));
+  } else if (m_verdict->waits) {
+    m_headline->setStatus(Status::Attention, tr("Safe, with waiting"));
+  } else {
+    m_headline->setStatus(m_verdict->feasible ? Status::Good : Status::Fault,
+                          m_verdict->feasible ? tr("Feasible") : tr("Not feasible"));
+  }
+}
+
 void MethodPanel::showVerdict() {
   const bool judged = m_verdict.has_value();
   for (QWidget* widget : {m_marginLabel, m_margin, m_limitLabel, m_limit, m_placeLabel, m_place}) {
@@ -383,6 +453,7 @@ void MethodPanel::showVerdict() {
   }
   m_useFeed->hide();
   m_useDelta->hide();
+  m_rehearsalText->setVisible(judged && m_rehearsal);
   if (!judged) {
     const bool isProblem = m_problem && !m_problem->isEmpty();
     m_headline->setStatus(isProblem ? Status::Attention : Status::Unknown, tr("Not judged"));
@@ -390,14 +461,9 @@ void MethodPanel::showVerdict() {
     return;
   }
 
+  showHeadline();
   const bool waits = m_verdict->waits;
   m_limitLabel->setText(isWindow() ? tr("Largest feed without waiting") : tr("Largest feed"));
-  if (waits) {
-    m_headline->setStatus(Status::Attention, tr("Safe, with waiting"));
-  } else {
-    m_headline->setStatus(m_verdict->feasible ? Status::Good : Status::Fault,
-                          m_verdict->feasible ? tr("Feasible") : tr("Not feasible"));
-  }
   const feasibility::Condition& limiting = m_verdict->limiting;
   QString reason = (waits                 ? tr("The machine will wait for points: %1")
                     : m_verdict->feasible ? tr("Closest limit: %1")
@@ -421,7 +487,7 @@ void MethodPanel::showVerdict() {
     m_place->setText(noValue());
   }
 
-  if (m_verdict->feasible && !waits) {
+  if (m_verdict->feasible && !waits && !hasFailedRehearsal()) {
     return;
   }
   // A larger δ costs no time, so it is suggested first if it is enough alone.
@@ -430,16 +496,16 @@ void MethodPanel::showVerdict() {
                                         return condition.decides && condition.margin <= 1.0 &&
                                                condition.equation != feasibility::Equation::Delta;
                                       });
-  if (usesDelta() && onlyDelta && m_verdict->deltaMmMin > 0.0) {
+  if (usesDelta() && onlyDelta && !m_verdict->feasible && m_verdict->deltaMmMin > 0.0) {
     m_useDelta->setText(tr("Use δ = %1").arg(lengthText(offeredDeltaMm(m_verdict->deltaMmMin))));
     m_useDelta->setVisible(true);
     m_useDelta->setEnabled(m_editable);
   }
-  if (const auto offer = offeredFeedMmPerS(m_verdict->feedMmPerSMax)) {
+  if (const auto offer = offeredFeed()) {
     m_useFeed->setText(tr("Use F = %1").arg(feedText(*offer)));
     m_useFeed->setVisible(true);
     m_useFeed->setEnabled(m_editable);
-  } else {
+  } else if (!hasFailedRehearsal()) {
     m_reason->setText(reason + QLatin1Char('\n') +
                       tr("No feed is slow enough: two points of the program nearly coincide."));
   }

@@ -38,6 +38,21 @@ struct PauseSummary {
   std::optional<double> totalS;  ///< of the run, with them
 };
 
+/// The simulation of the program with the present settings.
+struct RehearsalView {
+  bool isDone = false;  ///< false: in progress
+  std::size_t runs = 0;
+  std::size_t faulty = 0;                ///< of these: executed wrong points
+  std::size_t points = 0;                ///< that were simulated
+  bool isWhole = false;                  ///< all of the program
+  std::optional<double> safeFeedMmPerS;  ///< if runs failed: a feed at which none did
+
+  [[nodiscard]] bool hasFailed() const { return faulty > 0; }
+};
+
+/// One sentence on it.
+[[nodiscard]] QString rehearsalText(const RehearsalView& rehearsal);
+
 class MethodPanel final : public Page {
   Q_OBJECT
 
@@ -50,6 +65,8 @@ class MethodPanel final : public Page {
   /// @param verdict  nothing: not judged  @param problem  why it could not be judged
   void setVerdict(const std::optional<feasibility::Verdict>& verdict,
                   const std::optional<QString>& problem);
+  /// The verdict is the stricter of both. @param rehearsal  nothing: there is none
+  void setRehearsal(const std::optional<RehearsalView>& rehearsal);
   /// @param pauses  nothing: not known
   void setPauses(const std::optional<PauseSummary>& pauses);
   /// During a run nothing can be changed.
@@ -68,6 +85,10 @@ class MethodPanel final : public Page {
   void connectFields();
   void showSettings();
   void showVerdict();
+  void showHeadline();
+  /// The feed that is offered, by the stricter of equation and simulation.
+  [[nodiscard]] std::optional<double> offeredFeed() const;
+  [[nodiscard]] bool hasFailedRehearsal() const { return m_rehearsal && m_rehearsal->hasFailed(); }
   void showPauses();
   void takeSettings();
   [[nodiscard]] QString equationText(feasibility::Equation equation) const;
@@ -78,6 +99,7 @@ class MethodPanel final : public Page {
   std::optional<feasibility::Verdict> m_verdict;
   std::optional<QString> m_problem;
   std::optional<PauseSummary> m_pauses;
+  std::optional<RehearsalView> m_rehearsal;
   bool m_editable = true;
   bool m_isShowing = false;  ///< fields are being filled, not edited
 
@@ -108,6 +130,7 @@ class MethodPanel final : public Page {
   QGroupBox* m_verdictGroup;
   StatusLabel* m_headline;
   QLabel* m_reason;
+  StatusLabel* m_rehearsalText;
   QLabel* m_marginLabel;
   QLabel* m_margin;
   QLabel* m_limitLabel;

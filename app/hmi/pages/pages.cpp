@@ -37,6 +37,22 @@ QString pageTitle(const PageEntry& entry) {
   return Pages::tr(entry.title);
 }
 
+std::optional<widgets::RehearsalView> rehearsalView(const Findings& findings) {
+  if (!findings.rehearsed) {
+    return std::nullopt;
+  }
+  widgets::RehearsalView view;
+  if (const auto& outcome = findings.rehearsal) {
+    view = {true,
+            outcome->runs,
+            outcome->faulty,
+            outcome->points,
+            outcome->isWhole,
+            outcome->safeFeedMmPerS};
+  }
+  return view;
+}
+
 void saveText(const Models& models, const QString& path, const QString& text) {
   const auto written = base::writeFile(path.toStdString(), text.toStdString());
   if (!written) {

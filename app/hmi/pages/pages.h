@@ -62,6 +62,9 @@ struct PageEntry {
 [[nodiscard]] QWidget* makePreflightSheet(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeRunPanel(const Models& models, QWidget* parent);
 
+/// The simulation among the findings, as pages show it.
+[[nodiscard]] std::optional<widgets::RehearsalView> rehearsalView(const Findings& findings);
+
 /// Saves a text to a file and says so.
 void saveText(const Models& models, const QString& path, const QString& text);
 

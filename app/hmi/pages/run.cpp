@@ -38,6 +38,9 @@ struct RunTexts {
     if (!document.view()) {
       return tr("No program is loaded.");
     }
+    if (!document.program()->isStreamable()) {
+      return widgets::blockedText(streaming::programBlocked(*document.program()));
+    }
     return findings.verdict ? std::nullopt
                             : std::optional(tr("The program has fewer than two points."));
   }
@@ -77,6 +80,7 @@ QWidget* makeMethodPanel(const Models& models) {
   QObject::connect(document, &Document::settingsChanged, panel,
                    [panel, document] { panel->setSettings(document->settings()); });
   QObject::connect(document, &Document::judged, panel, [panel, document] {
+    panel->setRehearsal(rehearsalView(document->findings()));
     panel->setVerdict(document->findings().verdict, RunTexts::problem(*document));
   });
   QObject::connect(document, &Document::pausesChanged, panel,

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "session/rehearsal.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <QThreadPool>
+#include <algorithm>
+#include <array>
+
+#include "experiments/region.h"
+
+namespace rivulet::session {
+
+namespace {
+
+constexpr std::size_t kRuns = 3;
+/// Shares of the wanted feed that are tried if it fails, until one does not.
+constexpr std::array<double, 7> kSlower{0.9, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1};
+
+/// No control reports its limits: all simulations are made with those of the paper's machine.
+constexpr const char* kMachine = "dmu75";
+
+class SameThread final : public base::Executor {
+ public:
+  void forEach(std::size_t count, const std::function<void(std::size_t)>& job) override {
+    for (std::size_t index = 0; index < count; ++index) {
+      job(index);
+    }
+  }
+};
+
+/// The virtual machine with the measured cost of access. The scatter keeps its proportion.
+void charge(machine::AccessCost& cost, const feasibility::MeasuredAccess& measured) {
+  const double before = static_cast<double>(std::max<std::int64_t>(1, cost.nodeTimeMean.count()));
+  cost.readOverhead = measured.read.overhead;
+  cost.writeOverhead = measured.write.overhead;
+  cost.nodeTimeMean = std::max(measured.read.perNode, measured.write.perNode);
+  const double scale = static_cast<double>(cost.nodeTimeMean.count()) / before;
+  const auto scaled = [scale](base::Duration duration) {
+    return base::Duration(
+        static_cast<base::Duration::rep>(static_cast<double>(duration.count()) * scale));
+  };
+  cost.nodeTimeDeviation = scaled(cost.nodeTimeDeviation);
+  cost.nodeTimeMin = scaled(cost.nodeTimeMin);
+}
+
+}  // namespace
+
+RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop) {
+  RehearsalOutcome outcome;
+  auto machine = machine::loadPreset(kMachine);
+  if (!machine) {
+    outcome.error = machine.error();
+    return outcome;
+  }
+  if (job.access) {
+    charge(machine->access, *job.access);
+  }
+  experiments::RegionRequest request;
+  request.points = experiments::stretchOf(job.points, job.tightest, kRehearsedPointsMax);
+  request.settings = job.settings;
+  request.settings.resume.reset();
+  request.machine = *machine;
+  request.axis = feasibility::SweepAxis::PointsPerLoop;
+  request.abscissas = {static_cast<double>(job.settings.parameters.pointsPerLoop)};
+  request.seedsPerPoint = kRuns;
+  outcome.points = request.points.size();
+  outcome.isWhole = outcome.points == job.points.size();
+  const auto at = [&](double feedMmPerS) {
+    SameThread executor;
+    request.feedsMmPerS = {feedMmPerS};
+    return experiments::simulateRegion(request, executor,
+                                       [&](std::size_t, std::size_t) { return !stop.load(); });
+  };
+  const experiments::RegionResult wanted = at(job.settings.feedMmPerS);
+  outcome.error = wanted.error;
+  outcome.runs = wanted.points.front().runs;
+  outcome.faulty = wanted.points.front().faulty;
+  outcome.stalled = wanted.points.front().stalled;
+  if (!outcome.hasFailed()) {
+    return outcome;
+  }
+  for (const double share : kSlower) {
+    const double feedMmPerS = share * job.settings.feedMmPerS;
+    const experiments::RegionResult slower = at(feedMmPerS);
+    const experiments::RegionPoint& point = slower.points.front();
+    if (point.runs == kRuns && point.faulty == 0) {
+      outcome.safeFeedMmPerS = feedMmPerS;
+      break;
+    }
+  }
+  return outcome;
+}
+
+void Rehearsal::cancel() {
+  if (m_stop) {
+    m_stop->store(true);
+    m_stop.reset();
+  }
+}
+
+void Rehearsal::start(RehearsalJob job, const std::string& key) {
+  cancel();
+  m_stop = std::make_shared<std::atomic<bool>>(false);
+  QThreadPool::globalInstance()->start(
+      [self = QPointer<Rehearsal>(this), stop = m_stop, job = std::move(job), key] {
+        auto outcome = std::make_shared<const RehearsalOutcome>(rehearse(job, *stop));
+        // The context of the call is the application: `self` is only touched on its own thread.
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, stop, outcome, key] {
+              if (self && self->m_stop == stop) {
+                self->m_stop.reset();
+                Q_EMIT self->finished(outcome, key);
+              }
+            },
+            Qt::QueuedConnection);
+      });
+}
+
+}  // namespace rivulet::session
