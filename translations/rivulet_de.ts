@@ -1987,6 +1987,33 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::NumberField</name>
+    <message>
+        <source>%1 can be read in two ways. Type it without a separator between thousands, or with %2 before the decimals.</source>
+        <translation>%1 lässt sich auf zwei Arten lesen. Ohne Tausendertrennzeichen eingeben, oder mit %2 vor den Nachkommastellen.</translation>
+    </message>
+    <message>
+        <source>%1 has more than one separator. Type it without separators between thousands.</source>
+        <translation>%1 hat mehr als ein Trennzeichen. Ohne Tausendertrennzeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>The field was empty.</source>
+        <translation>Das Feld war leer.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: %2 to %3.</source>
+        <translation>%1 liegt außerhalb des Bereichs: %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1 The value stays %2.</source>
+        <translation>%1 Der Wert bleibt %2.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathView</name>
     <message>
         <source>Top (XY)</source>

@@ -22,6 +22,7 @@
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/folding_columns.h"
 #include "widgets/common/icons.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/program/program_page.h"
@@ -145,6 +146,10 @@ void MainWindow::buildPages() {
   rows->addWidget(makeResumeBar(models, central));
   rows->addWidget(makeRunPanel(models, central));
   setCentralWidget(central);
+  for (const auto* field : central->findChildren<widgets::NumberField*>()) {
+    connect(field, &widgets::NumberField::refused, this,
+            [this](const QString& reason) { m_messages.show(gcode::Severity::Warning, reason); });
+  }
 }
 
 QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -42,7 +43,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
       m_portName(new QLabel(this)),
       m_port(new QSpinBox(this)),
       m_silenceName(new QLabel(this)),
-      m_silence(new QDoubleSpinBox(this)),
+      m_silence(new NumberField(this)),
       m_status(new StatusLabel(this)) {
   setMinimumWidth(330);
   m_status->setWordWrap(true);
@@ -72,7 +73,7 @@ QLayout* CorrectionPanel::makeAxes() {
   for (std::size_t i = 0; i < m_axes.size(); ++i) {
     Axis& axis = m_axes[i];
     axis = {new QLabel(QString(QLatin1Char(base::kAxisNames[i])), this),
-            new QSlider(Qt::Horizontal, this), new QDoubleSpinBox(this), makeValueLabel(this)};
+            new QSlider(Qt::Horizontal, this), new NumberField(this), makeValueLabel(this)};
     axis.slider->setMinimumHeight(kTouchHeightPx);
     axis.slider->setTickPosition(QSlider::TicksBelow);  // the ends and zero
     axis.field->setMinimumHeight(kFieldHeightPx);

@@ -17,6 +17,7 @@
 
 #include "base/units.h"
 #include "widgets/common/icons.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -86,13 +87,13 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_pointsLabel(new QLabel(this)),
       m_points(new QSpinBox(this)),
       m_deltaLabel(new QLabel(this)),
-      m_delta(new QDoubleSpinBox(this)),
+      m_delta(new NumberField(this)),
       m_feedLabel(new QLabel(this)),
-      m_feed(new QDoubleSpinBox(this)),
+      m_feed(new NumberField(this)),
       m_layoutLabel(new QLabel(this)),
       m_layout(new QComboBox(this)),
       m_correctionLabel(new QLabel(this)),
-      m_correction(new QDoubleSpinBox(this)),
+      m_correction(new NumberField(this)),
       m_accessLabel(new QLabel(this)),
       m_access(new QComboBox(this)),
       m_transferLabel(new QLabel(this)),
@@ -142,6 +143,7 @@ void MethodPanel::buildSettings() {
     m_access->addItem(QString(), static_cast<int>(access));
   }
   m_points->setRange(1, 9999);
+  m_points->setKeyboardTracking(false);
   m_delta->setDecimals(3);
   m_delta->setRange(0.001, 100.0);
   m_delta->setSingleStep(0.05);
@@ -150,7 +152,6 @@ void MethodPanel::buildSettings() {
   m_feed->setRange(kFeedMmPerMinMin, 100'000.0);
   m_feed->setSingleStep(50.0);
   m_feed->setSuffix(QStringLiteral("\u00A0mm/min"));
-  m_feed->setGroupSeparatorShown(true);
   m_correction->setDecimals(3);
   m_correction->setRange(0.0, templates::kCorrectionLimitMmMax);
   m_correction->setSingleStep(0.01);

@@ -13,6 +13,7 @@
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
+#include "widgets/common/number_field.h"
 #include "widgets/streaming/method_panel.h"
 
 using namespace rivulet;
@@ -210,6 +211,52 @@ class TestMethodPanel : public QObject {
     for (const QPushButton* button : panel.findChildren<QPushButton*>()) {
       QVERIFY(!button->isEnabled() || !button->isVisibleTo(&panel));
     }
+  }
+
+  void numbersAreReadAsTyped_data() {
+    QTest::addColumn<bool>("isGerman");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<double>("feedMmPerMin");  // 0: refused
+    for (const bool isGerman : {false, true}) {
+      const char* language = isGerman ? "de" : "en";
+      QTest::addRow("%s 1200.5", language) << isGerman << QStringLiteral("1200.5") << 1200.5;
+      QTest::addRow("%s 1200,5", language) << isGerman << QStringLiteral("1200,5") << 1200.5;
+      QTest::addRow("%s 1200", language) << isGerman << QStringLiteral("1200") << 1200.0;
+      QTest::addRow("%s 1,200.5", language) << isGerman << QStringLiteral("1,200.5") << 0.0;
+      QTest::addRow("%s 120000000", language) << isGerman << QStringLiteral("120000000") << 0.0;
+      QTest::addRow("%s nothing", language) << isGerman << QString() << 0.0;
+    }
+    QTest::addRow("en 1,200") << false << QStringLiteral("1,200") << 0.0;
+    QTest::addRow("de 1.200") << true << QStringLiteral("1.200") << 0.0;
+  }
+
+  /// Point and comma are decimal separators in both languages; what could be read in two ways keeps
+  /// the former value and says so.
+  void numbersAreReadAsTyped() {
+    QFETCH(bool, isGerman);
+    QFETCH(QString, typed);
+    QFETCH(double, feedMmPerMin);
+    test::Language language;
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.feedMmPerS = 10.0;
+    panel.setSettings(settings);
+    panel.show();
+    if (isGerman) {
+      language.german();
+    }
+    auto* feed = panel.findChildren<NumberField*>().at(1);
+    QVERIFY(feed->text().startsWith("600"));
+    QSignalSpy refused(feed, &NumberField::refused);
+    feed->selectAll();
+    QTest::keyClick(feed, Qt::Key_Delete);
+    QTest::keyClicks(feed, typed);
+    QTest::keyClick(feed, Qt::Key_Return);
+    const bool isRefused = feedMmPerMin == 0.0;
+    QCOMPARE(refused.count(), isRefused ? 1 : 0);
+    QCOMPARE(base::mmPerMinFromMmPerS(panel.settings().feedMmPerS),
+             isRefused ? 600.0 : feedMmPerMin);
+    QCOMPARE(feed->value(), isRefused ? 600.0 : feedMmPerMin);
   }
 
   void numbersFollowTheLanguage() {

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Fields for numbers that are typed. Point and comma are both decimal separators, in every
+/// language; there are no group separators. What could be read in two ways is refused, with a
+/// sentence, and so is what is out of range: nothing is silently made into another number. A value
+/// counts when Enter is pressed or the field is left.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <functional>
+#include <optional>
+
+namespace rivulet::widgets {
+
+enum class NumberProblem {
+  None,
+  NotANumber,
+  Ambiguous,  ///< "1,200" where the decimal separator is a point: 1.2 or 1200
+  Grouped,    ///< more than one separator
+};
+
+struct TypedNumber {
+  double value = 0.0;  ///< if there is no problem
+  NumberProblem problem = NumberProblem::None;
+};
+
+/// @param decimalPoint  of the language: its own separator is never ambiguous
+[[nodiscard]] TypedNumber parseTyped(const QString& text, QChar decimalPoint);
+
+class NumberField final : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  explicit NumberField(QWidget* parent = nullptr);
+
+  [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+  /// Does not repair what was typed: the base class would take separators out.
+  void fixup(QString& /*text*/) const override {}
+  [[nodiscard]] double valueFromText(const QString& text) const override;
+  [[nodiscard]] QString textFromValue(double value) const override;
+
+ Q_SIGNALS:
+  /// What was typed does not count; the field has its former value. @param reason  a sentence
+  void refused(const QString& reason);
+
+ protected:
+  void focusOutEvent(QFocusEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  [[nodiscard]] QString typed(QString text) const;
+  /// Why the text does not count; nothing: it does.
+  [[nodiscard]] std::optional<QString> refusal() const;
+  void complain();
+};
+
+}  // namespace rivulet::widgets
