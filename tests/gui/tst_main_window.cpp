@@ -320,7 +320,7 @@ class TestMainWindow : public QObject {
           QCoreApplication::processEvents();
           for (const char* name : {"stop", "start", "state"}) {
             const auto* widget = m_window->findChild<QWidget*>(QLatin1String(name));
-            QVERIFY2(widget != nullptr && isWhole(widget), name);
+            QTRY_VERIFY2_WITH_TIMEOUT(widget != nullptr && isWhole(widget), name, kSoonMs);
           }
           QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("stop"))->height() >= 56);
           QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("start"))->height() >= 56);
