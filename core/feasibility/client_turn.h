@@ -7,6 +7,9 @@
 /// pure.
 #pragma once
 
+#include <chrono>
+
+#include "base/instant.h"
 #include "base/method_kind.h"
 #include "feasibility/symbols.h"
 
@@ -33,6 +36,10 @@ struct ClientTurn {
 };
 
 [[nodiscard]] ClientTurn turnOf(const TurnSize& size);
+
+/// The axes and the feed are read for the display this often even if the stream leaves no time for
+/// it, by methods in which a late client only makes the machine wait.
+inline constexpr base::Duration kDisplayIntervalMax = std::chrono::milliseconds{900};
 
 /// Cells that the equations charge for a turn. Method credit reads two cells and is charged one:
 /// the equations are those of method window.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "feasibility/client_turn.h"
 #include "streaming/calibration.h"
 
 namespace rivulet::streaming {
@@ -23,8 +24,6 @@ constexpr Duration kDisplayInterval = std::chrono::milliseconds{33};
 constexpr Duration kStatusInterval = std::chrono::milliseconds{200};
 /// Reading the status takes one part in this many of the time at most.
 constexpr int kStatusShare = 4;
-/// The position of the axes is read this often even if the stream leaves no time for it.
-constexpr Duration kDisplayIntervalMax = std::chrono::milliseconds{900};
 /// Answers that come late make the deadlines up to this many times as long.
 constexpr int kPatienceMax = 4;
 /// Answers with a refused item in a row that are taken for faults of the transmission.
@@ -294,7 +293,8 @@ bool Driver::wantsDisplay() const {
     return false;
   }
   // Where a late client means wrong motion, the display waits.
-  const bool isOverdue = m_method.waitsForClient() && now - m_shownAt >= kDisplayIntervalMax;
+  const bool isOverdue =
+      m_method.waitsForClient() && now - m_shownAt >= feasibility::kDisplayIntervalMax;
   return isOverdue || hasSlackFor(static_cast<int>(m_display.size()));
 }
 

@@ -34,6 +34,10 @@ Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
       clock.blockMs * (kBlocks + kBlocksPerPoint * static_cast<double>(perWindow));
   // A pass of the waiting loop: relatch, its blocks, and a dwell of 20 ms.
   const double passMs = clock.relatchMs + 10.0 * clock.blockMs + 20.0;
+  const double displayMs =
+      base::toMilliseconds(model.access.readOverhead) + (operatingPoint.cellsPerPoint + 1) * nodeMs;
+  const double displayIntervalMs = base::toMilliseconds(kDisplayIntervalMax);
+  double displayedMs = 0.0;
   std::vector<double> broughtMs(count, 0.0);
   std::vector<double> copiedMs(count, 0.0);
   double endMs = 0.0;
@@ -42,8 +46,15 @@ Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
   base::Vec3 fromMm = startMm;
   for (std::size_t window = 0; window < count; ++window) {
     if (window >= kWindows) {
-      broughtMs[window] =
-          std::max(broughtMs[window - 1], copiedMs[window - kWindows] + 1.5 * pollMs) + bringMs;
+      const double seenMs = copiedMs[window - kWindows] + 1.5 * pollMs;
+      double freeMs = broughtMs[window - 1];
+      if (seenMs >= freeMs + displayMs) {
+        displayedMs = freeMs = seenMs;  // the display is read while the client waits
+      } else if (freeMs >= displayedMs + displayIntervalMs) {
+        displayedMs = freeMs;
+        freeMs += displayMs;
+      }
+      broughtMs[window] = std::max(freeMs, seenMs) + bringMs;
     }
     const double plannedMs =
         window == 0 ? endMs : endMs + std::max(clock.standMs, clock.up(readyMs));
