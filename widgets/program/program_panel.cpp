@@ -162,6 +162,7 @@ QWidget* ProgramPanel::makeFigures() {
     figures->addWidget(value, row, 1);
   }
   m_chartName = new QLabel(page);
+  m_chartName->setWordWrap(true);
   m_chart = new DistanceChart(page);
   figures->addWidget(m_chartName, kFirstRow + FigureCount, 0, 1, 2);
   figures->addWidget(m_chart, kFirstRow + FigureCount + 1, 0, 1, 2);

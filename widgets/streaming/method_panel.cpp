@@ -190,6 +190,7 @@ void MethodPanel::buildVerdict() {
   m_reason->setWordWrap(true);
   m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_place->setWordWrap(true);
+  m_margin->setWordWrap(true);
   auto* figures = new QFormLayout;
   figures->setLabelAlignment(Qt::AlignLeft);
   figures->setHorizontalSpacing(16);
