@@ -67,6 +67,10 @@
         <translation>Zuerst ein Programm öffnen.</translation>
     </message>
     <message>
+        <source>The file of the program has changed: reload it.</source>
+        <translation>Die Programmdatei wurde geändert: bitte neu laden.</translation>
+    </message>
+    <message>
         <source>The program moves no axis.</source>
         <translation>Das Programm bewegt keine Achse.</translation>
     </message>
@@ -897,6 +901,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk since version %2 was read.</source>
+        <translation>%1 wurde auf dem Datenträger geändert, seit Fassung %2 eingelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
     </message>
     <message>
         <source>%1, version %2, %3 points</source>

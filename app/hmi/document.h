@@ -57,6 +57,10 @@ class Document final : public QObject {
   /// Null: no program is loaded.
   [[nodiscard]] const std::shared_ptr<const widgets::ProgramView>& view() const { return m_view; }
   [[nodiscard]] std::shared_ptr<const gcode::Program> program() const;
+  /// The file has another content on disk by now. A file that is gone has not changed.
+  [[nodiscard]] bool hasFileChanged() const {
+    return m_watch.state() == session::FileWatch::State::Changed;
+  }
   [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const;
   [[nodiscard]] const QString& path() const { return m_path; }
   /// The file that was asked for last.

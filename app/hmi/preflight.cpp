@@ -92,6 +92,12 @@ std::vector<PreflightItem> Preflight::items() const {
 
 PreflightItem Preflight::programItem() const {
   const gcode::Program& program = *m_document.program();
+  if (m_document.hasFileChanged()) {
+    return {Status::Fault, tr("Program"),
+            tr("%1 has changed on disk since version %2 was read.")
+                .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash)),
+            tr("Reload"), ReloadProgram};
+  }
   return {program.isStreamable() ? Status::Good : Status::Fault,
           tr("Program"),
           tr("%1, version %2, %3 points")

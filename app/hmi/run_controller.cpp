@@ -57,6 +57,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
     Q_EMIT permissionsChanged();
   });
   connect(&m_document, &Document::judged, this, &RunController::permissionsChanged);
+  connect(&m_document, &Document::fileStateChanged, this, &RunController::permissionsChanged);
   connect(&m_document, &Document::programLoaded, this, [this] {
     // The points of another program are not those of the run that was left.
     m_left.reset();
@@ -75,6 +76,7 @@ streaming::StartFacts RunController::facts() const {
                                                : streaming::Activity::Idle;
   facts.isConnected = m_machine.isConnected();
   facts.program = m_document.program().get();
+  facts.hasFileChanged = m_document.hasFileChanged();
   if (m_document.view()) {
     facts.turnedAxes = m_document.view()->turnedAxes;
   }

@@ -121,6 +121,7 @@ StreamError codeOf(BlockReason reason) {
       return StreamError::CannotResume;
     case BlockReason::NotConnected:
     case BlockReason::NoProgram:
+    case BlockReason::FileChanged:
     case BlockReason::NoMotion:
     case BlockReason::NeedsTransformation:
     case BlockReason::PathUnknown:
@@ -148,6 +149,8 @@ std::string sentence(const Blocked& blocked) {
       return "There is no connection to a control. Connect first.";
     case BlockReason::NoProgram:
       return "No program is loaded. Open one first.";
+    case BlockReason::FileChanged:
+      return "The file of the program has changed since it was read. Read it again.";
     case BlockReason::NoMotion:
       return std::string(gcode::describe(gcode::Readiness::NoMotion));
     case BlockReason::NeedsTransformation:
@@ -209,6 +212,9 @@ Reason programBlocked(const gcode::Program& program) {
 Reason startBlocked(const StartFacts& facts) {
   if (Reason reason = runBlocked(facts)) {
     return reason;
+  }
+  if (facts.hasFileChanged) {
+    return because(BlockReason::FileChanged);
   }
   return channelBlocked(facts);
 }

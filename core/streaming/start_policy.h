@@ -34,6 +34,7 @@ enum class BlockReason {
   CalibrationInProgress,
   NotConnected,
   NoProgram,
+  FileChanged,          ///< the file is no longer what was read
   NoMotion,             ///< the program moves no axis
   NeedsTransformation,  ///< the path is known, but only with a transformation of the control
   PathUnknown,          ///< the program has findings of severity error
@@ -69,6 +70,7 @@ struct StartFacts {
   Activity activity = Activity::Idle;
   bool isConnected = false;
   const gcode::Program* program = nullptr;  ///< null: none is loaded
+  bool hasFileChanged = false;              ///< since the program was read from it
   base::RotarySet turnedAxes{};             ///< rotary axes the program turns
   base::MethodKind method = base::MethodKind::Window;
   std::optional<base::Error> settingsError;     ///< no program can be made of the settings

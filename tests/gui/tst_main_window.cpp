@@ -674,8 +674,12 @@ class TestMainWindow : public QObject {
     QVERIFY(m_window->lastReport()->integrity.isFaultless());
     QCOMPARE(QString::fromStdString(m_window->program()->hash), hash);
     QVERIFY(banner->findChild<QPushButton*>()->isVisible());
+    // What is on disk is not what would run.
+    QVERIFY(m_window->startBlockedReason().contains(QStringLiteral("reload")));
+    QVERIFY(!m_window->start());
     QTest::mouseClick(banner->findChild<QPushButton*>(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(QString::fromStdString(m_window->program()->hash) != hash, kSoonMs);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
   }
 
   /// Method window by the buttons: pauses are told before the start, hold and continue, stop, and

@@ -72,6 +72,8 @@ class TestStartPolicy : public QObject {
     const auto reason = [&facts] { return reasonOf(streaming::startBlocked(facts)); };
     facts.channelStatus = 1;
     QVERIFY(reason() == BlockReason::ChannelBusy);
+    facts.hasFileChanged = true;
+    QVERIFY(reason() == BlockReason::FileChanged);
     facts.alarm = 14080;
     QVERIFY(reason() == BlockReason::AlarmActive);
     QCOMPARE(streaming::startBlocked(facts)->arguments.front(), std::string("14080"));

@@ -28,6 +28,8 @@ struct BlockedTexts {
         return tr("Connect to a control first.");
       case BlockReason::NoProgram:
         return tr("Open a program first.");
+      case BlockReason::FileChanged:
+        return tr("The file of the program has changed: reload it.");
       case BlockReason::NoMotion:
         return tr("The program moves no axis.");
       case BlockReason::NeedsTransformation:
