@@ -12,6 +12,7 @@
 #include <QtTest>
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "base/file.h"
 #include "recorder/recording_file.h"
@@ -27,6 +28,11 @@ class TestRecordingFile : public QObject {
   QTemporaryDir m_folder;
   [[nodiscard]] std::filesystem::path path(const char* name) const {
     return std::filesystem::path(m_folder.path().toStdString()) / name;
+  }
+
+  /// Whether the error gives the system's reason, in the language of the locale.
+  static bool says(const base::Error& error, std::errc reason) {
+    return error.message.find(std::make_error_code(reason).message()) != std::string::npos;
   }
 
   /// A pipe with a reader that never reads.
@@ -114,7 +120,7 @@ class TestRecordingFile : public QObject {
     QVERIFY((*file)->append("line\n"));
     const auto finished = (*file)->finish();
     QVERIFY(!finished.has_value());
-    QVERIFY(finished.error().message.find("No space left") != std::string::npos);
+    QVERIFY(says(finished.error(), std::errc::no_space_on_device));
     QVERIFY(!(*file)->append("line\n"));
   }
 
@@ -131,7 +137,7 @@ class TestRecordingFile : public QObject {
     const auto finished = (*file)->finish();
     QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
     QVERIFY(!finished.has_value());
-    QVERIFY(finished.error().message.find("too large") != std::string::npos);
+    QVERIFY(says(finished.error(), std::errc::file_too_large));
   }
 };
 
