@@ -2731,8 +2731,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Der Lauf kann nicht fortgesetzt werden: %1</translation>
     </message>
     <message>
-        <source>Hold: resume at point %1</source>
-        <translation>Halten: weiter bei Punkt %1</translation>
+        <source>Press and hold: resume at point %1</source>
+        <translation>Gedrückt halten: weiter bei Punkt %1</translation>
     </message>
     <message>
         <source>Hold for one second. Then the machine moves.</source>
@@ -2855,7 +2855,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Hold to start</source>
-        <translation>Halten: Start</translation>
+        <translation>Gedrückt halten</translation>
     </message>
     <message>
         <source>Start over …</source>

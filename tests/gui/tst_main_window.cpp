@@ -751,7 +751,8 @@ class TestMainWindow : public QObject {
     m_window->setTheme(widgets::Theme::Light);
     QTRY_COMPARE(m_window->pages()->tabText(0), QStringLiteral("Program"));
     finished.clear();
-    auto* goOn = button(QStringLiteral("Hold: resume at point %1").arg(bar->place()->point + 1));
+    auto* goOn =
+        button(QStringLiteral("Press and hold: resume at point %1").arg(bar->place()->point + 1));
     QTest::mousePress(goOn, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isRunning(), kSoonMs);
     QTest::mouseRelease(goOn, Qt::LeftButton);

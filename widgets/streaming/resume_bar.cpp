@@ -93,7 +93,7 @@ void ResumeBar::retranslate() {
                                        .arg(lengthText(*m_place->approachMm));
       }
       m_text->setText(text);
-      m_goOn->setText(tr("Hold: resume at point %1").arg(countText(m_place->point + 1)));
+      m_goOn->setText(tr("Press and hold: resume at point %1").arg(countText(m_place->point + 1)));
       m_goOn->setToolTip(tr("Hold for one second. Then the machine moves."));
       break;
     }
