@@ -29,6 +29,9 @@ enum class VariableKind : unsigned char {
   AxisName,       ///< text; index = axis from 0: "X", "A"
 };
 
+/// `ChannelStatus` while no program is active.
+inline constexpr int kChannelReset = 0;
+
 /// One variable of channel 1.
 struct Variable {
   VariableKind kind = VariableKind::RParameter;

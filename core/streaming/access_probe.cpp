@@ -23,7 +23,6 @@ using opcua::LinkError;
 /// Forms in the order of preference.
 constexpr std::array kPreferred{Grouping::ArrayCount, Grouping::ArrayRange, Grouping::List,
                                 Grouping::Single};
-constexpr double kReset = 0.0;
 /// A value that was confirmed may be readable only from the next interpolation cycle on.
 constexpr int kReadBackTries = 3;
 
@@ -96,7 +95,7 @@ class Probe {
       m_cells.resize(std::min(m_cells.size(), kSlowCells));
     }
     m_deadline = deadlineOf(m_deadline, m_cells.size(), access);
-    if ((*status)[0].status || (*status)[0].number != kReset) {
+    if ((*status)[0].status || (*status)[0].number != opcua::kChannelReset) {
       return base::fail(StreamError::ChannelBusy,
                         "A program is running on the control. Wait until it has ended, or reset "
                         "the control, before the forms of access are tested.");

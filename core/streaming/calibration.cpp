@@ -29,7 +29,6 @@ using opcua::LinkError;
 
 constexpr std::array<int, 7> kCounts{1, 2, 5, 10, 20, 50, 100};
 constexpr std::array kArrays{Grouping::ArrayCount, Grouping::ArrayRange};
-constexpr double kReset = 0.0;
 /// Shots of each kind that show how long the rest takes.
 constexpr int kFirstShots = 5;
 /// Before them, one that does not count: a control may have to look a node up once.
@@ -242,7 +241,7 @@ Result<void> requireReset(opcua::Link& link, Duration deadline) {
   if (!status) {
     return base::fail(status.error());
   }
-  if ((*status)[0].status || (*status)[0].number != kReset) {
+  if ((*status)[0].status || (*status)[0].number != opcua::kChannelReset) {
     return base::fail(
         CalibrationError::ChannelBusy,
         "A program is running on the control. Wait until it has ended, then measure.");

@@ -27,7 +27,6 @@ using opcua::VariableKind;
 /// Above every number of a flexible program (`templates::layoutNumber` is below 2^24): the two
 /// cannot be confused.
 constexpr int kLayoutNumber = 1 << 24;
-constexpr double kReset = 0.0;
 
 /// The dwells that keep the main run busy, and the one before which it reports its progress.
 constexpr int kDwells = 4;
@@ -114,7 +113,7 @@ class Test {
     if (!state) {
       return base::fail(state.error());
     }
-    if ((*state)[0] != kReset) {
+    if ((*state)[0] != opcua::kChannelReset) {
       return base::fail(StreamError::ChannelBusy,
                         "A program is running on the control. Wait until it has ended, or reset "
                         "the control, then start again.");
@@ -160,7 +159,7 @@ class Test {
       if (Result<void> fine = refuseAlarm((*state)[1]); !fine) {
         return fine;
       }
-      if ((*state)[0] != kReset && (*state)[2] != 0.0) {
+      if ((*state)[0] != opcua::kChannelReset && (*state)[2] != 0.0) {
         if ((*state)[2] != static_cast<double>(kLayoutNumber)) {
           return base::fail(
               StreamError::WrongProgram,
@@ -240,7 +239,7 @@ class Test {
       if (Result<void> fine = refuseAlarm((*state)[1]); !fine) {
         return fine;
       }
-      if ((*state)[0] == kReset) {
+      if ((*state)[0] == opcua::kChannelReset) {
         const Variable passes = cell(Passes);
         const auto value = numbers({&passes, 1});
         if (!value) {

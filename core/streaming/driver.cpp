@@ -47,8 +47,6 @@ constexpr int kSlackFactor = 2;
 /// Files travel more slowly than variables.
 constexpr Duration kStoreDeadline = std::chrono::seconds{10};
 
-constexpr double kChannelReset = 0.0;
-
 /// One variable of a request could not be accessed: the remedy depends on the reason.
 base::Error itemError(const std::error_code& status, const std::string& what) {
   const char* remedy = "The control rejected it. Check its messages.";
@@ -501,7 +499,7 @@ void Driver::handleMethod(const opcua::Event& event) {
 void Driver::handleMonitor(const opcua::Event& event) {
   if (m_monitor == Monitor::Status) {
     m_nextStatus = std::max(m_nextStatus, event.at + (kStatusShare - 1) * (event.at - event.sent));
-    if (event.readings[0].number == kChannelReset) {
+    if (event.readings[0].number == opcua::kChannelReset) {
       m_end.programEnded = true;
       if (m_stopWantedAt) {
         m_end.stopConfirmedAfter = event.at - *m_stopWantedAt;

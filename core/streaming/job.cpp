@@ -39,8 +39,6 @@ using opcua::VariableKind;
 /// How often the control is asked while the operator goes to press cycle start.
 constexpr Duration kStartPollInterval = std::chrono::milliseconds{50};
 
-constexpr double kReset = 0.0;
-
 /// Passes everything on and keeps what the report and the recording need.
 class Ledger final : public RunSink {
  public:
@@ -337,7 +335,7 @@ class Job {
           return fit;
         }
       }
-      if ((*numbers)[0] != kReset && layout != 0) {
+      if ((*numbers)[0] != opcua::kChannelReset && layout != 0) {
         if (layout != expected) {
           return base::fail(
               StreamError::WrongProgram,
@@ -566,7 +564,7 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   if (!numbers) {
     return base::fail(numbers.error());
   }
-  if ((*numbers)[0] != kReset) {
+  if ((*numbers)[0] != opcua::kChannelReset) {
     return base::fail(StreamError::ChannelBusy,
                       "A program is running on the control. Wait until it has ended, or reset the "
                       "control, then start again.");

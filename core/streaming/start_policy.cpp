@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "opcua/error.h"
+#include "opcua/variable.h"
 #include "streaming/run.h"
 
 namespace rivulet::streaming {
@@ -35,8 +36,9 @@ Reason linkBlocked(const StartFacts& facts) {
 }
 
 Reason channelBlocked(const StartFacts& facts) {
-  return facts.channelStatus.value_or(0) == 0 ? std::nullopt
-                                              : Reason(because(BlockReason::ChannelBusy));
+  return facts.channelStatus.value_or(opcua::kChannelReset) == opcua::kChannelReset
+             ? std::nullopt
+             : Reason(because(BlockReason::ChannelBusy));
 }
 
 Reason axesBlocked(const StartFacts& facts) {
