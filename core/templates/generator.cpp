@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/hash.h"
 #include "base/text.h"
 #include "templates/method_template.h"
@@ -13,6 +15,7 @@ namespace rivulet::templates {
 
 namespace {
 
+constexpr std::string_view kNamePrefix = "RIVULET_";
 /// The number of a program whose own number is not known yet.
 constexpr int kNoNumber = 0;
 
@@ -40,17 +43,48 @@ int layoutNumber(const TemplateParameters& parameters) {
 
 std::string templateFileName(const TemplateParameters& parameters) {
   constexpr std::size_t kLongest = 24;
-  std::string name = base::toUpper(
-      fmt::format("RIVULET_{}_{}", base::methodName(parameters.method), parameters.pointsPerLoop));
+  std::string name = base::toUpper(fmt::format(
+      "{}{}_{}", kNamePrefix, base::methodName(parameters.method), parameters.pointsPerLoop));
   // Letters distinguish variants, so that one never replaces another on the control.
   name += methodTemplate(parameters.method).nameSuffix(parameters);
   if (parameters.axes != TemplateParameters{}.axes || base::any(parameters.rotaryAxes)) {
     name += axisLetters(parameters);
   }
   if (name.size() > kLongest) {
-    name = fmt::format("RIVULET_{}", layoutNumber(parameters));
+    name = fmt::format("{}{}", kNamePrefix, layoutNumber(parameters));
   }
   return name + ".MPF";
+}
+
+std::optional<int> baseCellOf(std::string_view fileName, int otherwise) {
+  const std::string name = base::toUpper(fileName);
+  const std::size_t begin = name.rfind(kNamePrefix);
+  if (begin == std::string::npos) {
+    return std::nullopt;
+  }
+  std::string_view rest = std::string_view(name).substr(begin + kNamePrefix.size());
+  if (base::isDigit(rest.empty() ? 'X' : rest.front())) {
+    return otherwise;  // the name was too long and is a number
+  }
+  const auto skipDigits = [&rest] {
+    const auto end = std::find_if_not(rest.begin(), rest.end(), base::isDigit);
+    const std::string_view digits = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+    rest.remove_prefix(digits.size());
+    return digits;
+  };
+  const auto skip = [&rest](std::string_view word) {
+    const bool is = rest.substr(0, word.size()) == word;
+    rest.remove_prefix(is ? word.size() : 0);
+    return is;
+  };
+  const bool hasWindows =
+      std::any_of(base::kMethodKinds.begin(), base::kMethodKinds.end(), [&](base::MethodKind kind) {
+        return base::hasWindows(kind) && skip(base::toUpper(base::methodName(kind)) + "_");
+      });
+  if (!hasWindows || skipDigits().empty() || !skip("X") || skipDigits().empty()) {
+    return std::nullopt;
+  }
+  return skip("B") ? base::parseInteger(skipDigits()).value_or(0) : 0;
 }
 
 }  // namespace rivulet::templates

@@ -5,7 +5,9 @@
 /// Writes the flexible program for the control. SINUMERIK dialect. @threadsafety pure.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "templates/cells.h"
@@ -43,5 +45,10 @@ struct WindowFile {
 
 /// File name on the control, e.g. "RIVULET_SIGNAL_7.MPF": at most 24 characters before the dot.
 [[nodiscard]] std::string templateFileName(const TemplateParameters& parameters);
+
+/// The first cell that such a name says, if it is of a method with windows. The control may show
+/// the name with its folder. @param otherwise  if the name was too long to say it
+/// @return nothing: not the name of a flexible program with windows
+[[nodiscard]] std::optional<int> baseCellOf(std::string_view fileName, int otherwise);
 
 }  // namespace rivulet::templates
