@@ -75,4 +75,13 @@ base::Result<void> writeNow(Link& link, std::span<const Assignment> assignments,
   return {};
 }
 
+base::Result<void> sleepUntil(Link& link, base::Instant until) {
+  while (link.now() < until) {
+    if (const auto event = link.wait(until); event && event->kind == EventKind::ConnectionLost) {
+      return base::fail(event->error);
+    }
+  }
+  return {};
+}
+
 }  // namespace rivulet::opcua

@@ -32,4 +32,7 @@ namespace rivulet::opcua {
 [[nodiscard]] base::Result<void> writeNow(Link& link, std::span<const Assignment> assignments,
                                           base::Duration deadline);
 
+/// Waits without asking anything. @return the error of the link if it is lost
+[[nodiscard]] base::Result<void> sleepUntil(Link& link, base::Instant until);
+
 }  // namespace rivulet::opcua

@@ -17,6 +17,7 @@
 #include "streaming/control_axes.h"
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
+#include "streaming/run_on_control.h"
 #include "templates/generator.h"
 
 namespace rivulet::streaming {
@@ -29,9 +30,6 @@ using base::Result;
 using base::Vec3;
 using opcua::Variable;
 using opcua::VariableKind;
-
-constexpr double kReset = 0.0;
-constexpr Duration kPollInterval = std::chrono::milliseconds{100};
 
 /// A tool farther from the path than this has been moved since: roundings of the control are
 /// smaller by far.
@@ -117,46 +115,21 @@ Result<base::RotaryDeg> anglesOf(opcua::Link& link, const RunSettings& settings)
 /// Ends a program that waits for windows of this run; nothing else is changed.
 Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
                            const templates::CellMap& cells, const Checkpoint& last) {
-  const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
-                                         opcua::rParameter(cells.layout),
-                                         opcua::rParameter(cells.owner)}};
-  const Instant until = link.now() + settings.stopDeadline;
   const int layout = templates::layoutNumber(settings.parameters);
-  for (bool told = false;; told = true) {
-    const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
-    if (!numbers) {
-      return base::fail(numbers.error());
-    }
-    if ((*numbers)[0] == kReset) {
-      return {};
-    }
+  const auto isOurs = [&](std::span<const double> numbers) {
     // A program that was started for this run but has not granted it yet obeys nobody.
-    const double owner = (*numbers)[2];
-    const bool isOurs =
-        owner == static_cast<double>(last.runNumber) || (owner == 0.0 && !last.granted);
-    if ((*numbers)[1] != static_cast<double>(layout) || !isOurs) {
-      return base::fail(StreamError::ChannelBusy,
-                        "Another program is running on the control. Wait until it has ended, or "
-                        "reset the control.");
-    }
-    if (link.now() >= until) {
-      return base::fail(StreamError::StopNotConfirmed,
-                        "The program on the control did not end. Reset the control, then resume.");
-    }
-    if (!told) {
-      const opcua::Assignment end{opcua::rParameter(cells.endCell),
-                                  static_cast<double>(cells.endValue)};
-      if (Result<void> done = opcua::writeNow(link, {&end, 1}, settings.requestDeadline); !done) {
-        return done;
-      }
-    }
-    for (const Instant next = link.now() + kPollInterval; link.now() < next;) {
-      if (const auto event = link.wait(next);
-          event && event->kind == opcua::EventKind::ConnectionLost) {
-        return base::fail(event->error);
-      }
-    }
-  }
+    const double owner = numbers[1];
+    return numbers[0] == static_cast<double>(layout) &&
+           (owner == static_cast<double>(last.runNumber) || (owner == 0.0 && !last.granted));
+  };
+  return endProgram(
+      link,
+      {{opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)},
+       {opcua::rParameter(cells.layout), opcua::rParameter(cells.owner)},
+       isOurs,
+       "Another program is running on the control. Wait until it has ended, or reset the control.",
+       "The program on the control did not end. Reset the control, then resume."},
+      settings);
 }
 
 }  // namespace

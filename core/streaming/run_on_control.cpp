@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "opcua/await.h"
+#include "templates/generator.h"
 
 namespace rivulet::streaming {
 
@@ -23,7 +24,6 @@ using opcua::Variable;
 using opcua::VariableKind;
 using templates::WindowProtocol;
 
-constexpr double kReset = 0.0;
 constexpr Duration kDeadline = std::chrono::seconds{2};
 constexpr Duration kPollInterval = std::chrono::milliseconds{100};
 constexpr std::size_t kLabelFieldMax = 60;
@@ -36,39 +36,6 @@ Variable cell(int baseCell, WindowProtocol::Header place) {
 std::size_t countOf(double number) {
   constexpr double kCountMax = 1e9;
   return number >= 0.0 && number <= kCountMax ? static_cast<std::size_t>(number) : 0;
-}
-
-/// First cell according to a name like "RIVULET_WINDOW_7X2B30.MPF"; nothing: not a flexible program
-/// with windows. The control may show the name with its folder.
-std::optional<int> baseCellOf(std::string_view programName, int otherwise) {
-  constexpr std::string_view kPrefix = "RIVULET_";
-  const std::string name = base::toUpper(programName);
-  const std::size_t begin = name.rfind(kPrefix);
-  if (begin == std::string::npos) {
-    return std::nullopt;
-  }
-  std::string_view rest = std::string_view(name).substr(begin + kPrefix.size());
-  if (base::isDigit(rest.empty() ? 'X' : rest.front())) {
-    return otherwise;  // the name was too long and is a number
-  }
-  const auto skipDigits = [&rest] {
-    const auto end = std::find_if_not(rest.begin(), rest.end(), base::isDigit);
-    const std::string_view digits = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
-    rest.remove_prefix(digits.size());
-    return digits;
-  };
-  const auto skip = [&rest](std::string_view word) {
-    const bool is = rest.substr(0, word.size()) == word;
-    rest.remove_prefix(is ? word.size() : 0);
-    return is;
-  };
-  if (!skip("WINDOW_") && !skip("CREDIT_") && !skip("FILE_")) {
-    return std::nullopt;
-  }
-  if (skipDigits().empty() || !skip("X") || skipDigits().empty()) {
-    return std::nullopt;
-  }
-  return skip("B") ? base::parseInteger(skipDigits()).value_or(0) : 0;
 }
 
 /// Letters that cannot end a comment or a block of an NC program.
@@ -89,23 +56,12 @@ std::optional<std::string> lineAfter(std::string_view text, std::string_view beg
   return std::string(base::trim(rest.substr(0, rest.find('\n'))));
 }
 
-/// Waits without reading anything. @return the error of the link if it is lost
-Result<void> sleepUntil(opcua::Link& link, Instant until) {
-  while (link.now() < until) {
-    if (const auto event = link.wait(until);
-        event && event->kind == opcua::EventKind::ConnectionLost) {
-      return base::fail(event->error);
-    }
-  }
-  return {};
-}
-
 /// Whether the heartbeat changes within that time.
 Result<bool> beats(opcua::Link& link, int baseCell, double before, Duration watchFor) {
   const std::array<Variable, 1> heartbeat{cell(baseCell, WindowProtocol::Heartbeat)};
   const Instant until = link.now() + watchFor;
   while (link.now() < until) {
-    if (Result<void> slept = sleepUntil(link, std::min(until, link.now() + kPollInterval));
+    if (Result<void> slept = opcua::sleepUntil(link, std::min(until, link.now() + kPollInterval));
         !slept) {
       return base::fail(slept.error());
     }
@@ -158,9 +114,10 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
   if (!shown) {
     return base::fail(shown.error());
   }
-  const std::optional<int> first =
-      (*shown)[1].status ? std::optional(baseCell) : baseCellOf((*shown)[1].text, baseCell);
-  if ((*shown)[0].status || (*shown)[0].number == kReset || !first) {
+  const std::optional<int> first = (*shown)[1].status
+                                       ? std::optional(baseCell)
+                                       : templates::baseCellOf((*shown)[1].text, baseCell);
+  if ((*shown)[0].status || (*shown)[0].number == opcua::kChannelReset || !first) {
     return std::nullopt;
   }
   RunOnControl run;
@@ -191,37 +148,47 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
   return run;
 }
 
-Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings) {
-  const std::array<Variable, 2> watched{
-      {{VariableKind::ChannelStatus, 0}, cell(run.baseCell, WindowProtocol::Owner)}};
-  const opcua::Assignment end{cell(run.baseCell, WindowProtocol::Run),
-                              static_cast<double>(WindowProtocol::kEnd)};
+Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunSettings& settings) {
+  std::vector<Variable> watched{{VariableKind::ChannelStatus, 0}};
+  watched.insert(watched.end(), command.identity.begin(), command.identity.end());
   const Instant until = link.now() + settings.stopDeadline;
   for (bool told = false;; told = true) {
     const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
     }
-    if ((*numbers)[0] == kReset) {
+    if ((*numbers)[0] == opcua::kChannelReset) {
       return {};
     }
-    if ((*numbers)[1] != static_cast<double>(run.number)) {
-      return base::fail(StreamError::ChannelBusy,
-                        "Another run has begun on the control. Nothing was changed.");
+    if (!command.isMeant(std::span(*numbers).subspan(1))) {
+      return base::fail(StreamError::ChannelBusy, std::string(command.isAnother));
     }
     if (link.now() >= until) {
-      return base::fail(StreamError::StopNotConfirmed,
-                        "The program on the control did not end. Reset the control.");
+      return base::fail(StreamError::StopNotConfirmed, std::string(command.doesNotEnd));
     }
     if (!told) {
-      if (Result<void> done = opcua::writeNow(link, {&end, 1}, settings.requestDeadline); !done) {
+      if (Result<void> done = opcua::writeNow(link, {&command.end, 1}, settings.requestDeadline);
+          !done) {
         return done;
       }
     }
-    if (Result<void> slept = sleepUntil(link, link.now() + kPollInterval); !slept) {
+    if (Result<void> slept = opcua::sleepUntil(link, link.now() + kPollInterval); !slept) {
       return slept;
     }
   }
+}
+
+Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings) {
+  return endProgram(
+      link,
+      {{cell(run.baseCell, WindowProtocol::Run), static_cast<double>(WindowProtocol::kEnd)},
+       {cell(run.baseCell, WindowProtocol::Owner)},
+       [&run](std::span<const double> owner) {
+         return owner[0] == static_cast<double>(run.number);
+       },
+       "Another run has begun on the control. Nothing was changed.",
+       "The program on the control did not end. Reset the control."},
+      settings);
 }
 
 }  // namespace rivulet::streaming

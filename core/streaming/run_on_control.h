@@ -9,9 +9,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "opcua/link.h"
 #include "streaming/run.h"
@@ -42,6 +45,20 @@ struct RunOnControl {
                                                                 opcua::Control& control,
                                                                 int baseCell,
                                                                 base::Duration watchFor);
+
+/// How a program that waits on the control is told to end.
+struct EndCommand {
+  opcua::Assignment end;
+  std::vector<opcua::Variable> identity;  ///< cells that tell the program from others
+  std::function<bool(std::span<const double>)> isMeant;  ///< by the numbers in these cells
+  std::string_view isAnother;                            ///< sentence if it is not
+  std::string_view doesNotEnd;                           ///< sentence if it goes on
+};
+
+/// Commands the program to end, unless the channel is in reset, and waits for that.
+/// @return ChannelBusy if it is another program; StopNotConfirmed; or a link error
+[[nodiscard]] base::Result<void> endProgram(opcua::Link& link, const EndCommand& command,
+                                            const RunSettings& settings);
 
 /// Commands the program of this run to end, and waits for it. It executes only the windows it has
 /// copied. @return StopNotConfirmed, ChannelBusy if it obeys another run by now, or a link error
