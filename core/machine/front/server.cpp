@@ -23,6 +23,7 @@
 #include "machine/front/variable_service.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
+#include "opcua/open62541/tcp_manager.h"
 
 namespace rivulet::machine {
 
@@ -49,13 +50,6 @@ constexpr base::Duration kSilenceMax = std::chrono::seconds(3);
 
 /// How often the machine is advanced while no client asks.
 constexpr base::Duration kIdleStep = milliseconds(10);
-
-/// Key under which the connection manager knows the server it belongs to.
-constexpr std::string_view kOwnerKey = "rivulet-owner";
-
-[[nodiscard]] UA_QualifiedName ownerKey() {
-  return {0, opcua::borrow(kOwnerKey)};
-}
 
 [[nodiscard]] std::string urlOf(const std::string& host, std::uint16_t port) {
   const bool isIpv6 = host.find(':') != std::string::npos;
@@ -277,34 +271,17 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
 /// The callbacks of variables do not see which request they belong to. An answer on its way to
 /// a client is the end of one, so the sending function of the network layer is wrapped.
 base::Result<void> Server::Impl::watchAnswers() {
-  for (UA_EventSource* source = m_loop->eventSources; source != nullptr; source = source->next) {
-    if (source->eventSourceType != UA_EVENTSOURCETYPE_CONNECTIONMANAGER) {
-      continue;
-    }
-    // The event source is the first member of the manager, as the library itself relies on.
-    auto* manager = reinterpret_cast<UA_ConnectionManager*>(source);
-    if (opcua::view(manager->protocol) != "tcp") {
-      continue;
-    }
-    UA_UInt64 owner = reinterpret_cast<std::uintptr_t>(this);
-    if (UA_KeyValueMap_setScalar(&source->params, ownerKey(), &owner, &UA_TYPES[UA_TYPES_UINT64]) !=
-        UA_STATUSCODE_GOOD) {
-      break;
-    }
-    m_manager = manager;
-    m_send = std::exchange(manager->sendWithConnection, &Impl::onSend);
-    m_open = std::exchange(manager->openConnection, &Impl::onOpen);
+  m_manager = opcua::ownedTcpManager(*m_loop, this);
+  if (m_manager != nullptr) {
+    m_send = std::exchange(m_manager->sendWithConnection, &Impl::onSend);
+    m_open = std::exchange(m_manager->openConnection, &Impl::onOpen);
     return {};
   }
   return setUpFailed("watch its connections");
 }
 
 Server::Impl& Server::Impl::of(const UA_ConnectionManager& manager) {
-  const void* owner =
-      UA_KeyValueMap_getScalar(&manager.eventSource.params, ownerKey(), &UA_TYPES[UA_TYPES_UINT64]);
-  RIVULET_ASSERT(owner != nullptr);
-  return *reinterpret_cast<Impl*>(
-      static_cast<std::uintptr_t>(*static_cast<const UA_UInt64*>(owner)));
+  return *static_cast<Impl*>(opcua::ownerOf(manager));
 }
 
 UA_StatusCode Server::Impl::onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,

@@ -25,6 +25,7 @@
 #include "opcua/open62541/monotonic_clock.h"
 #include "opcua/open62541/quiet_logger.h"
 #include "opcua/open62541/status.h"
+#include "opcua/open62541/tcp_manager.h"
 
 // How it works. Requests wait in one queue, oldest first. A request of Grouping::List is one
 // service call. A request of Grouping::Single is a chain of calls, each sent when the previous one
@@ -67,8 +68,6 @@ constexpr int kConnectDeadlines = 6;
 constexpr int kHandshakesMax = 4;
 /// Pause before a server that closed the connection is tried again; each is twice as long.
 constexpr Duration kRetryPause = milliseconds(100);
-/// Key under which the library's connection manager knows the link it sends for.
-constexpr std::string_view kOwnerKey = "rivulet-owner";
 /// For closing the session.
 constexpr Duration kCloseDeadline = std::chrono::seconds(1);
 constexpr UA_UInt32 kCloseStepMs = 10;
@@ -454,31 +453,15 @@ base::Result<void> UaLink::Impl::open() {
 /// While the other side takes no data, the library tries to send for ever. So the system is told to
 /// end such a connection. The number of a connection is that of its socket.
 void UaLink::Impl::limitSending() {
-  UA_EventLoop* loop = UA_Client_getConfig(m_client)->eventLoop;
-  for (UA_EventSource* source = loop->eventSources; source != nullptr; source = source->next) {
-    if (source->eventSourceType != UA_EVENTSOURCETYPE_CONNECTIONMANAGER) {
-      continue;
-    }
-    // The event source is the first member of the manager, as the library itself relies on.
-    auto* manager = reinterpret_cast<UA_ConnectionManager*>(source);
-    UA_UInt64 owner = reinterpret_cast<std::uintptr_t>(this);
-    if (view(manager->protocol) == "tcp" &&
-        UA_KeyValueMap_setScalar(&source->params, {0, borrow(kOwnerKey)}, &owner,
-                                 &UA_TYPES[UA_TYPES_UINT64]) == UA_STATUSCODE_GOOD) {
-      m_send = manager->sendWithConnection;
-      manager->sendWithConnection = &Impl::onSend;
-    }
+  if (auto* manager = ownedTcpManager(*UA_Client_getConfig(m_client)->eventLoop, this)) {
+    m_send = std::exchange(manager->sendWithConnection, &Impl::onSend);
   }
 }
 
 UA_StatusCode UaLink::Impl::onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
                                    const UA_KeyValueMap* parameters,
                                    UA_ByteString* message) noexcept {
-  const void* owner = UA_KeyValueMap_getScalar(&manager->eventSource.params, {0, borrow(kOwnerKey)},
-                                               &UA_TYPES[UA_TYPES_UINT64]);
-  RIVULET_ASSERT(owner != nullptr);
-  const auto* self = reinterpret_cast<const Impl*>(
-      static_cast<std::uintptr_t>(*static_cast<const UA_UInt64*>(owner)));
+  const auto* self = static_cast<const Impl*>(ownerOf(*manager));
   const auto limitMs = static_cast<unsigned>(
       std::chrono::duration_cast<milliseconds>(self->m_options.silenceMax).count());
   setsockopt(static_cast<int>(connectionId), IPPROTO_TCP, TCP_USER_TIMEOUT, &limitMs,
