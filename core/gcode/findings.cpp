@@ -45,7 +45,6 @@ void Findings::report(Severity severity, int column, DiagnosticCode code, std::s
       found = {Severity::Warning, m_line, column, DiagnosticCode::Accepted, std::move(name), file};
     }
   }
-  m_hasErrors |= found.severity == Severity::Error;
   if (m_list.size() >= kDiagnosticsMax) {
     if (m_suppressed++ == 0) {
       m_suppressedLine = m_line;

@@ -43,8 +43,6 @@ class Findings final : public nc::FaultSink {
   void ignoreM(Severity severity, int number, const nc::Token& token) override;
   void ignoreLetter(const nc::Token& token) override;
 
-  /// True if an error was found that stands in the way of the path.
-  [[nodiscard]] bool hasErrors() const { return m_hasErrors; }
   /// The findings, sorted by place. The object is empty afterwards.
   [[nodiscard]] std::vector<Diagnostic> take();
 
@@ -53,7 +51,6 @@ class Findings final : public nc::FaultSink {
   std::vector<Diagnostic> m_list;
   base::LineNumber m_line;
   const std::string* m_file = nullptr;
-  bool m_hasErrors = false;
   std::bitset<10000> m_ignoredG;
   std::bitset<10000> m_ignoredM;
   std::bitset<10000> m_warnedM;
