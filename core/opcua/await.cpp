@@ -5,7 +5,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rivulet::opcua {
+
+namespace {
+
+/// An item that is refused may have been falsified on its way: asked again, it is known.
+constexpr int kAttemptsMax = 3;
+
+}  // namespace
 
 base::Result<Event> awaitAnswer(Link& link, base::RequestId id, base::Duration deadline) {
   // The link reports its own deadline; twice that is a bug of the link, not of the control.
@@ -42,37 +51,46 @@ base::Result<std::vector<Reading>> readNow(Link& link, std::span<const Variable>
 
 base::Result<std::vector<double>> readNumbers(Link& link, std::span<const Variable> variables,
                                               base::Duration deadline) {
-  const auto readings = readNow(link, variables, deadline);
-  if (!readings) {
-    return base::fail(readings.error());
-  }
-  std::vector<double> numbers;
-  for (const Reading& reading : *readings) {
-    if (reading.status) {
-      return base::fail(reading.status,
-                        "A variable of the control cannot be read. Check the access rights.");
+  std::error_code refused;
+  for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
+    const auto readings = readNow(link, variables, deadline);
+    if (!readings) {
+      return base::fail(readings.error());
     }
-    numbers.push_back(reading.number);
+    std::vector<double> numbers;
+    refused.clear();
+    for (const Reading& reading : *readings) {
+      refused = refused ? refused : reading.status;
+      numbers.push_back(reading.number);
+    }
+    if (!refused) {
+      return numbers;
+    }
   }
-  return numbers;
+  return base::fail(
+      refused, fmt::format("A variable of the control cannot be read. {}", remedyForItem(refused)));
 }
 
 base::Result<void> writeNow(Link& link, std::span<const Assignment> assignments,
                             base::Duration deadline) {
-  const base::Result<Event> event =
-      awaitAnswer(link, link.write(assignments, deadline, Grouping::List), deadline);
-  if (!event) {
-    return base::fail(event.error());
-  }
-  for (std::size_t i = 0; i < event->statuses.size(); ++i) {
-    if (event->statuses[i]) {
-      return base::fail(event->statuses[i],
-                        fmt::format("R{} of the control cannot be written. Check the access rights "
-                                    "and the number of R-parameters (MD28050).",
-                                    assignments[i].variable.index));
+  base::Error refused;
+  for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
+    const base::Result<Event> event =
+        awaitAnswer(link, link.write(assignments, deadline, Grouping::List), deadline);
+    if (!event) {
+      return base::fail(event.error());
     }
+    const auto bad = std::find_if(event->statuses.begin(), event->statuses.end(),
+                                  [](const std::error_code& status) { return !!status; });
+    if (bad == event->statuses.end()) {
+      return {};
+    }
+    const auto item = static_cast<std::size_t>(bad - event->statuses.begin());
+    refused =
+        base::makeError(*bad, fmt::format("R{} of the control cannot be written. {}",
+                                          assignments[item].variable.index, remedyForItem(*bad)));
   }
-  return {};
+  return base::fail(refused);
 }
 
 base::Result<void> sleepUntil(Link& link, base::Instant until) {

@@ -12,4 +12,18 @@ std::error_code make_error_code(LinkError code) {
   return {static_cast<int>(code), category};
 }
 
+std::string_view remedyForItem(const std::error_code& status) {
+  if (status == LinkError::NotWritable) {
+    return "Give this OPC UA user access to it on the control.";
+  }
+  if (status == LinkError::VariableMissing) {
+    return "Check the server, and the number of R-parameters on the control (MD28050).";
+  }
+  if (status == LinkError::BadValue) {
+    return "The answer was damaged on its way, or is not a number. Check network and server, then "
+           "resume.";
+  }
+  return "The control rejected it. Check its messages.";
+}
+
 }  // namespace rivulet::opcua

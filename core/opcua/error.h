@@ -5,6 +5,7 @@
 /// Failures of a connection to a control. OPC UA status codes end here.
 #pragma once
 
+#include <string_view>
 #include <system_error>
 
 namespace rivulet::opcua {
@@ -26,6 +27,9 @@ enum class LinkError {
 };
 
 [[nodiscard]] std::error_code make_error_code(LinkError code);
+
+/// What to do about a variable that was refused repeatedly.
+[[nodiscard]] std::string_view remedyForItem(const std::error_code& status);
 
 }  // namespace rivulet::opcua
 

@@ -47,21 +47,6 @@ constexpr int kSlackFactor = 2;
 /// Files travel more slowly than variables.
 constexpr Duration kStoreDeadline = std::chrono::seconds{10};
 
-/// One variable of a request could not be accessed: the remedy depends on the reason.
-base::Error itemError(const std::error_code& status, const std::string& what) {
-  const char* remedy = "The control rejected it. Check its messages.";
-  if (status == opcua::LinkError::NotWritable) {
-    remedy = "Give this OPC UA user access to it on the control.";
-  } else if (status == opcua::LinkError::VariableMissing) {
-    remedy = "Check the number of R-parameters on the control (MD28050).";
-  } else if (status == opcua::LinkError::BadValue) {
-    remedy =
-        "The answer was damaged on its way, or is not a number. Check network and server, then "
-        "resume.";
-  }
-  return base::makeError(status, what + ' ' + remedy);
-}
-
 }  // namespace
 
 Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
@@ -393,9 +378,7 @@ void Driver::handle(const opcua::Event& event) {
   noteAccess(event, pending);
   if (const std::error_code refused = refusedItem(event)) {
     if (!repeats(event, forMethod)) {
-      abandon(itemError(refused, event.kind == opcua::EventKind::ReadDone
-                                     ? "A variable that the stream needs cannot be read."
-                                     : "A cell that the stream needs cannot be written."));
+      abandon(itemError(refused, event.kind == opcua::EventKind::ReadDone));
     } else if (forMethod) {
       m_counters.sent -= pending.points;
     } else if (isCorrection) {
@@ -429,9 +412,21 @@ std::error_code Driver::refusedItem(const opcua::Event& event) {
   return {};
 }
 
+base::Error Driver::itemError(const std::error_code& status, bool isRead) const {
+  // In the middle of a run it is hardly the access rights: the same cells were accessible before.
+  return base::makeError(
+      status,
+      fmt::format("{} {}",
+                  isRead ? "A variable that the stream needs cannot be read."
+                         : "A cell that the stream needs cannot be written.",
+                  m_counters.accepted == 0
+                      ? opcua::remedyForItem(status)
+                      : "It was accessible before in this run: the request was falsified on its "
+                        "way, or the control has withdrawn the access. Check network and server."));
+}
+
 bool Driver::repeats(const opcua::Event& event, bool forMethod) {
-  // In the middle of a run it is not the access rights: the same cells were accessible before.
-  if (m_abandonedAt || m_counters.accepted == 0 || ++m_refusals > kRefusalsMax) {
+  if (m_abandonedAt || ++m_refusals > kRefusalsMax) {
     return false;
   }
   if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {

@@ -109,6 +109,8 @@ class Driver {
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
   /// The first item of an answer that could not be read or written; clear: none.
   [[nodiscard]] static std::error_code refusedItem(const opcua::Event& event);
+  /// One variable of a request could not be accessed: the remedy depends on the reason.
+  [[nodiscard]] base::Error itemError(const std::error_code& status, bool isRead) const;
   /// Asks again for an item that has been refused. @return false if that makes no sense
   [[nodiscard]] bool repeats(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
