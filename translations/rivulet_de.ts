@@ -560,6 +560,10 @@
         <source>The calibration is damaged. Measure again.</source>
         <translation>Die Kalibrierung ist beschädigt. Bitte neu messen.</translation>
     </message>
+    <message>
+        <source>Another client has claimed the R-parameters of this run and is about to start. Nothing was changed. Wait until its run has ended.</source>
+        <translation>Ein anderer Client hat die R-Parameter dieses Laufs belegt und startet gleich. Nichts wurde geändert. Warten Sie, bis sein Lauf beendet ist.</translation>
+    </message>
 </context>
 <context>
     <name>GroupingTexts</name>
@@ -2904,6 +2908,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>A new start begins at the first point.</source>
         <translation>Ein neuer Start beginnt beim ersten Punkt.</translation>
+    </message>
+    <message>
+        <source>Waiting until the claim of another client lapses, because it may be dead (10 s)</source>
+        <translation>Ein anderer Client hat die R-Parameter belegt, ist aber vielleicht abgestürzt. Die Belegung verfällt nach 10 s</translation>
     </message>
 </context>
 <context>

@@ -519,8 +519,11 @@ Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<vo
     fmt::print(stderr, "The run is not complete. To go on:\n  {}\n",
                resumeCommand(savedRun(), *left));
   }
-  if (done.error.code && exitFor(done.error) == Exit::Connection) {
-    return Exit::Connection;
+  using streaming::StreamError;
+  const bool isAnothers =
+      done.error.code == StreamError::Claimed || done.error.code == StreamError::ChannelBusy;
+  if (done.error.code && (isAnothers || exitFor(done.error) == Exit::Connection)) {
+    return exitFor(done.error);
   }
   return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
 }

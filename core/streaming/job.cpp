@@ -16,6 +16,7 @@
 #include "base/units.h"
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
+#include "streaming/cell_claim.h"
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
 #include "streaming/resume.h"
@@ -117,15 +118,12 @@ class Job {
     m_report.programName = m_program.name;
     m_type.complete(m_settings, entropy());
     m_report.settings = m_settings;
-    Result<void> result = mayStart();
-    if (result) {
-      result = prepare();
-    }
-    if (result) {
-      result = chooseAccess();
-    }
-    if (result) {
-      result = arm();
+    Result<void> result;
+    for (const auto step :
+         {&Job::mayStart, &Job::prepare, &Job::claim, &Job::chooseAccess, &Job::arm}) {
+      if (result && !m_cancelled) {
+        result = (this->*step)();
+      }
     }
     if (result && !m_cancelled) {
       stream();
@@ -137,7 +135,7 @@ class Job {
   }
 
  private:
-  [[nodiscard]] Result<void> mayStart() const {
+  Result<void> mayStart() {
     if (base::needsCommissioning(m_settings.parameters.method) && !m_settings.isCommissioned) {
       return base::fail(blockedError({BlockReason::NotCommissioned, {}, std::nullopt}));
     }
@@ -159,7 +157,7 @@ class Job {
     m_cells = *cells;
     Result<Preflight> flight = preflight(m_link, m_program, m_settings);
     if (!flight) {
-      return base::fail(flight.error());
+      return base::fail(withName(flight.error()));
     }
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
@@ -173,6 +171,86 @@ class Job {
     return {};
   }
 
+  /// Before anything is written: another client may be about to start, too.
+  Result<void> claim() {
+    if (m_settings.origin.user.empty()) {
+      return {};
+    }
+    m_number = m_settings.runNumber != 0 ? m_settings.runNumber : runNumberFrom(entropy());
+    m_claim.emplace(m_link, m_cells.heartbeat, m_number, m_settings.setupDeadline);
+    if (Result<void> done = holdClaim(m_claim->take(hooks())); !done || m_cancelled) {
+      return done;
+    }
+    storeLabel();
+    return {};
+  }
+
+  /// The answer of the claim as a step of the job.
+  Result<void> holdClaim(const Result<std::optional<int>>& holder) {
+    if (!holder && holder.error().code == StreamError::Cancelled) {
+      m_cancelled = true;
+      m_report.outcome = Outcome::Stopped;
+      return {};
+    }
+    if (!holder) {
+      return base::fail(withName(holder.error()));
+    }
+    return *holder ? Result<void>(base::fail(claimedBy(**holder))) : Result<void>();
+  }
+
+  Result<void> renewClaim() {
+    return m_claim ? holdClaim(m_claim->renew(hooks())) : Result<void>();
+  }
+
+  [[nodiscard]] CellClaim::Hooks hooks() {
+    return {[this] { return m_orders.stopRequested(m_link.now()); },
+            [this] { publish(RunState::Armed, "claim"); }};
+  }
+
+  /// For what is done before the run: while it waits, the claim is repeated.
+  [[nodiscard]] opcua::Link& setupLink() {
+    return m_claim ? static_cast<opcua::Link&>(*m_claim) : m_link;
+  }
+
+  [[nodiscard]] int labelCell() const {
+    return m_cells.heartbeat - templates::WindowProtocol::Heartbeat;
+  }
+
+  /// @return nothing: the control does not tell
+  std::optional<RunOrigin> originOf(int number) {
+    const Result<std::string> label = m_control.downloadProgram(runLabelName(labelCell()));
+    return label ? runLabelOf(*label, number) : std::nullopt;
+  }
+
+  base::Error claimedBy(int number) {
+    // The other client stores its name after it has got the cells.
+    const Instant until = m_link.now() + 2 * CellClaim::kSettle;
+    std::optional<RunOrigin> origin = originOf(number);
+    while (!origin && m_link.now() < until) {
+      pause(CellClaim::kBeatInterval);
+      origin = originOf(number);
+    }
+    return base::makeError(StreamError::Claimed,
+                           "Another client has claimed the cells on the control and is about to "
+                           "start. Nothing was changed. Wait until its run has ended.",
+                           describeOrigin(number, origin));
+  }
+
+  /// Adds whose program it is that runs on the control.
+  base::Error withName(base::Error error) {
+    if (error.code != StreamError::ChannelBusy || m_settings.origin.user.empty()) {
+      return error;
+    }
+    const std::array<Variable, 2> cells{opcua::rParameter(m_cells.heartbeat),
+                                        opcua::rParameter(m_cells.owner)};
+    const auto numbers = opcua::readNumbers(m_link, cells, m_settings.setupDeadline);
+    const int number = numbers ? claimantOf((*numbers)[0]).value_or(runNumberOf((*numbers)[1])) : 0;
+    if (const auto origin = number != 0 ? originOf(number) : std::nullopt) {
+      error.context = describeOrigin(number, origin);
+    }
+    return error;
+  }
+
   /// Tries the forms of access on cells that the run will overwrite anyway.
   Result<void> chooseAccess() {
     if (m_settings.access == AccessChoice::Fixed || m_cells.slotCount() == 0) {
@@ -183,8 +261,8 @@ class Job {
                         "Arrays need consecutive cells, and Rivulet may not use the cells between "
                         "the points. Choose the contiguous layout, or lists.");
     }
-    Result<AccessForms> forms = probeAccess(m_link, {m_cells.scratch->first, m_cells.scratch->last},
-                                            m_settings.requestDeadline);
+    Result<AccessForms> forms = probeAccess(
+        setupLink(), {m_cells.scratch->first, m_cells.scratch->last}, m_settings.requestDeadline);
     if (!forms) {
       return base::fail(forms.error());
     }
@@ -235,6 +313,9 @@ class Job {
     }
     const std::string name = templates::templateFileName(m_settings.parameters);
     publish(RunState::Armed, "transfer");
+    if (Result<void> done = renewClaim(); !done || m_cancelled) {
+      return done;
+    }
     const Result<ProgramTransfer> transfer =
         transferProgram(m_control, name, *text, m_settings.transfer);
     if (!transfer) {
@@ -246,13 +327,16 @@ class Job {
                                              transfer->compared ? "compared" : "not compared",
                                              transfer->selected ? "selected" : "to be selected")});
     keepCheckpoint(false);
-    storeLabel();
+    // A program takes a while to be transferred, and nothing can be repeated meanwhile.
+    if (Result<void> done = renewClaim(); !done || m_cancelled) {
+      return done;
+    }
     // A number left from an earlier run must not be mistaken for the program's own.
     std::vector<opcua::Assignment> clear;
     for (const int cell : m_cells.cleared) {
       clear.push_back({opcua::rParameter(cell), 0.0});
     }
-    if (Result<void> done = opcua::writeNow(m_link, clear, m_settings.requestDeadline); !done) {
+    if (Result<void> done = opcua::writeNow(setupLink(), clear, m_settings.setupDeadline); !done) {
       return done;
     }
     publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
@@ -292,12 +376,11 @@ class Job {
 
   /// Says on the control who started the run, where it lets Rivulet store programs.
   void storeLabel() {
-    if (m_settings.origin.user.empty() || m_settings.transfer != TransferWay::Link ||
-        !m_report.checkpoint) {
+    if (m_settings.transfer != TransferWay::Link) {
       return;
     }
-    if (const Result<void> stored = storeRunLabel(m_control, m_settings.parameters.baseCell,
-                                                  m_settings.runNumber, m_settings.origin);
+    if (const Result<void> stored =
+            storeRunLabel(m_control, labelCell(), m_number, m_settings.origin);
         !stored) {
       m_ledger.note(
           {m_link.now(), "the name of the run could not be stored: " + stored.error().text()});
@@ -319,7 +402,7 @@ class Job {
       if (m_orders.stopRequested(m_link.now())) {
         return cancel();
       }
-      const auto numbers = opcua::readNumbers(m_link, watched, m_settings.requestDeadline);
+      const auto numbers = opcua::readNumbers(setupLink(), watched, m_settings.setupDeadline);
       if (!numbers) {
         return base::fail(numbers.error());
       }
@@ -469,6 +552,9 @@ class Job {
         m_report.integrity.executed < m_report.counters.total) {
       fail(endedEarly());
     }
+    if (m_claim && m_report.error.code != opcua::LinkError::ConnectionLost) {
+      m_claim->release();
+    }
     m_report.access = m_ledger.statistics();
     if (m_recorder.writer != nullptr) {
       m_recorder.writer->end({std::string(outcomeName(m_report.outcome)), m_report.counters.sent,
@@ -511,7 +597,7 @@ class Job {
   void pause(Duration duration) {
     const Instant until = m_link.now() + duration;
     while (m_link.now() < until) {
-      if (!m_link.wait(until)) {
+      if (!setupLink().wait(until)) {
         return;
       }
     }
@@ -536,6 +622,8 @@ class Job {
   JobRecorder m_recorder;
   const MethodType& m_type;
   templates::CellMap m_cells;
+  int m_number = 0;                  ///< of the run; set by `claim`
+  std::optional<CellClaim> m_claim;  ///< nothing: the cells are not claimed
   Preflight m_flight;
   RunReport m_report;
   bool m_cancelled = false;
@@ -560,14 +648,12 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
                                          {VariableKind::ActualPosition, 1},
                                          {VariableKind::ActualPosition, 2},
                                          {VariableKind::Alarm, 0}}};
-  const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
+  const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
   }
   if ((*numbers)[0] != opcua::kChannelReset) {
-    return base::fail(StreamError::ChannelBusy,
-                      "A program is running on the control. Wait until it has ended, or reset the "
-                      "control, then start again.");
+    return base::fail(channelBusy());
   }
   if (const int alarm = static_cast<int>((*numbers)[4]); alarm != 0) {
     return base::fail(StreamError::ControlAlarm,
@@ -578,13 +664,13 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   const bool asksForRotary =
       base::any(settings.parameters.rotaryAxes) || !program.trajectory.rotary.empty();
   if (asksForRotary) {
-    const Result<ControlAxes> axes = readControlAxes(link, settings.requestDeadline);
+    const Result<ControlAxes> axes = readControlAxes(link, settings.setupDeadline);
     if (!axes) {
       return base::fail(axes.error());
     }
     flight.axes = *axes;
     const Result<base::RotaryDeg> angles =
-        readAngles(link, flight.axes, flight.axes.set(), settings.requestDeadline);
+        readAngles(link, flight.axes, flight.axes.set(), settings.setupDeadline);
     if (!angles) {
       return base::fail(angles.error());
     }

@@ -10,6 +10,19 @@ std::error_code make_error_code(StreamError code) {
   return {static_cast<int>(code), category};
 }
 
+int runNumberFrom(std::uint64_t entropy) {
+  constexpr std::uint64_t kNumbers = 999'983;
+  std::uint64_t mixed = entropy ^ (entropy >> 29U);
+  mixed *= 0x9E3779B97F4A7C15ULL;
+  return static_cast<int>((mixed >> 20U) % kNumbers) + 1;
+}
+
+base::Error channelBusy() {
+  return base::makeError(StreamError::ChannelBusy,
+                         "A program is running on the control. Wait until it has ended, or reset "
+                         "the control, then start again.");
+}
+
 std::string_view runStateName(RunState state) {
   switch (state) {
     case RunState::Idle:

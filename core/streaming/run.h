@@ -56,12 +56,19 @@ enum class StreamError {
   OverlayLeft,               ///< an overlay is already active on the axes (online correction)
   OverlayIntegrates,         ///< the control adds up overlaid values (online correction)
   ProgramChanged,            ///< the points differ from those of the run to be resumed
+  Claimed,                   ///< another client has claimed the cells and is about to start
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
 
 /// The states an operator sees.
 enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding, Stopped };
+
+/// The number of a run: 1 to 999 983.
+[[nodiscard]] int runNumberFrom(std::uint64_t entropy);
+
+/// "A program is running on the control …"
+[[nodiscard]] base::Error channelBusy();
 
 /// "idle", "armed", ...
 [[nodiscard]] std::string_view runStateName(RunState state);
@@ -116,6 +123,10 @@ enum class AccessChoice {
   Array,  ///< the best array form, or the run does not start
 };
 
+/// Deadline of a request while the machine does not need it: a network that stalls ends nothing
+/// before the link itself takes it for lost.
+inline constexpr base::Duration kSetupDeadline = std::chrono::seconds{12};
+
 struct RunSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
   double deltaMm = 0.3;                      ///< δ, > 0
@@ -126,7 +137,8 @@ struct RunSettings {
   /// which must be contiguous) before the program on the control is started, and `grouping` is set
   /// to the result.
   AccessChoice access = AccessChoice::Fixed;
-  base::Duration requestDeadline = std::chrono::seconds{2};
+  base::Duration requestDeadline = std::chrono::seconds{2};     ///< while the machine moves
+  base::Duration setupDeadline = kSetupDeadline;                ///< before and after
   base::Duration startDeadline = std::chrono::minutes{5};       ///< for cycle start at the control
   base::Duration stopDeadline = std::chrono::seconds{30};       ///< for the confirmation of a stop
   base::Duration stallDeadline = std::chrono::seconds{20};      ///< without a sign of progress
@@ -147,7 +159,7 @@ struct RunSettings {
   bool placePauses = true;
   bool monitor = true;  ///< read position and feed for the display when the stream has slack
   /// Stored on the control next to the program (`storeRunLabel`) and in the recording. Without a
-  /// user, nothing is stored on the control.
+  /// user, nothing is stored on the control, and the cells are not claimed (`CellClaim`).
   RunOrigin origin{};
 };
 

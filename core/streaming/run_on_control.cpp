@@ -24,7 +24,7 @@ using opcua::Variable;
 using opcua::VariableKind;
 using templates::WindowProtocol;
 
-constexpr Duration kDeadline = std::chrono::seconds{2};
+constexpr Duration kDeadline = kSetupDeadline;
 constexpr Duration kPollInterval = std::chrono::milliseconds{100};
 constexpr std::size_t kLabelFieldMax = 60;
 
@@ -101,6 +101,16 @@ std::optional<RunOrigin> runLabelOf(std::string_view text, int number) {
   return RunOrigin{*user, *computer, *started};
 }
 
+std::string describeOrigin(int number, const std::optional<RunOrigin>& origin) {
+  return origin ? fmt::format("{}, {}, {} (run {})", origin->user, origin->computer,
+                              origin->startedAtUtc, number)
+                : fmt::format("(run {})", number);
+}
+
+int runNumberOf(double cell) {
+  return static_cast<int>(countOf(cell));
+}
+
 Result<void> storeRunLabel(opcua::Control& control, int baseCell, int number,
                            const RunOrigin& origin) {
   return control.uploadProgram(runLabelName(baseCell), runLabelText(number, origin), true);
@@ -135,7 +145,7 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
   run.latched = countOf((*numbers)[1]);
   run.executed = countOf((*numbers)[2]);
   run.state = static_cast<templates::WindowState>(countOf((*numbers)[3]));
-  run.number = static_cast<int>(countOf((*numbers)[4]));
+  run.number = runNumberOf((*numbers)[4]);
   if (run.number != 0) {
     const Result<std::string> label = control.downloadProgram(runLabelName(*first));
     run.origin = label ? runLabelOf(*label, run.number) : std::nullopt;
@@ -153,7 +163,7 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
   watched.insert(watched.end(), command.identity.begin(), command.identity.end());
   const Instant until = link.now() + settings.stopDeadline;
   for (bool told = false;; told = true) {
-    const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
+    const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
     }
@@ -167,7 +177,7 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
       return base::fail(StreamError::StopNotConfirmed, std::string(command.doesNotEnd));
     }
     if (!told) {
-      if (Result<void> done = opcua::writeNow(link, {&command.end, 1}, settings.requestDeadline);
+      if (Result<void> done = opcua::writeNow(link, {&command.end, 1}, settings.setupDeadline);
           !done) {
         return done;
       }

@@ -76,6 +76,13 @@ inline constexpr base::Duration kHeartbeatWatch = std::chrono::milliseconds{2500
 /// Inverse of `runLabelText`; nothing for another run or another text.
 [[nodiscard]] std::optional<RunOrigin> runLabelOf(std::string_view text, int number);
 
+/// "anna, cell-pc-3, 2026-11-22T05:00:00Z (run 123456)", as far as it is known: few words, because
+/// it is not translated.
+[[nodiscard]] std::string describeOrigin(int number, const std::optional<RunOrigin>& origin);
+
+/// Number of a run in a cell; 0: none.
+[[nodiscard]] int runNumberOf(double cell);
+
 /// Stores the label; to be called while the channel is in reset.
 [[nodiscard]] base::Result<void> storeRunLabel(opcua::Control& control, int baseCell, int number,
                                                const RunOrigin& origin);

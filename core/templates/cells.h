@@ -109,7 +109,9 @@ struct WindowCells {
   int state = 0;         ///< NC: `WindowState`
   int client = 0;        ///< client: the number of its run, to be granted the cells
   int owner = 0;         ///< NC: number of the run it obeys; only the first to ask is granted
-  int heartbeat = 0;     ///< client: changes while it lives
+  /// Client: changes while it lives. Before the start of the program: who has claimed the cells;
+  /// that also with the methods of [P1], at the same place.
+  int heartbeat = 0;
   int windows = 0;       ///< k; 0: another method
   int windowStride = 0;  ///< from a cell of a window to that of the next
   /// Client: online correction of X, Y, Z, in mm; -1: none. After the last slot.

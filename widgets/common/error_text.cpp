@@ -211,6 +211,11 @@ struct ErrorTexts {
         return tr(
             "Another client is using the program on the control. Rivulet writes nothing more: wait "
             "until the other client has finished, or reset the control.");
+      case StreamError::Claimed:
+        return tr(
+            "Another client has claimed the R-parameters of this run and is about to start. "
+            "Nothing "
+            "was changed. Wait until its run has ended.");
       case StreamError::Restarted:
         return tr(
             "The program on the control was restarted during the run. Reset the control, then "

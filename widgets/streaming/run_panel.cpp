@@ -328,6 +328,9 @@ QString RunPanel::waitingText() const {
   if (key == QStringLiteral("network")) {
     return tr("Nothing comes from the control. Check cable, switch and server.");
   }
+  if (key == QStringLiteral("claim")) {
+    return tr("Waiting until the claim of another client lapses, because it may be dead (10 s)");
+  }
   if (key == QStringLiteral("trace")) {
     return tr("Waiting for the control's own trace");
   }

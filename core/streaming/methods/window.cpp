@@ -382,13 +382,9 @@ std::unique_ptr<Method> WindowMethodType::make(MethodSetup setup) const {
 }
 
 void WindowMethodType::complete(RunSettings& settings, std::uint64_t entropy) const {
-  if (settings.runNumber != 0) {
-    return;
+  if (settings.runNumber == 0) {
+    settings.runNumber = runNumberFrom(entropy);
   }
-  constexpr std::uint64_t kNumbers = 999'983;
-  std::uint64_t mixed = entropy ^ (entropy >> 29U);
-  mixed *= 0x9E3779B97F4A7C15ULL;
-  settings.runNumber = static_cast<int>((mixed >> 20U) % kNumbers) + 1;
 }
 
 std::vector<std::size_t> WindowMethodType::pausesBefore(std::span<const gcode::StreamPoint> points,
@@ -415,7 +411,7 @@ std::optional<ProgramEnd> WindowMethodType::askEnd(
                                                opcua::rParameter(cells.executed),
                                                opcua::rParameter(cells.owner)};
   ProgramEnd end;
-  const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
+  const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
   if (!numbers) {
     end.error = base::makeError(StreamError::EndedEarly,
                                 "The program on the control has ended, but the reason could not be "

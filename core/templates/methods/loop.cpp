@@ -42,6 +42,7 @@ CellMap LoopTemplate::cells(const TemplateParameters& parameters) const {
   cells.pointsPerLoop = parameters.pointsPerLoop;
   cells.axes = parameters.axes;
   cells.rotaryAxes = parameters.rotaryAxes;
+  cells.heartbeat = WindowProtocol::Heartbeat;  // the program does not use it
   cells.cleared = {cells.layout, cells.run, cells.stop};
   cells.endCell = cells.stop;
   cells.endValue = LoopProtocol::kStop;
