@@ -82,11 +82,25 @@ class Probe {
     return std::span(m_cells).subspan(1, m_cells.size() - 2);
   }
 
+  /// Some servers do not answer arrays at all. What the run cannot do without gets more time: the
+  /// network may stall.
+  [[nodiscard]] Duration deadlineFor(Grouping form) const {
+    return opcua::isArray(form) ? m_deadline : std::max(m_deadline, kSetupDeadline);
+  }
+  Result<opcua::Event> ask(std::span<const opcua::Variable> cells, Grouping form) {
+    const Duration deadline = deadlineFor(form);
+    return opcua::awaitAnswer(m_link, m_link.read(cells, deadline, form), deadline);
+  }
+  Result<opcua::Event> bring(std::span<const opcua::Assignment> items, Grouping form) {
+    const Duration deadline = deadlineFor(form);
+    return opcua::awaitAnswer(m_link, m_link.write(items, deadline, form), deadline);
+  }
+
   /// Checks whether the cells may be used, and keeps their values.
   Result<void> begin() {
     const std::array<opcua::Variable, 1> channel{{{opcua::VariableKind::ChannelStatus, 0}}};
     const base::Instant asked = m_link.now();
-    const auto status = opcua::readNow(m_link, channel, m_deadline);
+    const auto status = opcua::readNow(m_link, channel, std::max(m_deadline, kSetupDeadline));
     if (!status) {
       return base::fail(status.error());
     }
@@ -100,8 +114,7 @@ class Probe {
                         "A program is running on the control. Wait until it has ended, or reset "
                         "the control, before the forms of access are tested.");
     }
-    const Result<opcua::Event> before =
-        opcua::awaitAnswer(m_link, m_link.read(m_cells, m_deadline, Grouping::Single), m_deadline);
+    const Result<opcua::Event> before = ask(m_cells, Grouping::Single);
     if (!before) {
       return base::fail(before.error());
     }
@@ -131,8 +144,7 @@ class Probe {
   /// The reference for all others.
   Result<void> proveSingle() {
     const std::vector<opcua::Assignment> items = pattern();
-    const Result<opcua::Event> written =
-        opcua::awaitAnswer(m_link, m_link.write(items, m_deadline, Grouping::Single), m_deadline);
+    const Result<opcua::Event> written = bring(items, Grouping::Single);
     if (!written) {
       return base::fail(written.error());
     }
@@ -157,8 +169,7 @@ class Probe {
   /// An error only if nothing more can be tried.
   Result<void> prove(FormProof& proof) {
     const std::vector<opcua::Assignment> items = pattern();
-    const Result<opcua::Event> written =
-        opcua::awaitAnswer(m_link, m_link.write(items, m_deadline, proof.form), m_deadline);
+    const Result<opcua::Event> written = bring(items, proof.form);
     proof.writes = false;
     if (!written) {
       if (isFinal(written.error(), proof.form)) {
@@ -218,8 +229,7 @@ class Probe {
   }
 
   /// A late request may still be carried out at any time: these cells can no longer be relied on.
-  /// Some servers do not answer arrays at all; what is tried after them shows whether the
-  /// connection goes on.
+  /// What is tried after an array that was not answered shows whether the connection goes on.
   static bool isFinal(const base::Error& error, Grouping form) {
     return error.code == LinkError::ConnectionLost || error.code == LinkError::NotReachable ||
            (error.code == LinkError::DeadlineExceeded && !opcua::isArray(form));
@@ -234,8 +244,7 @@ class Probe {
       const bool isSingle = form == Grouping::Single;
       const std::span<const opcua::Variable> asked =
           isSingle ? std::span<const opcua::Variable>(m_cells) : inner();
-      const Result<opcua::Event> answer =
-          opcua::awaitAnswer(m_link, m_link.read(asked, m_deadline, form), m_deadline);
+      const Result<opcua::Event> answer = ask(asked, form);
       if (!answer) {
         return base::fail(answer.error());
       }
@@ -266,8 +275,7 @@ class Probe {
   }
 
   Result<void> restore() {
-    const Result<opcua::Event> written = opcua::awaitAnswer(
-        m_link, m_link.write(m_before, m_deadline, Grouping::Single), m_deadline);
+    const Result<opcua::Event> written = bring(m_before, Grouping::Single);
     if (!written) {
       return base::fail(written.error());
     }

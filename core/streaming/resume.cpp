@@ -105,11 +105,11 @@ Result<base::RotaryDeg> anglesOf(opcua::Link& link, const RunSettings& settings)
   if (!base::any(wanted)) {
     return base::RotaryDeg{};
   }
-  const Result<ControlAxes> axes = readControlAxes(link, settings.requestDeadline);
+  const Result<ControlAxes> axes = readControlAxes(link, settings.setupDeadline);
   if (!axes) {
     return base::fail(axes.error());
   }
-  return readAngles(link, *axes, wanted, settings.requestDeadline);
+  return readAngles(link, *axes, wanted, settings.setupDeadline);
 }
 
 /// Ends a program that waits for windows of this run; nothing else is changed.
@@ -212,7 +212,7 @@ Result<Remains> readRemains(opcua::Link& link, const RunSettings& settings,
       watched.push_back(opcua::rParameter(cell));
     }
   }
-  const auto numbers = opcua::readNumbers(link, watched, settings.requestDeadline);
+  const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
   }
