@@ -168,6 +168,7 @@ class Exposure {
     m_settings.startDeadline = 60s;
     m_settings.access = scenario.access;
     m_settings.monitor = scenario.monitor;
+    m_settings.origin = {"tester", "here", "2026-11-22T05:00:00Z"};  // the cells are claimed
   }
 
   NetworkEvidence run() {
@@ -198,7 +199,11 @@ class Exposure {
     }
     reader.reset();
     watcher.reset();
-    takeTrace(*m_cell.connect());
+    const auto beside = m_cell.connect();
+    if (!isResumable() && !beside->reset()) {
+      m_evidence.problem = "the operator could not reset the control";
+    }
+    takeTrace(*beside);
     m_evidence.integrity = trace::judgeIntegrity(m_points, m_blocks, kToleranceMm);
     m_evidence.requests = m_cell.server().requestsServed();
     return std::move(m_evidence);
@@ -206,8 +211,10 @@ class Exposure {
 
  private:
   [[nodiscard]] bool isAtEnd() const {
-    return m_evidence.attempts.back().outcome == streaming::Outcome::Completed ||
-           !base::hasWindows(m_scenario.method);
+    return m_evidence.attempts.back().outcome == streaming::Outcome::Completed || !isResumable();
+  }
+  [[nodiscard]] bool isResumable() const {
+    return m_scenario.method == MethodKind::Window || m_scenario.method == MethodKind::Credit;
   }
 
   void attemptOnce(bool isFirst) {
@@ -297,6 +304,9 @@ NetworkScenario drawNetworkScenario(std::uint64_t seed, MethodKind method) {
   scenario.seed = seed;
   scenario.method = method;
   scenario.fault = drawNetworkFault(seed, 4s);
+  if (base::isPublished(method)) {
+    scenario.feedMmPerMin = 1000.0;  // feasible by the equations of [P1]
+  }
   const auto sometime = [&] { return base::fromSeconds(4.0 * random.uniform()); };
   if (base::hasWindows(method) && random.below(6) == 0) {
     scenario.holdAfter = sometime();

@@ -3,8 +3,8 @@
 
 /// @file
 /// Runs over a network with a fault drawn from a seed, in real time: the real client, a proxy, the
-/// real server of a virtual machine. Afterwards an operator resumes the run, as often as necessary.
-/// The result is evidence; the judge is the machine's own trace.
+/// real server of a virtual machine. Afterwards an operator resumes the run, as often as necessary;
+/// where the method cannot be resumed, he resets the control. The result is evidence; the judge is the machine's own trace.
 /// @threadsafety pure; runs on the calling thread, and several may run at the same time.
 #pragma once
 
