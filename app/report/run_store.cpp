@@ -14,7 +14,6 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <limits>
@@ -22,6 +21,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "journal/line_file.h"
 #include "report/report_json.h"
 
 namespace rivulet::report {
@@ -346,12 +346,7 @@ base::Result<SavedRun> readSavedRun(const fs::path& file) {
 }
 
 fs::path RunStore::folderOfUser() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return fs::path(value == nullptr ? "" : value);
-  };
-  const fs::path state = variable("XDG_STATE_HOME");
-  return (state.is_absolute() ? state : variable("HOME") / ".local/state") / "rivulet" / "runs";
+  return journal::stateFolderOfUser() / "runs";
 }
 
 fs::path RunStore::pathOf(const SavedRun& run) const {

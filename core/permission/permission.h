@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Who may do what, and the releases that say which jobs an operator may start. Without users
+/// everybody may do everything. Stop is always permitted. @threadsafety pure.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/utc.h"
+
+namespace rivulet::permission {
+
+enum class Role {
+  Operator,  ///< starts what is released
+  Engineer,  ///< everything
+};
+
+/// What somebody does with the window. Each one is a line of the audit trail.
+enum class Act {
+  Stop,
+  Hold,
+  Continue,
+  Start,
+  Resume,
+  Correct,  ///< online correction
+  OpenProgram,
+  ChangeSettings,
+  Connect,
+  Disconnect,
+  Calibrate,
+  Release,
+  TakeBackRelease,
+  Acknowledge,
+  Shelve,
+  SetUpUsers,
+  LogIn,
+  LogInFailed,
+  Lock,
+  Override,      ///< of the feed
+  ProgramStart,  ///< of Rivulet
+  ProgramEnd,
+};
+
+/// "start", "change-settings", ...
+[[nodiscard]] std::string_view actName(Act act);
+[[nodiscard]] std::optional<Act> actOfName(std::string_view name);
+[[nodiscard]] std::string_view roleName(Role role);
+[[nodiscard]] std::optional<Role> roleOfName(std::string_view name);
+
+/// Who is at the window.
+struct Standing {
+  Role role = Role::Engineer;
+  bool isLocked = false;
+};
+
+enum class Refusal {
+  Locked,         ///< only Stop works
+  NeedsEngineer,  ///< the act is not an operator's
+  NotReleased,    ///< an operator starts only what is released
+};
+
+/// @param isReleased  of the job that Start or Resume would run
+/// @return nothing if it is permitted
+[[nodiscard]] std::optional<Refusal> refusal(const Standing& standing, Act act,
+                                             bool isReleased = true);
+
+/// What exactly is released. A job that differs in anything is another one.
+struct Job {
+  std::string programHash;
+  std::string settings;     ///< every setting of the run as text
+  std::string calibration;  ///< which one the verdict rests on; empty: none
+
+  friend bool operator==(const Job&, const Job&) = default;
+};
+
+struct Release {
+  Job job;
+  std::string programName;
+  std::string by;
+  base::UtcMs at = 0;
+  bool isTakenBack = false;
+};
+
+/// The release of a job that holds; null: none. The last word on a job counts.
+/// @param releases  in the order in which they were made
+[[nodiscard]] const Release* releaseOf(std::span<const Release> releases, const Job& job);
+/// The last release of a program that holds, with whatever settings; null: none.
+[[nodiscard]] const Release* lastReleaseOf(std::span<const Release> releases,
+                                           std::string_view programHash);
+
+}  // namespace rivulet::permission
