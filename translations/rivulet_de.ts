@@ -45,6 +45,312 @@
     </message>
 </context>
 <context>
+    <name>AlarmTexts</name>
+    <message>
+        <source>The control reports alarm %1.</source>
+        <translation>Die Steuerung meldet Alarm %1.</translation>
+    </message>
+    <message>
+        <source>The control has stopped or limits the machine; the number says why.</source>
+        <translation>Die Steuerung hat die Maschine angehalten oder begrenzt sie; die Nummer sagt, warum.</translation>
+    </message>
+    <message>
+        <source>Look up alarm %1 at the control, remove its cause, then press reset there.</source>
+        <translation>Alarm %1 an der Steuerung nachschlagen, Ursache beseitigen, dann dort Reset drücken.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost.</source>
+        <translation>Die Verbindung zu %1 ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>No connection to %1.</source>
+        <translation>Keine Verbindung zu %1.</translation>
+    </message>
+    <message>
+        <source>Check address, network and control, then connect again.</source>
+        <translation>Adresse, Netzwerk und Steuerung prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
+        <translation>Falsche Bewegung in %1: %2 Punkte wiederholt, %3 ausgelassen. Das Werkstück kann verdorben sein.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings.</source>
+        <translation>Die Punkte kamen für diesen Vorschub mit diesen Einstellungen zu spät.</translation>
+    </message>
+    <message>
+        <source>Check workpiece and tool. Choose a smaller feed, or method window.</source>
+        <translation>Werkstück und Werkzeug prüfen. Kleineren Vorschub oder das Verfahren Fenster wählen.</translation>
+    </message>
+    <message>
+        <source>The run of %1 was ended by a fault.</source>
+        <translation>Der Lauf von %1 wurde durch einen Fehler beendet.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece, remove the cause, then resume or start again.</source>
+        <translation>Werkzeug und Werkstück prüfen, Ursache beseitigen, dann fortsetzen oder neu starten.</translation>
+    </message>
+    <message>
+        <source>%1 ended before its end: %2 of %3 points were executed.</source>
+        <translation>%1 endete zu früh: %2 von %3 Punkten wurden ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace lacks the last points.</source>
+        <translation>In der Aufzeichnung der Steuerung fehlen die letzten Punkte.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece before you go on.</source>
+        <translation>Werkzeug und Werkstück prüfen, bevor es weitergeht.</translation>
+    </message>
+    <message>
+        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <translation>Es ist nicht bekannt, ob %1 fehlerfrei ausgeführt wurde.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace could not be read, or is shorter than the run.</source>
+        <translation>Die Aufzeichnung der Steuerung war nicht lesbar oder ist kürzer als der Lauf.</translation>
+    </message>
+    <message>
+        <source>Check the workpiece.</source>
+        <translation>Werkstück prüfen.</translation>
+    </message>
+    <message>
+        <source>The run is not recorded.</source>
+        <translation>Der Lauf wird nicht aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Check the folder, its permissions and the free space.</source>
+        <translation>Ordner, Rechte und freien Speicherplatz prüfen.</translation>
+    </message>
+    <message>
+        <source>The program file %1 has changed since it was read.</source>
+        <translation>Die Programmdatei %1 hat sich geändert, seit sie gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Another program has written the file.</source>
+        <translation>Ein anderes Programm hat die Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>Reload the file before you start.</source>
+        <translation>Die Datei vor dem Start neu laden.</translation>
+    </message>
+    <message>
+        <source>The program file %1 is no longer there.</source>
+        <translation>Die Programmdatei %1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>It was deleted or moved, or its drive is not connected.</source>
+        <translation>Sie wurde gelöscht oder verschoben, oder ihr Laufwerk ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>Bring the file back, or go on with what was read before it disappeared.</source>
+        <translation>Die Datei zurückholen oder mit dem weiterarbeiten, was vorher gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 has failed.</source>
+        <translation>Die Kalibrierung von %1 ist fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Remove the cause, then measure again.</source>
+        <translation>Ursache beseitigen, dann neu messen.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 is not saved.</source>
+        <translation>Die Kalibrierung von %1 ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Check the folder and the free space, then measure again.</source>
+        <translation>Ordner und freien Speicherplatz prüfen, dann neu messen.</translation>
+    </message>
+    <message>
+        <source>The history of alarms is not written to %1.</source>
+        <translation>Der Alarmverlauf wird nicht in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>The audit trail is not written to %1.</source>
+        <translation>Das Protokoll der Bedienung wird nicht in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>The audit trail %1 was changed: see line %2.</source>
+        <translation>Das Protokoll der Bedienung %1 wurde verändert: siehe Zeile %2.</translation>
+    </message>
+    <message>
+        <source>A line was edited, inserted or removed after it was written.</source>
+        <translation>Eine Zeile wurde nachträglich geändert, eingefügt oder entfernt.</translation>
+    </message>
+    <message>
+        <source>Keep a copy of the file and find out who changed it.</source>
+        <translation>Eine Kopie der Datei aufbewahren und klären, wer sie verändert hat.</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Aktiv</translation>
+    </message>
+    <message>
+        <source>Active, acknowledged</source>
+        <translation>Aktiv, quittiert</translation>
+    </message>
+    <message>
+        <source>Gone, not acknowledged</source>
+        <translation>Gegangen, nicht quittiert</translation>
+    </message>
+    <message>
+        <source>Shelved</source>
+        <translation>Zurückgestellt</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>Gekommen</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>Gegangen</translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation>Quittiert</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Zurückgeholt</translation>
+    </message>
+    <message>
+        <source>Shelving expired</source>
+        <translation>Zurückstellung abgelaufen</translation>
+    </message>
+    <message>
+        <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
+        <translation>Auf die Maschine sehen: Sie kann sich noch bewegen. Kabel und Steuerung prüfen, neu verbinden.</translation>
+    </message>
+</context>
+<context>
+    <name>AuditTexts</name>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Online-Korrektur</translation>
+    </message>
+    <message>
+        <source>Program opened</source>
+        <translation>Programm geöffnet</translation>
+    </message>
+    <message>
+        <source>Settings changed</source>
+        <translation>Einstellungen geändert</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Release taken back</source>
+        <translation>Freigabe zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged</source>
+        <translation>Alarm quittiert</translation>
+    </message>
+    <message>
+        <source>Alarm shelved</source>
+        <translation>Alarm zurückgestellt</translation>
+    </message>
+    <message>
+        <source>Users set up</source>
+        <translation>Benutzer eingerichtet</translation>
+    </message>
+    <message>
+        <source>Logged in</source>
+        <translation>Angemeldet</translation>
+    </message>
+    <message>
+        <source>Wrong PIN</source>
+        <translation>Falsche PIN</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Rivulet started</source>
+        <translation>Rivulet gestartet</translation>
+    </message>
+    <message>
+        <source>Rivulet ended</source>
+        <translation>Rivulet beendet</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Engineer</source>
+        <translation>Einrichter</translation>
+    </message>
+</context>
+<context>
     <name>BlockedTexts</name>
     <message>
         <source>A run is in progress.</source>
@@ -611,12 +917,16 @@
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
     </message>
 </context>
 <context>
@@ -674,14 +984,6 @@
     <message>
         <source>Reading %1 was cancelled.</source>
         <translation>Das Lesen von %1 wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The file %1 has changed.</source>
-        <translation>Die Datei %1 hat sich geändert.</translation>
-    </message>
-    <message>
-        <source>The file %1 is no longer there.</source>
-        <translation>Die Datei %1 ist nicht mehr da.</translation>
     </message>
 </context>
 <context>
@@ -759,6 +1061,13 @@
     <message>
         <source>Program: %1, version %2</source>
         <translation>Programm: %1, Fassung %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Alarms</name>
+    <message>
+        <source>%1: %2 damaged lines of the history of alarms were left out.</source>
+        <translation>%1: %2 beschädigte Zeilen des Alarmverlaufs wurden ausgelassen.</translation>
     </message>
 </context>
 <context>
@@ -1046,10 +1355,6 @@ GPL-3.0-or-later</translation>
         <translation>Zugriff: %1.</translation>
     </message>
     <message>
-        <source>Wrong motion: the control&apos;s trace shows repeated or skipped points. See the report.</source>
-        <translation>Falsche Bewegung: Die Aufzeichnung der Steuerung zeigt wiederholte oder ausgelassene Punkte. Siehe den Bericht.</translation>
-    </message>
-    <message>
         <source>Run ended: %1 of %2 points executed.</source>
         <translation>Lauf beendet: %1 von %2 Punkten ausgeführt.</translation>
     </message>
@@ -1057,9 +1362,191 @@ GPL-3.0-or-later</translation>
         <source>Recording: %1</source>
         <translation>Aufzeichnung: %1</translation>
     </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmHistoryModel</name>
     <message>
-        <source>The run is not recorded: the folder %1 cannot be created.</source>
-        <translation>Der Lauf wird nicht aufgezeichnet: Der Ordner %1 kann nicht angelegt werden.</translation>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Von</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmLine</name>
+    <message>
+        <source>Ack</source>
+        <translation>Quitt.</translation>
+    </message>
+    <message>
+        <source>Acknowledge: you have seen this alarm</source>
+        <translation>Quittieren: Sie haben diesen Alarm gesehen</translation>
+    </message>
+    <message>
+        <source>Acknowledge the alarm</source>
+        <translation>Den Alarm quittieren</translation>
+    </message>
+    <message>
+        <source>Show all alarms</source>
+        <translation>Alle Alarme zeigen</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Alarms: %1. Show all</source>
+        <translation>Alarme: %1. Alle zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmModel</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmPage</name>
+    <message>
+        <source>There is no alarm.</source>
+        <translation>Es liegt kein Alarm an.</translation>
+    </message>
+    <message>
+        <source>shelved by %1 until %2</source>
+        <translation>zurückgestellt von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Alarms (%1)</source>
+        <translation>Alarme (%1)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Alle quittieren</translation>
+    </message>
+    <message>
+        <source>Shelve</source>
+        <translation>Zurückstellen</translation>
+    </message>
+    <message>
+        <source>Put the alarm aside for a time. It stays in this list.</source>
+        <translation>Den Alarm für eine Zeit zurückstellen. Er bleibt in dieser Liste.</translation>
+    </message>
+    <message>
+        <source>For %1 minutes</source>
+        <translation>Für %1 Minuten</translation>
+    </message>
+    <message>
+        <source>For %1 hours</source>
+        <translation>Für %1 Stunden</translation>
+    </message>
+    <message>
+        <source>Show it again</source>
+        <translation>Wieder zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditModel</name>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditPage</name>
+    <message>
+        <source>Export the audit trail</source>
+        <translation>Protokoll der Bedienung exportieren</translation>
+    </message>
+    <message>
+        <source>No audit trail is kept.</source>
+        <translation>Es wird kein Protokoll der Bedienung geführt.</translation>
+    </message>
+    <message>
+        <source>The audit trail was changed: line %1 was edited, or lines before it were inserted or removed.</source>
+        <translation>Das Protokoll wurde verändert: Zeile %1 wurde bearbeitet, oder vor ihr wurden Zeilen eingefügt oder entfernt.</translation>
+    </message>
+    <message>
+        <source>Unchanged: every line follows from the one before it.</source>
+        <translation>Unverändert: Jede Zeile folgt aus der vorigen.</translation>
+    </message>
+    <message>
+        <source>Cut by a loss of power: %1.</source>
+        <translation>Durch Stromausfall abgeschnitten: %1.</translation>
+    </message>
+    <message>
+        <source>Last hash: %1 …</source>
+        <translation>Letzter Hash: %1 …</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Export as CSV…</source>
+        <translation>Als CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>Export as JSON…</source>
+        <translation>Als JSON exportieren …</translation>
     </message>
 </context>
 <context>
@@ -1703,6 +2190,33 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::LogInDialog</name>
+    <message>
+        <source>Log in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>Delete the last digit</source>
+        <translation>Letzte Ziffer löschen</translation>
+    </message>
+    <message>
+        <source>Wrong PIN. Try again in %1 s.</source>
+        <translation>Falsche PIN. Wieder möglich in %1 s.</translation>
+    </message>
+    <message>
+        <source>Wrong PIN.</source>
+        <translation>Falsche PIN.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::LogModel</name>
     <message>
         <source>Time</source>
@@ -1716,13 +2230,13 @@ GPL-3.0-or-later</translation>
         <source>Message</source>
         <translation>Meldung</translation>
     </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::LogView</name>
-    <message>
-        <source>Save the log</source>
-        <translation>Protokoll speichern</translation>
-    </message>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
@@ -1732,19 +2246,48 @@ GPL-3.0-or-later</translation>
         <translation>Speichern…</translation>
     </message>
     <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::MessageArea</name>
-    <message>
-        <source>Copy the message</source>
-        <translation>Meldung kopieren</translation>
+        <source>Save the messages</source>
+        <translation>Meldungen speichern</translation>
     </message>
     <message>
-        <source>Dismiss the message</source>
-        <translation>Meldung schließen</translation>
+        <source>%1 of %2 messages</source>
+        <translation>%1 von %2 Meldungen</translation>
+    </message>
+    <message>
+        <source>All messages</source>
+        <translation>Alle Meldungen</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Warnungen und Fehler</translation>
+    </message>
+    <message>
+        <source>Errors only</source>
+        <translation>Nur Fehler</translation>
+    </message>
+    <message>
+        <source>All sources</source>
+        <translation>Alle Quellen</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Wrap lines</source>
+        <translation>Zeilen umbrechen</translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation>%1 Meldungen</translation>
     </message>
 </context>
 <context>
@@ -3061,6 +3604,91 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>F, mm/min</source>
         <translation>F, mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserButton</name>
+    <message>
+        <source>Locked: log in</source>
+        <translation>Gesperrt: anmelden</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Only Stop works. Log in with your PIN (Ctrl+L).</source>
+        <translation>Nur Stopp wirkt. Mit der PIN anmelden (Strg+L).</translation>
+    </message>
+    <message>
+        <source>Lock the window, or let somebody else in (Ctrl+L).</source>
+        <translation>Das Fenster sperren oder jemand anderen anmelden (Strg+L).</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>gesetzt</translation>
+    </message>
+    <message>
+        <source>none: user of this computer</source>
+        <translation>keine: Benutzer dieses Rechners</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UsersPage</name>
+    <message>
+        <source>No users are set up: everybody at this window may do everything. To let operators start only what is released, add an engineer (name and PIN), then the operators.</source>
+        <translation>Es sind keine Benutzer eingerichtet: Jeder an diesem Fenster darf alles. Damit Bediener nur Freigegebenes starten, zuerst einen Einrichter mit Name und PIN anlegen, dann die Bediener.</translation>
+    </message>
+    <message>
+        <source>An operator starts what an engineer has released in the preflight, holds, stops and acknowledges. An engineer may do everything. In a locked window only Stop works. The user of this computer (%1) needs no PIN.</source>
+        <translation>Ein Bediener startet, was ein Einrichter in der Startprüfung freigegeben hat, hält an, stoppt und quittiert. Ein Einrichter darf alles. In einem gesperrten Fenster wirkt nur Stopp. Der Benutzer dieses Rechners (%1) braucht keine PIN.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>PIN, at least 4 characters</source>
+        <translation>PIN, mindestens 4 Zeichen</translation>
+    </message>
+    <message>
+        <source>Lock the window if nobody touches it for</source>
+        <translation>Fenster sperren, wenn niemand es bedient für</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Add or change</source>
+        <translation>Anlegen oder ändern</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
     </message>
 </context>
 </TS>

@@ -10,6 +10,7 @@
 namespace rivulet::hmi {
 
 using gcode::Severity;
+using Source = Messages::Source;
 
 namespace {
 
@@ -82,23 +83,51 @@ void MachineModel::takeLink(const session::LinkChanged& change) {
     m_stateAtS.reset();
   }
   showAges();
-  if (isConnected()) {
-    m_messages.clear();
-    loadCalibration();
-    m_messages.log(Severity::Note,
-                   change.isVirtualMachine
-                       ? tr("Connected to the virtual machine at %1.").arg(m_endpoint)
-                       : tr("Connected to the control at %1.").arg(m_endpoint));
-  } else if (change.error.code) {
-    m_messages.report(Severity::Error, widgets::errorText(change.error));
-  }
+  sayLink();
   Q_EMIT linkChanged();
+}
+
+void MachineModel::sayLink() {
+  const std::string endpoint = m_endpoint.toStdString();
+  switch (m_link.state) {
+    case session::LinkState::Connected:
+      m_messages.settle(alarm::Code::NotConnected);
+      m_messages.settle(alarm::Code::ConnectionLost);
+      m_messages.clear();
+      loadCalibration();
+      m_messages.log(Severity::Note, Source::Connection,
+                     [endpoint = m_endpoint, isVirtual = m_link.isVirtualMachine] {
+                       return (isVirtual ? tr("Connected to the virtual machine at %1.")
+                                         : tr("Connected to the control at %1."))
+                           .arg(endpoint);
+                     });
+      return;
+    case session::LinkState::Connecting:
+      m_messages.settle(alarm::Code::NotConnected);
+      return;
+    case session::LinkState::Lost:
+      m_messages.raise(alarm::Code::ConnectionLost, {endpoint}, m_link.error);
+      m_messages.settle(alarm::Code::ControlAlarm);
+      return;
+    case session::LinkState::Disconnected:
+      m_messages.settle(alarm::Code::ConnectionLost);
+      m_messages.settle(alarm::Code::ControlAlarm);
+      if (m_link.error.code) {
+        m_messages.raise(alarm::Code::NotConnected, {endpoint}, m_link.error);
+      }
+      return;
+  }
 }
 
 void MachineModel::takeSeen(const session::MachineSeen& seen) {
   m_view.channelStatus = seen.channelStatus;
   m_view.programStatus = seen.programStatus;
   m_view.alarmNumber = seen.alarm;
+  if (seen.alarm != 0) {
+    m_messages.raise(alarm::Code::ControlAlarm, {std::to_string(seen.alarm)});
+  } else {
+    m_messages.settle(alarm::Code::ControlAlarm);
+  }
   m_view.programName = QString::fromStdString(seen.programName);
   m_view.message = QString::fromStdString(seen.message);
   m_view.positionMm = seen.positionMm;
@@ -150,20 +179,28 @@ void MachineModel::showSample(const trace::LiveSample& sample) {
 void MachineModel::takeCalibration(const session::CalibrationFinished& finished) {
   if (!finished.record) {
     const bool isCancelled = finished.error.code == streaming::CalibrationError::Cancelled;
-    m_messages.report(isCancelled ? Severity::Note : Severity::Error,
-                      widgets::errorText(finished.error));
+    const auto text = [error = finished.error] { return widgets::errorText(error); };
+    if (isCancelled) {
+      m_messages.show(Severity::Note, text);
+      m_messages.log(Severity::Note, Source::Control, text);
+    } else {
+      m_messages.raise(alarm::Code::CalibrationFailed, {m_endpoint.toStdString()}, finished.error);
+    }
     Q_EMIT calibrationEnded();
     return;
   }
   m_calibration = finished.record;
   m_isOutdated = false;
   Q_EMIT calibrationEnded();
+  m_messages.settle(alarm::Code::CalibrationFailed);
   if (const auto saved = m_store.save(*finished.record); !saved) {
-    m_messages.show(Severity::Error, widgets::errorText(saved.error()));
+    m_messages.raise(alarm::Code::CalibrationNotSaved, {m_endpoint.toStdString()}, saved.error());
   } else {
+    m_messages.settle(alarm::Code::CalibrationNotSaved);
     const auto path = m_store.pathOf(finished.record->endpoint, finished.record->server);
-    m_messages.log(Severity::Note,
-                   tr("Calibrated. Saved %1.").arg(QString::fromStdString(path.string())));
+    m_messages.log(Severity::Note, Source::Control, [path = QString::fromStdString(path.string())] {
+      return tr("Calibrated. Saved %1.").arg(path);
+    });
   }
   Q_EMIT calibrationChanged();
 }
@@ -173,14 +210,15 @@ void MachineModel::loadCalibration() {
   m_isOutdated = false;
   auto found = m_store.calibration(m_endpoint.trimmed().toStdString(), m_link.server);
   if (!found) {
-    m_messages.log(Severity::Warning, widgets::errorText(found.error()));
+    m_messages.log(Severity::Warning, Source::Control,
+                   [error = found.error()] { return widgets::errorText(error); });
   } else if (*found) {
     m_isOutdated = (*found)->isOutdated(m_link.server);
     m_calibration = std::make_shared<const streaming::CalibrationRecord>(std::move(**found));
     if (m_isOutdated) {
-      m_messages.log(
-          Severity::Warning,
-          tr("The calibration belongs to another version of the server and is not used."));
+      m_messages.log(Severity::Warning, Source::Control, [] {
+        return tr("The calibration belongs to another version of the server and is not used.");
+      });
     }
   }
   Q_EMIT calibrationChanged();

@@ -68,6 +68,8 @@ class MachineModel final : public QObject {
 
  private:
   void takeLink(const session::LinkChanged& change);
+  /// Says what has become of the connection.
+  void sayLink();
   void takeSeen(const session::MachineSeen& seen);
   void takeCalibration(const session::CalibrationFinished& finished);
   void loadCalibration();

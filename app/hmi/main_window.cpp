@@ -18,6 +18,8 @@
 #include <QVBoxLayout>
 
 #include "hmi/input_guard.h"
+#include "journal/line_file.h"
+#include "widgets/alarms/alarm_page.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/folding_columns.h"
@@ -71,6 +73,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
     : QMainWindow(parent),
       m_settings(std::move(settings)),
       m_persistent(persistent),
+      m_alarms(m_messages, persistent ? journal::stateFolderOfUser() : std::filesystem::path()),
       m_session(std::move(connector), report::MachineStore()),
       m_document(m_settings.stream),
       m_machine(m_session, report::MachineStore(), m_messages),
@@ -96,6 +99,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
           [this] { m_openAction->setEnabled(!isRunning()); });
   connect(&m_runs, &RunController::started, this, &MainWindow::runStarted);
   connect(&m_runs, &RunController::finished, this, &MainWindow::runFinished);
+  connect(&m_alarms, &Alarms::listRequested, this, &MainWindow::showAlarms);
   retranslate();
   m_document.judge();
   resize(1440, 900);
@@ -110,7 +114,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_machine, m_document, m_runs, m_preflight};
+  const Models models{m_settings, m_messages, m_alarms, m_machine, m_document, m_runs, m_preflight};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -147,8 +151,9 @@ void MainWindow::buildPages() {
   rows->addWidget(makeRunPanel(models, central));
   setCentralWidget(central);
   for (const auto* field : central->findChildren<widgets::NumberField*>()) {
-    connect(field, &widgets::NumberField::refused, this,
-            [this](const QString& reason) { m_messages.show(gcode::Severity::Warning, reason); });
+    connect(field, &widgets::NumberField::refused, this, [this](const QString& reason) {
+      m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
+    });
   }
 }
 
@@ -171,7 +176,7 @@ QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
   add(m_machineButton, widgets::FoldingColumns::Left);
   add(m_setUpButton, widgets::FoldingColumns::Right);
   row->addWidget(m_machineButton);
-  row->addWidget(makeMessageArea(models, header), 1);
+  row->addWidget(makeAlarmLine(models, header), 1);
   row->addStretch();
   row->addWidget(m_setUpButton);
   connect(&m_machine, &MachineModel::linkChanged, this, &MainWindow::showHeader);
@@ -300,6 +305,17 @@ widgets::ProgramPage* MainWindow::programPage() const {
   return m_tabs->findChild<widgets::ProgramPage*>();
 }
 
+void MainWindow::showAlarms() {
+  // A page stands in a scroll area.
+  const auto* page = m_tabs->findChild<widgets::AlarmPage*>();
+  for (int i = 0; i < m_tabs->count(); ++i) {
+    if (m_tabs->widget(i)->isAncestorOf(page)) {
+      m_preflight.close();
+      m_tabs->setCurrentIndex(i);
+    }
+  }
+}
+
 widgets::TracePage* MainWindow::tracePage() const {
   return m_tabs->findChild<widgets::TracePage*>();
 }
@@ -311,9 +327,9 @@ widgets::CalibrationPage* MainWindow::calibrationPage() const {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (isRunning()) {
     // Closing must neither leave the machine alone nor stop it by surprise.
-    m_messages.show(
-        gcode::Severity::Warning,
-        tr("A run is in progress. Press Stop, wait until the run has ended, then close."));
+    m_messages.show(gcode::Severity::Warning, [] {
+      return tr("A run is in progress. Press Stop, wait until the run has ended, then close.");
+    });
     event->ignore();
     return;
   }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "hmi/alarms.h"
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
@@ -101,12 +102,14 @@ class MainWindow final : public QMainWindow {
   void buildMenus();
   [[nodiscard]] QWidget* makeHeader(const Models& models, QWidget* parent);
   void showHeader();
+  void showAlarms();
   void retranslate();
 
   Settings m_settings;
   bool m_persistent;
   Translator m_translator;
   Messages m_messages;
+  Alarms m_alarms;
   session::StreamSession m_session;
   Document m_document;
   MachineModel m_machine;

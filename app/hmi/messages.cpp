@@ -36,10 +36,10 @@ Messages::Messages(QObject* parent)
     : QObject(parent), m_listener([this](const log::Line& line) { hear(line); }) {
 }
 
-void Messages::log(Severity severity, const QString& text) {
-  Q_EMIT logged(severity, text);
+void Messages::log(Severity severity, Source source, const Text& text) {
+  Q_EMIT logged({QDateTime::currentDateTime(), severity, source, text});
   m_isLogging = true;
-  log::logger().log(levelOf(severity), text.toStdString());
+  log::logger().log(levelOf(severity), text().toStdString());
   m_isLogging = false;
 }
 
@@ -51,7 +51,8 @@ void Messages::hear(const log::Line& line) {
   QMetaObject::invokeMethod(
       this,
       [this, severity = severityOf(line.level), text = QString::fromStdString(line.text)] {
-        Q_EMIT logged(severity, text);
+        Q_EMIT logged(
+            {QDateTime::currentDateTime(), severity, Source::Computer, [text] { return text; }});
       },
       Qt::QueuedConnection);
 }

@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the window tells the operator: one message at a time in the message area, and everything
-/// that happened in the log. @threadsafety GUI thread.
+/// What happens, said in one place: lines of the log, short answers to what the operator has just
+/// done, and alarms that come and go. Texts are made again when the language changes.
+/// @threadsafety GUI thread.
 #pragma once
 
 #include <QObject>
 #include <QString>
+#include <functional>
+#include <string>
+#include <vector>
 
+#include "alarm/alarm.h"
 #include "gcode/diagnostic.h"
 #include "log/log.h"
+#include "widgets/common/log_view.h"
 
 namespace rivulet::hmi {
 
@@ -21,23 +27,31 @@ class Messages final : public QObject {
   using Severity = gcode::Severity;
   explicit Messages(QObject* parent = nullptr);
 
-  /// In the log only: on the page and, by `log::logger`, in the file.
-  void log(Severity severity, const QString& text);
-  /// In the message area only: it answers what the operator has just done.
-  void show(Severity severity, const QString& text) { Q_EMIT shown(severity, text); }
-  /// In both.
-  void report(Severity severity, const QString& text) {
-    show(severity, text);
-    log(severity, text);
-  }
-  /// Empties the message area.
+  using Source = alarm::Source;
+  /// A text in the present language. It keeps what it speaks of by value.
+  using Text = std::function<QString()>;
+
+  /// A line of the log: on the page and, by `log::logger`, in the file.
+  void log(Severity severity, Source source, const Text& text);
+  /// An answer to what the operator has just done; not in the log.
+  void show(Severity severity, const Text& text) { Q_EMIT shown(severity, text); }
+  /// Removes the answer.
   void clear() { Q_EMIT cleared(); }
+  /// The condition of an alarm holds, or holds no more (`alarm::AlarmList`).
+  void raise(alarm::Code code, const std::vector<std::string>& arguments = {},
+             const base::Error& error = {}) {
+    Q_EMIT raised(code, arguments, error);
+  }
+  void settle(alarm::Code code) { Q_EMIT settled(code); }
 
  Q_SIGNALS:
   /// Also what others have logged, from level `info` on.
-  void logged(rivulet::gcode::Severity severity, const QString& text);
-  void shown(rivulet::gcode::Severity severity, const QString& text);
+  void logged(const rivulet::widgets::LogLine& line);
+  void shown(rivulet::gcode::Severity severity, const std::function<QString()>& text);
   void cleared();
+  void raised(rivulet::alarm::Code code, const std::vector<std::string>& arguments,
+              const rivulet::base::Error& error);
+  void settled(rivulet::alarm::Code code);
 
  private:
   /// On any thread.

@@ -16,6 +16,7 @@
 namespace rivulet::hmi {
 
 using gcode::Severity;
+using Source = Messages::Source;
 using session::StreamSession;
 
 namespace {
@@ -45,7 +46,8 @@ RunController::RunController(StreamSession& session, Document& document, Machine
             }
           });
   connect(&m_session, &StreamSession::noteArrived, this, [this](const trace::Note& note) {
-    m_messages.log(Severity::Note, QString::fromStdString(note.text));
+    m_messages.log(Severity::Note, Source::Run,
+                   [text = QString::fromStdString(note.text)] { return text; });
   });
   connect(&m_machine, &MachineModel::linkChanged, this, &RunController::permissionsChanged);
   connect(&m_machine, &MachineModel::calibrationEnded, this, &RunController::permissionsChanged);
@@ -113,7 +115,7 @@ bool RunController::canHold() const {
 
 bool RunController::refuses(const std::optional<streaming::Blocked>& blocked) {
   if (blocked) {
-    m_messages.show(Severity::Warning, widgets::blockedText(blocked));
+    m_messages.show(Severity::Warning, [blocked] { return widgets::blockedText(blocked); });
   }
   return blocked.has_value();
 }
@@ -124,12 +126,13 @@ bool RunController::start() {
 
 void RunController::stop() {
   m_session.stop();
-  m_messages.log(Severity::Note, tr("Stop requested."));
+  m_messages.log(Severity::Note, Source::Run, [] { return tr("Stop requested."); });
 }
 
 void RunController::hold(bool hold) {
   m_session.hold(hold);
-  m_messages.log(Severity::Note, hold ? tr("Hold requested.") : tr("Continue requested."));
+  m_messages.log(Severity::Note, Source::Run,
+                 [hold] { return hold ? tr("Hold requested.") : tr("Continue requested."); });
 }
 
 void RunController::calibrate(const streaming::CalibrationPlan& plan) {
@@ -139,9 +142,10 @@ void RunController::calibrate(const streaming::CalibrationPlan& plan) {
   m_messages.clear();
   m_session.calibrate(plan);
   Q_EMIT calibrationProgressed({});
-  m_messages.log(Severity::Note,
-                 tr("Calibration on R%1 to R%2 started.")
-                     .arg(QString::number(plan.firstCell), QString::number(plan.lastCell)));
+  m_messages.log(Severity::Note, Source::Control,
+                 [first = QString::number(plan.firstCell), last = QString::number(plan.lastCell)] {
+                   return tr("Calibration on R%1 to R%2 started.").arg(first, last);
+                 });
   Q_EMIT permissionsChanged();
 }
 
@@ -162,7 +166,8 @@ void RunController::takeResume(const session::ResumeFound& found) {
   }
   if (!found.resume) {
     const QString why = widgets::errorText(found.error);
-    m_messages.log(Severity::Warning, why);
+    m_messages.log(Severity::Warning, Source::Run,
+                   [error = found.error] { return widgets::errorText(error); });
     Q_EMIT resumeRefused(why);
     Q_EMIT permissionsChanged();
     return;
@@ -179,9 +184,10 @@ void RunController::takeResume(const session::ResumeFound& found) {
     place.approachMm = base::distance(*toolMm, place.positionMm);
   }
   Q_EMIT placeFound(place);
-  m_messages.log(Severity::Note,
-                 tr("The run was left before point %1 of %2.")
-                     .arg(widgets::countText(place.point + 1), widgets::countText(place.points)));
+  m_messages.log(Severity::Note, Source::Run, [place] {
+    return tr("The run was left before point %1 of %2.")
+        .arg(widgets::countText(place.point + 1), widgets::countText(place.points));
+  });
   Q_EMIT permissionsChanged();
 }
 
@@ -193,8 +199,9 @@ void RunController::forgetResume() {
 
 bool RunController::resume() {
   if (!m_resume) {
-    m_messages.show(Severity::Warning,
-                    tr("Press Resume first: it asks the control where the run was left."));
+    m_messages.show(Severity::Warning, [] {
+      return tr("Press Resume first: it asks the control where the run was left.");
+    });
     return false;
   }
   return !refuses(resumeBlocked()) && startRun(m_resume);
@@ -211,6 +218,10 @@ bool RunController::startRun(const std::optional<streaming::Resume>& resume) {
   m_report.reset();
   m_firstMotion.reset();
   m_messages.clear();
+  for (const alarm::Code code : {alarm::Code::RunFailed, alarm::Code::WrongMotion,
+                                 alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
+    m_messages.settle(code);
+  }
   announceStart(settings);
   m_session.start(m_document.program(), settings, newRecordingPath(),
                   resume ? m_left : std::optional<session::ResumeQuestion>{});
@@ -223,22 +234,24 @@ bool RunController::startRun(const std::optional<streaming::Resume>& resume) {
 void RunController::announceStart(const streaming::RunSettings& settings) {
   const std::optional<base::Vec3>& toolMm = m_machine.view().positionMm;
   if (settings.resume) {
-    m_messages.log(Severity::Note,
-                   tr("The run resumes at point %1.").arg(widgets::countText(m_firstPoint + 1)));
+    m_messages.log(Severity::Note, Source::Run, [point = m_firstPoint + 1] {
+      return tr("The run resumes at point %1.").arg(widgets::countText(point));
+    });
   } else if (toolMm && !m_document.points().empty()) {
-    m_messages.log(Severity::Note,
-                   tr("Start. The tool first moves %1 in a straight line to the first point.")
-                       .arg(widgets::lengthText(
-                           base::distance(*toolMm, m_document.points().front().positionMm))));
+    const double lengthMm = base::distance(*toolMm, m_document.points().front().positionMm);
+    m_messages.log(Severity::Note, Source::Run, [lengthMm] {
+      return tr("Start. The tool first moves %1 in a straight line to the first point.")
+          .arg(widgets::lengthText(lengthMm));
+    });
   }
   if (settings.transfer == streaming::TransferWay::ByHand) {
-    m_messages.show(
-        Severity::Note,
-        tr("Save the template on its page as %1, copy it to the part programs of the control, "
-           "select it in channel 1 and press cycle start. The axes move only after the template "
-           "has shown its layout number %2.")
-            .arg(QString::fromStdString(templates::templateFileName(settings.parameters)))
-            .arg(templates::layoutNumber(settings.parameters)));
+    m_messages.show(Severity::Note, [parameters = settings.parameters] {
+      return tr("Save the template on its page as %1, copy it to the part programs of the control, "
+                "select it in channel 1 and press cycle start. The axes move only after the "
+                "template has shown its layout number %2.")
+          .arg(QString::fromStdString(templates::templateFileName(parameters)))
+          .arg(templates::layoutNumber(parameters));
+    });
   }
 }
 
@@ -310,23 +323,39 @@ void RunController::takeFinished(const session::RunFinished& finished) {
 
 void RunController::logOutcome(const session::RunFinished& finished) {
   if (m_report->access.requests > 0) {
-    m_messages.log(Severity::Note,
-                   tr("Access: %1.").arg(widgets::groupingText(m_report->settings.grouping)));
+    m_messages.log(Severity::Note, Source::Run, [grouping = m_report->settings.grouping] {
+      return tr("Access: %1.").arg(widgets::groupingText(grouping));
+    });
   }
-  if (m_report->error.code) {
-    m_messages.report(Severity::Error, widgets::errorText(m_report->error));
-  } else if (m_report->finding() == streaming::RunFinding::Faulty) {
-    m_messages.report(
-        Severity::Error,
-        tr("Wrong motion: the control's trace shows repeated or skipped points. See the report."));
-  } else {
-    m_messages.log(Severity::Note, tr("Run ended: %1 of %2 points executed.")
-                                       .arg(widgets::countText(m_update.counters.executed),
-                                            widgets::countText(m_update.counters.total)));
-  }
+  m_messages.log(Severity::Note, Source::Run, [counters = m_update.counters] {
+    return tr("Run ended: %1 of %2 points executed.")
+        .arg(widgets::countText(counters.executed), widgets::countText(counters.total));
+  });
+  raiseOutcome();
   if (!finished.recordingPath.empty()) {
-    m_messages.log(Severity::Note,
-                   tr("Recording: %1").arg(QString::fromStdString(finished.recordingPath)));
+    m_messages.log(Severity::Note, Source::Run,
+                   [path = QString::fromStdString(finished.recordingPath)] {
+                     return tr("Recording: %1").arg(path);
+                   });
+  }
+}
+
+void RunController::raiseOutcome() {
+  const std::string& name = m_report->programName;
+  if (m_report->error.code) {
+    m_messages.raise(alarm::Code::RunFailed, {name}, m_report->error);
+  }
+  const trace::Integrity& integrity = m_report->integrity;
+  if (integrity.judged && !integrity.isFaultless()) {
+    m_messages.raise(alarm::Code::WrongMotion,
+                     {name, std::to_string(integrity.repeated), std::to_string(integrity.skipped)});
+  } else if (m_report->finding() == streaming::RunFinding::Faulty && !m_report->error.code) {
+    m_messages.raise(alarm::Code::RunIncomplete, {name, std::to_string(integrity.executed),
+                                                  std::to_string(m_report->counters.total)});
+  } else if (m_report->finding() == streaming::RunFinding::NotJudged &&
+             m_machine.view().isVirtualMachine) {
+    // Most controls keep no trace: there it is no news, and the report says it.
+    m_messages.raise(alarm::Code::NotJudged, {name});
   }
 }
 
@@ -334,9 +363,7 @@ QString RunController::newRecordingPath() {
   const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                     QStringLiteral("/runs"));
   if (!folder.mkpath(QStringLiteral("."))) {
-    m_messages.log(
-        Severity::Warning,
-        tr("The run is not recorded: the folder %1 cannot be created.").arg(folder.path()));
+    m_messages.raise(alarm::Code::NotRecorded, {folder.path().toStdString()});
     return {};
   }
   return folder.filePath(

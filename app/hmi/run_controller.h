@@ -91,6 +91,8 @@ class RunController final : public QObject {
   void takeResume(const session::ResumeFound& found);
   void takeFinished(const session::RunFinished& finished);
   void logOutcome(const session::RunFinished& finished);
+  /// The alarms of the run that has just ended.
+  void raiseOutcome();
   [[nodiscard]] QString newRecordingPath();
 
   session::StreamSession& m_session;

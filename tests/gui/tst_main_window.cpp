@@ -36,9 +36,9 @@
 #include "support/test_program.h"
 #include "trace/analysis/integrity.h"
 #include "trace/recording.h"
+#include "widgets/alarms/alarm_line.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/hold_button.h"
-#include "widgets/common/message_area.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/connection/position_line.h"
 #include "widgets/feasibility/feasibility_page.h"
@@ -100,7 +100,7 @@ void picturePages(MainWindow& window, const QString& prefix) {
   const QStringList names{QStringLiteral("program"),     QStringLiteral("feasibility"),
                           QStringLiteral("traces"),      QStringLiteral("template"),
                           QStringLiteral("calibration"), QStringLiteral("report"),
-                          QStringLiteral("log")};
+                          QStringLiteral("alarms"),      QStringLiteral("messages")};
   const int present = window.pages()->currentIndex();
   for (int page = 0; page < window.pages()->count(); ++page) {
     window.pages()->setCurrentIndex(page);
@@ -113,8 +113,9 @@ void picturePages(MainWindow& window, const QString& prefix) {
         colours.insert(image.pixel(x, y));
       }
     }
-    QVERIFY2(colours.size() >= 20, qPrintable(names[page]));
-    QVERIFY(image.save(QStringLiteral(RIVULET_SCREENSHOTS "/%1-%2.png").arg(prefix, names[page])));
+    const QString name = names.value(page, QStringLiteral("page-%1").arg(page));
+    QVERIFY2(colours.size() >= 20, qPrintable(name));
+    QVERIFY(image.save(QStringLiteral(RIVULET_SCREENSHOTS "/%1-%2.png").arg(prefix, name)));
   }
   window.pages()->setCurrentIndex(present);
 }
@@ -522,9 +523,9 @@ class TestMainWindow : public QObject {
     QFile empty(folder.filePath(QStringLiteral("empty.nc")));
     QVERIFY(empty.open(QIODevice::WriteOnly));
     empty.close();
-    auto* messages = m_window->findChild<widgets::MessageArea*>();
+    auto* messages = m_window->findChild<widgets::AlarmLine*>();
     for (const QString& path : {folder.filePath(QStringLiteral("missing.nc")), empty.fileName()}) {
-      messages->clear();
+      messages->clearNote();
       m_window->openProgram(path);
       QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
       QCOMPARE(m_window->startBlockedReason(), QString());
@@ -825,7 +826,7 @@ class TestMainWindow : public QObject {
     QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/calibrating.png")));
     page->cancelRequested();
-    auto* messages = m_window->findChild<widgets::MessageArea*>();
+    auto* messages = m_window->findChild<widgets::AlarmLine*>();
     QTRY_VERIFY_WITH_TIMEOUT(messages->text().contains(QStringLiteral("cancelled")), kSoonMs);
     QVERIFY(!m_window->accessSource().record && !bar->isVisible());
   }
@@ -892,7 +893,7 @@ class TestMainWindow : public QObject {
     auto* bar = m_window->calibrationPage()->findChild<QProgressBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && bar->value() > 30, kSoonMs);
     m_machine->kill();
-    auto* messages = m_window->findChild<widgets::MessageArea*>();
+    auto* messages = m_window->findChild<widgets::AlarmLine*>();
     QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
     QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), kSoonMs);
     QVERIFY(!m_window->accessSource().record);
@@ -911,7 +912,7 @@ class TestMainWindow : public QObject {
     QVERIFY(report->outcome == Outcome::Failed);
     QVERIFY(report->error.code == opcua::LinkError::ConnectionLost);
     QVERIFY(!report->isFaultless());
-    QVERIFY(!m_window->findChild<widgets::MessageArea*>()->text().isEmpty());
+    QVERIFY(!m_window->findChild<widgets::AlarmLine*>()->text().isEmpty());
     QVERIFY(!m_window->isRunning());
     QVERIFY(!m_window->startBlockedReason().isEmpty());
   }

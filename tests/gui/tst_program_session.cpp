@@ -26,7 +26,7 @@
 #include "session/program_loader.h"
 #include "session/program_timer.h"
 #include "support/test_program.h"
-#include "widgets/common/message_area.h"
+#include "widgets/alarms/alarm_line.h"
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_canvas.h"
 #include "widgets/program/path_view.h"
@@ -280,7 +280,7 @@ class TestProgramSession : public QObject {
 
     auto* bar = window.findChild<widgets::LoadBar*>();
     auto* progress = bar->findChild<QProgressBar*>();
-    auto* messages = window.findChild<widgets::MessageArea*>();
+    auto* messages = window.findChild<widgets::AlarmLine*>();
     window.openProgram(folder.filePath("huge.mpf"));
     QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && progress->value() > 0, kLongMs);
     QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);

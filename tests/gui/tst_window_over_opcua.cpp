@@ -13,7 +13,7 @@
 #include "hmi/main_window.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
-#include "widgets/common/message_area.h"
+#include "widgets/alarms/alarm_line.h"
 
 using namespace rivulet;
 using hmi::MainWindow;
@@ -83,7 +83,7 @@ class TestWindowOverOpcua : public QObject {
 
   void wrongAddressIsSaid() {
     MainWindow window(settings(), false);
-    auto* messages = window.findChild<widgets::MessageArea*>();
+    auto* messages = window.findChild<widgets::AlarmLine*>();
     window.connectTo(QStringLiteral("opc.tcp://127.0.0.1:1"));
     QTRY_VERIFY_WITH_TIMEOUT(!messages->text().isEmpty(), kSoonMs);
     QVERIFY(!window.startBlockedReason().isEmpty());

@@ -302,6 +302,22 @@ QString errorCodeText(const std::error_code& code) {
   return {};
 }
 
+std::error_code errorCodeOf(std::string_view kind, int value) {
+  const std::error_code known[]{
+      gcode::GcodeError::FileUnreadable,    feasibility::FeasibilityError::FeedNotPositive,
+      templates::TemplateError::DoesNotFit, base::FileError::Unreadable,
+      trace::TraceError::NotATrace,         streaming::MachineFileError::NotAMachineFile,
+      opcua::LinkError::NotReachable,       streaming::CalibrationError::NoCells,
+      streaming::StreamError::WrongProgram,
+  };
+  for (const std::error_code& code : known) {
+    if (kind == code.category().name()) {
+      return {value, code.category()};
+    }
+  }
+  return {};
+}
+
 QString errorText(const base::Error& error) {
   // The message of the error is English and may contain figures that the sentence of its code
   // lacks: in English, prefer the message.

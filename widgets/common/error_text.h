@@ -8,6 +8,8 @@
 #pragma once
 
 #include <QString>
+#include <string_view>
+#include <system_error>
 
 #include "base/error.h"
 
@@ -15,6 +17,9 @@ namespace rivulet::widgets {
 
 /// The sentence for a code alone; empty if there is none.
 [[nodiscard]] QString errorCodeText(const std::error_code& code);
+
+/// The code of a kind (the name of its category) and value, as files keep it; clear if it is none.
+[[nodiscard]] std::error_code errorCodeOf(std::string_view kind, int value);
 
 /// Context and sentence, as the message area shows them.
 [[nodiscard]] QString errorText(const base::Error& error);

@@ -2,17 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What happened in this session, newest last: time, severity, text. Keeps the last 5000 lines.
-/// @threadsafety GUI thread.
+/// Messages: what happened in this session, newest last, with date, severity, source and text; to
+/// be filtered and searched. Keeps the last 5000 lines. Nothing is ever removed by hand: the file
+/// of the log has the same lines. @threadsafety GUI thread.
 #pragma once
 
 #include <QDateTime>
 #include <QPalette>
+#include <QTimer>
+#include <functional>
 
+#include "alarm/alarm.h"
 #include "gcode/diagnostic.h"
 #include "widgets/common/page.h"
 #include "widgets/common/table_model.h"
 
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTableView;
 
@@ -21,26 +29,27 @@ namespace rivulet::widgets {
 struct LogLine {
   QDateTime at;
   gcode::Severity severity = gcode::Severity::Note;
-  QString text;
+  alarm::Source source = alarm::Source::Computer;
+  std::function<QString()> text;  ///< in the present language
 };
 
 class LogModel final : public TableModel<LogLine> {
   Q_OBJECT
 
  public:
-  enum Column { Time, SeverityColumn, Text };
+  enum Column { Time, SeverityColumn, SourceColumn, Text };
   static constexpr std::size_t kCapacity = 5000;
 
   explicit LogModel(QObject* parent = nullptr);
 
   /// Icons are drawn in the colours of this palette.
   void setColors(const QPalette& palette);
-  /// Every line as text, tab separated.
-  [[nodiscard]] QString toText() const;
 
  private:
   QPalette m_palette;
 };
+
+class LogFilter;
 
 class LogView final : public Page {
   Q_OBJECT
@@ -49,8 +58,8 @@ class LogView final : public Page {
   explicit LogView(QWidget* parent = nullptr);
 
   void append(const LogLine& line);
-  void clear();
-  [[nodiscard]] QString toText() const { return m_model->toText(); }
+  /// The lines that are shown, tab separated.
+  [[nodiscard]] QString toText() const;
 
  Q_SIGNALS:
   void saveRequested(const QString& path);
@@ -60,11 +69,22 @@ class LogView final : public Page {
   void restyle() override;
 
  private:
+  [[nodiscard]] QWidget* makeFilters();
+  void connectFilters();
+  void showCount();
+  void wrapRows();
+
   LogModel* m_model;
+  LogFilter* m_filter;
   QTableView* m_table;
+  QComboBox* m_severity;
+  QComboBox* m_source;
+  QLineEdit* m_search;
+  QCheckBox* m_wrap;
+  QLabel* m_count;
   QPushButton* m_copy;
   QPushButton* m_save;
-  QPushButton* m_clear;
+  QTimer m_wrapTimer;  ///< the height of rows follows the width of the table after a rest
 };
 
 }  // namespace rivulet::widgets

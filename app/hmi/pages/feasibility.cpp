@@ -87,8 +87,9 @@ void connectSimulation(FeasibilityPage* page, const Models& models) {
                    [page, models](const std::shared_ptr<const session::RegionOutcome>& outcome) {
                      page->setSimulationProgress(std::nullopt);
                      if (outcome->error.code) {
-                       models.messages.show(gcode::Severity::Warning,
-                                            widgets::errorText(outcome->error));
+                       models.messages.show(gcode::Severity::Warning, [error = outcome->error] {
+                         return widgets::errorText(error);
+                       });
                      }
                      page->setRegion(regionOf(*outcome));
                    });

@@ -17,14 +17,15 @@ struct Pages {
   Q_DECLARE_TR_FUNCTIONS(Pages)
 };
 
-constexpr std::array<PageEntry, 7> kEntries{{
+constexpr std::array<PageEntry, 8> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage},
     {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage},
     {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage},
     {QT_TRANSLATE_NOOP("Pages", "Template"), makeTemplatePage},
     {QT_TRANSLATE_NOOP("Pages", "Calibration"), makeCalibrationPage},
     {QT_TRANSLATE_NOOP("Pages", "Report"), makeReportPage},
-    {QT_TRANSLATE_NOOP("Pages", "Log"), makeLogPage},
+    {QT_TRANSLATE_NOOP("Pages", "Alarms"), makeAlarmPage},
+    {QT_TRANSLATE_NOOP("Pages", "Messages"), makeLogPage},
 }};
 
 }  // namespace
@@ -56,10 +57,12 @@ std::optional<widgets::RehearsalView> rehearsalView(const Findings& findings) {
 void saveText(const Models& models, const QString& path, const QString& text) {
   const auto written = base::writeFile(path.toStdString(), text.toStdString());
   if (!written) {
-    models.messages.show(gcode::Severity::Error, widgets::errorText(written.error()));
+    models.messages.show(gcode::Severity::Error,
+                         [error = written.error()] { return widgets::errorText(error); });
     return;
   }
-  models.messages.log(gcode::Severity::Note, Pages::tr("Saved %1.").arg(path));
+  models.messages.log(gcode::Severity::Note, Messages::Source::Computer,
+                      [path] { return Pages::tr("Saved %1.").arg(path); });
 }
 
 }  // namespace rivulet::hmi

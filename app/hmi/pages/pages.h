@@ -8,6 +8,7 @@
 
 #include <span>
 
+#include "hmi/alarms.h"
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
@@ -27,6 +28,7 @@ namespace rivulet::hmi {
 struct Models {
   Settings& settings;
   Messages& messages;
+  Alarms& alarms;
   MachineModel& machine;
   Document& document;
   RunController& runs;
@@ -48,10 +50,11 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeTemplatePage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeCalibrationPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeReportPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeAlarmPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLogPage(const Models& models, QWidget* parent);
 
 /// Beside, above and below the tabs.
-[[nodiscard]] QWidget* makeMessageArea(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeAlarmLine(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLoadBar(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeFileBanner(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makePositionLine(const Models& models, QWidget* parent);

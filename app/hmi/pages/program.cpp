@@ -16,6 +16,7 @@
 namespace rivulet::hmi {
 
 using gcode::Severity;
+using Source = Messages::Source;
 using widgets::FileBanner;
 using widgets::LoadBar;
 using widgets::PathView;
@@ -51,9 +52,9 @@ void showReading(ProgramPanel* panel, const session::Reading& reading) {
 
 void open(const Models& models, const QString& path) {
   if (models.runs.isRunning()) {
-    models.messages.show(
-        Severity::Warning,
-        ProgramTexts::tr("A run is in progress. Open another program after it has ended."));
+    models.messages.show(Severity::Warning, [] {
+      return ProgramTexts::tr("A run is in progress. Open another program after it has ended.");
+    });
     return;
   }
   models.document.open(path);
@@ -101,13 +102,19 @@ void connectLoading(ProgramPage* page, const Models& models) {
     page->setProgram(models.document.view());
     showReading(panel, models.document.reading());
     models.messages.clear();
+    models.messages.settle(alarm::Code::FileChanged);
+    models.messages.settle(alarm::Code::FileGone);
     const std::size_t points = models.document.points().size();
-    models.messages.log(Severity::Note,
-                        ProgramTexts::tr("Opened %1 (%2), %3 points.")
-                            .arg(QString::fromStdString(program.name),
-                                 QString::fromStdString(program.hash), widgets::countText(points)));
-    if (const QString why = ProgramTexts::refusal(program, points > 0); !why.isEmpty()) {
-      models.messages.show(Severity::Error, why);
+    models.messages.log(Severity::Note, Source::Program,
+                        [name = QString::fromStdString(program.name),
+                         hash = QString::fromStdString(program.hash), points] {
+                          return ProgramTexts::tr("Opened %1 (%2), %3 points.")
+                              .arg(name, hash, widgets::countText(points));
+                        });
+    if (!ProgramTexts::refusal(program, points > 0).isEmpty()) {
+      models.messages.show(Severity::Error, [read = models.document.program(), points] {
+        return ProgramTexts::refusal(*read, points > 0);
+      });
     }
   });
   QObject::connect(document, &Document::programPlaced, page,
@@ -115,15 +122,17 @@ void connectLoading(ProgramPage* page, const Models& models) {
   QObject::connect(document, &Document::readingFailed, page,
                    [panel, models](const base::Error& error, const QString& path) {
                      showReading(panel, models.document.reading());
-                     const QString text = widgets::errorText(error);
-                     models.messages.show(Severity::Error, text);
-                     models.messages.log(Severity::Error, QStringLiteral("%1: %2").arg(path, text));
+                     models.messages.show(Severity::Error,
+                                          [error] { return widgets::errorText(error); });
+                     models.messages.log(Severity::Error, Source::Program, [error, path] {
+                       return QStringLiteral("%1: %2").arg(path, widgets::errorText(error));
+                     });
                    });
   QObject::connect(document, &Document::readingCancelled, page, [panel, models] {
     showReading(panel, models.document.reading());
-    models.messages.log(
-        Severity::Note,
-        ProgramTexts::tr("Reading %1 was cancelled.").arg(models.document.requestedPath()));
+    models.messages.log(Severity::Note, Source::Program, [path = models.document.requestedPath()] {
+      return ProgramTexts::tr("Reading %1 was cancelled.").arg(path);
+    });
   });
 }
 
@@ -186,26 +195,26 @@ QWidget* makeFileBanner(const Models& models, QWidget* parent) {
     banner->setProgram(QString::fromStdString(program.name), QString::fromStdString(program.hash));
     banner->setState(FileBanner::State::Same);
   });
-  QObject::connect(
-      &models.document, &Document::fileStateChanged, banner,
-      [banner, models](session::FileWatch::State state) {
-        const QString path = models.document.path();
-        switch (state) {
-          case session::FileWatch::State::Same:
-            banner->setState(FileBanner::State::Same);
-            return;
-          case session::FileWatch::State::Changed:
-            banner->setState(FileBanner::State::Changed);
-            models.messages.log(Severity::Warning,
-                                ProgramTexts::tr("The file %1 has changed.").arg(path));
-            return;
-          case session::FileWatch::State::Gone:
-            banner->setState(FileBanner::State::Gone);
-            models.messages.log(Severity::Warning,
-                                ProgramTexts::tr("The file %1 is no longer there.").arg(path));
-            return;
-        }
-      });
+  QObject::connect(&models.document, &Document::fileStateChanged, banner,
+                   [banner, models](session::FileWatch::State state) {
+                     const std::string path = models.document.path().toStdString();
+                     switch (state) {
+                       case session::FileWatch::State::Same:
+                         banner->setState(FileBanner::State::Same);
+                         models.messages.settle(alarm::Code::FileChanged);
+                         models.messages.settle(alarm::Code::FileGone);
+                         return;
+                       case session::FileWatch::State::Changed:
+                         banner->setState(FileBanner::State::Changed);
+                         models.messages.settle(alarm::Code::FileGone);
+                         models.messages.raise(alarm::Code::FileChanged, {path});
+                         return;
+                       case session::FileWatch::State::Gone:
+                         banner->setState(FileBanner::State::Gone);
+                         models.messages.raise(alarm::Code::FileGone, {path});
+                         return;
+                     }
+                   });
   QObject::connect(banner, &FileBanner::reloadRequested, &models.document,
                    [models] { models.document.readAgain(models.document.reading()); });
   const RunController* runs = &models.runs;

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Pages that show what a run left behind: traces, report, log; and messages above them.
-
-#include <QDateTime>
+/// Pages that show what a run left behind: traces, report, alarms, messages; and the alarm line.
 
 #include "hmi/pages/pages.h"
+#include "widgets/alarms/alarm_line.h"
+#include "widgets/alarms/alarm_page.h"
 #include "widgets/common/log_view.h"
-#include "widgets/common/message_area.h"
 #include "widgets/streaming/report_panel.h"
 #include "widgets/trace/trace_page.h"
 
@@ -38,22 +37,47 @@ QWidget* makeReportPage(const Models& models, QWidget* parent) {
   return page;
 }
 
+QWidget* makeAlarmPage(const Models& models, QWidget* parent) {
+  auto* page = new widgets::AlarmPage(parent);
+  Alarms* alarms = &models.alarms;
+  const auto show = [page, alarms] {
+    page->setAlarms(alarms->list().alarms());
+    page->setHistory(alarms->history());
+  };
+  show();
+  QObject::connect(alarms, &Alarms::changed, page, show);
+  QObject::connect(alarms, &Alarms::listRequested, page, &widgets::AlarmPage::showAlarms);
+  QObject::connect(page, &widgets::AlarmPage::acknowledgeRequested, alarms, &Alarms::acknowledge);
+  QObject::connect(page, &widgets::AlarmPage::acknowledgeAllRequested, alarms,
+                   &Alarms::acknowledgeAll);
+  QObject::connect(page, &widgets::AlarmPage::shelveRequested, alarms, &Alarms::shelve);
+  QObject::connect(page, &widgets::AlarmPage::unshelveRequested, alarms, &Alarms::unshelve);
+  return page;
+}
+
 QWidget* makeLogPage(const Models& models, QWidget* parent) {
   auto* page = new widgets::LogView(parent);
-  QObject::connect(&models.messages, &Messages::logged, page,
-                   [page](gcode::Severity severity, const QString& text) {
-                     page->append({QDateTime::currentDateTime(), severity, text});
-                   });
+  QObject::connect(&models.messages, &Messages::logged, page, &widgets::LogView::append);
   QObject::connect(page, &widgets::LogView::saveRequested, page,
                    [page, models](const QString& path) { saveText(models, path, page->toText()); });
   return page;
 }
 
-QWidget* makeMessageArea(const Models& models, QWidget* parent) {
-  auto* area = new widgets::MessageArea(parent);
-  QObject::connect(&models.messages, &Messages::shown, area, &widgets::MessageArea::showMessage);
-  QObject::connect(&models.messages, &Messages::cleared, area, &widgets::MessageArea::clear);
-  return area;
+QWidget* makeAlarmLine(const Models& models, QWidget* parent) {
+  auto* line = new widgets::AlarmLine(parent);
+  Alarms* alarms = &models.alarms;
+  const auto show = [line, alarms] {
+    const alarm::Alarm* first = alarms->list().mostImportant();
+    line->setAlarm(first == nullptr ? std::nullopt : std::optional(*first),
+                   alarms->list().shownCount());
+  };
+  show();
+  QObject::connect(alarms, &Alarms::changed, line, show);
+  QObject::connect(&models.messages, &Messages::shown, line, &widgets::AlarmLine::showNote);
+  QObject::connect(&models.messages, &Messages::cleared, line, &widgets::AlarmLine::clearNote);
+  QObject::connect(line, &widgets::AlarmLine::acknowledgeRequested, alarms, &Alarms::acknowledge);
+  QObject::connect(line, &widgets::AlarmLine::listRequested, alarms, &Alarms::listRequested);
+  return line;
 }
 
 }  // namespace rivulet::hmi

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "alarm/alarm_list.h"
 #include "base/contract.h"
 #include "base/units.h"
 #include "machine/machine.h"
+#include "opcua/error.h"
 #include "streaming/simulation/simulated_link.h"
 
 namespace rivulet::test {
@@ -214,6 +216,23 @@ streaming::RunReport report() {
   report.programName = "POCKET_60x40.MPF";
   report.settings.feedMmPerS = base::mmPerSFromMmPerMin(500.0);
   return report;
+}
+
+std::vector<alarm::Alarm> alarms() {
+  constexpr base::UtcMs kAt = 1'795'336'205'000;
+  alarm::AlarmList list;
+  list.raise(alarm::Code::FileChanged, {"POCKET_60x40.MPF"}, kAt);
+  list.acknowledge(1, "anna", kAt);
+  list.raise(alarm::Code::NotJudged, {"POCKET_60x40.MPF"}, kAt + 60'000);
+  list.settle(alarm::Code::NotJudged, kAt + 70'000);
+  list.raise(alarm::Code::NotRecorded, {"/var/runs"}, kAt + 80'000);
+  list.shelve(3, kAt + 7'200'000, "anna", kAt + 90'000);
+  list.raise(alarm::Code::WrongMotion, {"POCKET_60x40.MPF", "14", "2"}, kAt + 100'000);
+  list.raise(alarm::Code::ConnectionLost, {"opc.tcp://127.0.0.1:4840"}, kAt + 110'000,
+             base::makeError(opcua::LinkError::ConnectionLost,
+                             "The connection to the control is lost. Check the machine, then "
+                             "connect again."));
+  return list.alarms();
 }
 
 std::shared_ptr<const streaming::CalibrationRecord> calibrationRecord() {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "alarm/alarm.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "streaming/calibration_record.h"
@@ -44,6 +45,8 @@ namespace rivulet::test {
 [[nodiscard]] std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS);
 [[nodiscard]] std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace);
 [[nodiscard]] streaming::RunReport report();
+/// One of each state, the most important first.
+[[nodiscard]] std::vector<alarm::Alarm> alarms();
 
 /// A calibration of the virtual machine in virtual time, of 50 cells, with little time for the long
 /// kinds.

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QAbstractItemModelTester>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTest>
 #include <QToolButton>
 #include <limits>
@@ -14,10 +19,10 @@
 #include "streaming/run.h"
 #include "support/test_program.h"
 #include "templates/cells.h"
+#include "widgets/alarms/alarm_line.h"
 #include "widgets/common/diagnostic_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/log_view.h"
-#include "widgets/common/message_area.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -162,7 +167,7 @@ class TestCommon : public QObject {
     LogModel model;
     const auto append = [&model](std::size_t line) {
       model.append({QDateTime(QDate(2026, 1, 2), QTime(3, 4, 5, 678)), gcode::Severity::Note,
-                    QString("line %1").arg(line)});
+                    alarm::Source::Run, [line] { return QString("line %1").arg(line); }});
     };
     std::size_t line = 0;
     for (; line < LogModel::kCapacity; ++line) {
@@ -174,37 +179,115 @@ class TestCommon : public QObject {
     }
     QCOMPARE(model.rowCount(), static_cast<int>(LogModel::kCapacity));
     QCOMPARE(model.index(0, LogModel::Text).data().toString(), QString("line 10"));
-    QCOMPARE(model.index(0, LogModel::Time).data().toString(), QString("03:04:05.678"));
-    QVERIFY(model.toText().startsWith("2026-01-02T03:04:05.678\tNote\tline 10\n"));
+    QCOMPARE(model.index(0, LogModel::Time).data().toString(), QString("2026-01-02 03:04:05.678"));
   }
 
-  void logSpeaksTheLanguage() {
+  void messagesSpeakTheLanguage() {
     test::Language language;
     LogView view;
-    view.append({QDateTime::currentDateTime(), gcode::Severity::Warning, "text"});
-    QVERIFY(view.toText().contains("Warning"));
+    // A text is made again, with what it speaks of.
+    view.append({QDateTime(QDate(2026, 1, 2), QTime(3, 4, 5, 678)), gcode::Severity::Warning,
+                 alarm::Source::Connection, [] { return QLocale().toString(1234.5, 'f', 1); }});
+    QVERIFY(view.toText().contains("\tWarning\tConnection\t1,234.5\n"));
+    QVERIFY(view.toText().startsWith("2026-01-02T03:04:05.678"));
     language.german();
-    QVERIFY(view.toText().contains("Warnung"));
+    QVERIFY(view.toText().contains("\tWarnung\tVerbindung\t1.234,5\n"));
     QVERIFY(test::visibleText(view).contains("Kopieren"));
   }
 
-  void messageCanBeDismissed() {
+  void messagesAreFilteredAndSearched() {
+    LogView view;
+    const auto append = [&view](gcode::Severity severity, alarm::Source source, const char* text) {
+      view.append({QDateTime::currentDateTime(), severity, source,
+                   [text] { return QString::fromUtf8(text); }});
+    };
+    append(gcode::Severity::Note, alarm::Source::Run, "Access: list.");
+    append(gcode::Severity::Warning, alarm::Source::Program, "The file has changed.");
+    append(gcode::Severity::Error, alarm::Source::Run, "The run was ended by a fault.");
+    const auto boxes = view.findChildren<QComboBox*>();
+    QCOMPARE(boxes.size(), 2);
+    const auto lines = [&view] { return view.toText().count('\n'); };
+    QCOMPARE(lines(), 3);
+    boxes[0]->setCurrentIndex(1);
+    QCOMPARE(lines(), 2);
+    boxes[1]->setCurrentText("Run");
+    QCOMPARE(lines(), 1);
+    QVERIFY(view.toText().contains("fault") && test::visibleText(view).contains("1 of 3"));
+    boxes[0]->setCurrentIndex(0);
+    auto* search = view.findChild<QLineEdit*>();
+    search->setText("LIST access");
+    QCOMPARE(lines(), 1);
+    boxes[1]->setCurrentIndex(0);
+    search->clear();
+    QCOMPARE(lines(), 3);
+    // There is no button that removes lines.
+    QCOMPARE(view.findChildren<QPushButton*>().size(), 2);
+  }
+
+  void longMessagesAreWrapped() {
+    LogView view;
+    view.resize(700, 400);
+    view.append({QDateTime::currentDateTime(), gcode::Severity::Note, alarm::Source::Run,
+                 [] { return QString("word ").repeated(60); }});
+    view.show();
+    auto* table = view.findChild<QTableView*>();
+    const int plainPx = table->rowHeight(0);
+    auto* wrap = view.findChild<QCheckBox*>();
+    wrap->click();
+    QVERIFY(table->rowHeight(0) > 2 * plainPx);
+    wrap->click();
+    QCOMPARE(table->rowHeight(0), plainPx);
+  }
+
+  void theAlarmLineShowsTheMostImportant() {
     test::Language language;
-    MessageArea area;
-    QVERIFY(area.isHidden());
-    QSignalSpy dismissed(&area, &MessageArea::dismissed);
-    area.resize(600, 48);
-    area.showMessage(gcode::Severity::Error, "The connection is lost.");
-    QVERIFY(!area.isHidden());
-    QVERIFY(test::visibleText(area).contains("Error"));
+    AlarmLine line;
+    line.resize(800, 48);
+    line.show();
+    QVERIFY(line.text().isEmpty());
+    alarm::Alarm lost;
+    lost.number = 7;
+    lost.code = alarm::Code::ConnectionLost;
+    lost.arguments = {"cell"};
+    line.setAlarm(lost, 3);
+    QVERIFY(line.text().startsWith("The connection to cell is lost.\nLook at the machine"));
+    QVERIFY(test::visibleText(line).contains("(3)"));
+    QSignalSpy acknowledged(&line, &AlarmLine::acknowledgeRequested);
+    QSignalSpy listed(&line, &AlarmLine::listRequested);
+    for (auto* button : line.findChildren<QToolButton*>()) {
+      if (button->text() == "Ack") {
+        button->click();
+      }
+    }
+    QCOMPARE(acknowledged.count(), 1);
+    QCOMPARE(acknowledged.first().first().toInt(), 7);
+    QTest::mouseClick(&line, Qt::LeftButton, {}, QPoint(100, 24));
+    QCOMPARE(listed.count(), 1);
     language.german();
-    QVERIFY(test::visibleText(area).contains("Fehler"));
-    const auto buttons = area.findChildren<QToolButton*>();
-    QCOMPARE(buttons.size(), 2);
-    buttons.last()->click();
-    QCOMPARE(dismissed.count(), 1);
-    QVERIFY(area.isHidden());
-    QVERIFY(area.text().isEmpty());
+    QVERIFY(line.text().startsWith("Die Verbindung zu cell ist unterbrochen."));
+  }
+
+  /// An answer stands in front of the alarm, and gives way to it again.
+  void aNoteIsDismissed() {
+    AlarmLine line;
+    line.resize(600, 48);
+    line.show();
+    line.showNote(gcode::Severity::Error, [] { return QString("No such file."); });
+    QCOMPARE(line.text(), QString("No such file."));
+    alarm::Alarm alarm;
+    alarm.code = alarm::Code::NotJudged;
+    alarm.arguments = {"a.nc"};
+    line.setAlarm(alarm, 1);
+    QCOMPARE(line.text(), QString("No such file."));
+    QVERIFY(test::visibleText(line).contains("(1)"));
+    for (auto* button : line.findChildren<QToolButton*>()) {
+      if (button->toolTip() == "Dismiss the message") {
+        button->click();
+      }
+    }
+    QVERIFY(line.text().startsWith("Nobody knows"));
+    line.setAlarm(std::nullopt, 0);
+    QVERIFY(line.text().isEmpty());
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QSlider>
+#include <QTabBar>
 #include <QTest>
 #include <functional>
 #include <memory>
@@ -15,9 +16,11 @@
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
 #include "templates/generator.h"
+#include "widgets/alarms/alarm_line.h"
+#include "widgets/alarms/alarm_page.h"
+#include "widgets/alarms/alarm_text.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/log_view.h"
-#include "widgets/common/message_area.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/feasibility/feasibility_page.h"
@@ -245,18 +248,32 @@ std::unique_ptr<QWidget> calibratedRegion() {
 std::unique_ptr<QWidget> logView() {
   auto view = std::make_unique<LogView>();
   const QDateTime at(QDate(2026, 3, 4), QTime(9, 15, 2, 125));
-  view->append(
-      {at, gcode::Severity::Note, QStringLiteral("Connected to opc.tcp://127.0.0.1:4840")});
-  view->append({at.addMSecs(310), gcode::Severity::Warning, QStringLiteral("Access time 12 ms")});
-  view->append({at.addMSecs(5210), gcode::Severity::Error, QStringLiteral("Alarm 10870")});
+  view->append({at, gcode::Severity::Note, alarm::Source::Connection,
+                [] { return QStringLiteral("Connected to opc.tcp://127.0.0.1:4840"); }});
+  view->append({at.addMSecs(310), gcode::Severity::Warning, alarm::Source::Run,
+                [] { return QStringLiteral("Access time 12 ms"); }});
+  view->append({at.addMSecs(5210), gcode::Severity::Error, alarm::Source::Control,
+                [] { return alarmText(test::alarms().front()); }});
   return view;
 }
 
-std::unique_ptr<QWidget> messageArea() {
-  auto area = std::make_unique<MessageArea>();
-  area->showMessage(gcode::Severity::Error,
-                    QStringLiteral("opc.tcp://127.0.0.1:4840: BadConnectionClosed"));
-  return area;
+std::unique_ptr<QWidget> alarmLine(std::size_t index) {
+  auto line = std::make_unique<AlarmLine>();
+  line->setAlarm(test::alarms()[index], test::alarms().size());
+  return line;
+}
+
+std::unique_ptr<QWidget> alarmPage(bool history) {
+  auto page = std::make_unique<AlarmPage>();
+  page->setAlarms(test::alarms());
+  std::vector<alarm::Transition> transitions;
+  for (const alarm::Alarm& alarm : test::alarms()) {
+    transitions.push_back({alarm.raisedAt + 65'000, alarm::Event::Acknowledged, alarm, "anna"});
+    transitions.push_back({alarm.raisedAt, alarm::Event::Raised, alarm, {}});
+  }
+  page->setHistory(transitions);
+  page->findChild<QTabBar*>()->setCurrentIndex(history ? 1 : 0);
+  return page;
 }
 
 std::unique_ptr<QWidget> reportPanel(bool faulty) {
@@ -347,8 +364,12 @@ std::vector<Sample> samples() {
       {"feasibility_calibrated", {900, 600}, [] { return calibratedRegion(); }},
       {"report", {700, 520}, [] { return reportPanel(false); }},
       {"report_faulty", {700, 520}, [] { return reportPanel(true); }},
-      {"log", {800, 300}, [] { return logView(); }},
-      {"message", {800, 56}, [] { return messageArea(); }},
+      {"log", {960, 300}, [] { return logView(); }},
+      {"alarm_line", {860, 48}, [] { return alarmLine(0); }},
+      {"alarm_line_medium", {860, 48}, [] { return alarmLine(3); }},
+      {"alarms", {960, 560}, [] { return alarmPage(false); }},
+      {"alarms_none", {960, 400}, [] { return std::make_unique<AlarmPage>(); }},
+      {"alarms_history", {960, 400}, [] { return alarmPage(true); }},
   };
 }
 
