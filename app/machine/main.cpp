@@ -13,15 +13,21 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/file.h"
 #include "log/log.h"
 #include "machine/config.h"
 #include "machine/front/server.h"
+#include "machine/kept_state.h"
 #include "machine/machine.h"
 
 namespace {
+
+/// Clients are answered at once; this is how often the machine goes on without any, and how old
+/// the state on disk may be.
+constexpr rivulet::base::Duration kStep = std::chrono::milliseconds{4};
 
 constexpr int kExitOk = 0;
 constexpr int kExitUsage = 2;
@@ -75,6 +81,10 @@ int main(int argc, char** argv) {
   app.add_option("--program", program,
                  "Part program that is stored and selected at the start, as by an operator");
   app.add_option("--seed", seed, "Seed of the machine's random numbers")->capture_default_str();
+  std::string folder;
+  app.add_option("--state", folder,
+                 "Folder that keeps R-parameters, part programs and the places of the axes, as a "
+                 "control does when it is switched off");
   std::string logLevel;
   app.add_option("--log-level", logLevel,
                  "What is logged on standard error (default: warning) and in the log file "
@@ -92,11 +102,22 @@ int main(int argc, char** argv) {
       !done) {
     rivulet::log::logger().info(done.error().text());
   }
-  const auto config = rivulet::machine::loadPreset(preset);
+  auto config = rivulet::machine::loadPreset(preset);
   if (!config) {
     return complain(config.error(), kExitUsage);
   }
+  std::optional<rivulet::machine::KeptState> kept;
+  if (!folder.empty()) {
+    auto opened = rivulet::machine::KeptState::open(folder, *config);
+    if (!opened) {
+      return complain(opened.error(), kExitUsage);
+    }
+    kept.emplace(std::move(*opened));
+  }
   rivulet::machine::Machine machine(*config, seed);
+  if (kept) {
+    kept->restore(machine);
+  }
   options.fileRights = !noFileRights;
   if (!program.empty()) {
     const auto text = rivulet::base::readFile(program);
@@ -119,7 +140,14 @@ int main(int argc, char** argv) {
   fmt::print("{}\n", (*server)->endpoint());
   std::fflush(stdout);
   rivulet::log::logger().info("{} serves {} with seed {}", (*server)->endpoint(), preset, seed);
-  (*server)->run(g_stop);
+  while (!g_stop.load()) {
+    (*server)->iterate(kStep);
+    if (kept) {
+      if (const auto done = kept->keep(machine); !done) {
+        return complain(done.error(), kExitUsage);
+      }
+    }
+  }
   rivulet::log::logger().info("stopped");
   return kExitOk;
 }

@@ -73,7 +73,7 @@ class TestNetworkFaults : public QObject {
   void slowNetworkDoesNotStarveTheMethod() {
     NetworkScenario scenario;
     scenario.points = 16;
-    scenario.oneWay = 200ms;
+    scenario.oneWay = 120ms;
     const NetworkEvidence evidence = tests::exposeToNetwork(scenario);
     QVERIFY2(evidence.hasSurvived(), describe(scenario, evidence).c_str());
     QVERIFY2(evidence.isWhole(), describe(scenario, evidence).c_str());

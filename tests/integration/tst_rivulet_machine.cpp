@@ -6,8 +6,12 @@
 #include <signal.h>
 
 #include <QProcess>
+#include <QTemporaryDir>
 #include <QtTest>
+#include <cmath>
+#include <memory>
 
+#include "opcua/await.h"
 #include "opcua/open62541/ua_link.h"
 #include "support/test_program.h"
 
@@ -27,6 +31,14 @@ QString endpointOf(QProcess& process) {
   while (!process.canReadLine() && process.waitForReadyRead(kPatienceMs)) {
   }
   return QString::fromUtf8(process.readLine()).trimmed();
+}
+
+std::unique_ptr<opcua::UaLink> connectTo(const QString& endpoint) {
+  opcua::ConnectOptions options;
+  options.endpoint = endpoint.toStdString();
+  options.connectDeadline = std::chrono::milliseconds(kPatienceMs);
+  auto link = opcua::UaLink::connect(options);
+  return link ? std::move(*link) : nullptr;
 }
 
 QStringList lines(const QByteArray& text) {
@@ -52,18 +64,15 @@ class TestRivuletMachine : public QObject {
     const QString endpoint = endpointOf(process);
     QVERIFY2(endpoint.startsWith(QLatin1String("opc.tcp://127.0.0.1:")), qPrintable(endpoint));
 
-    opcua::ConnectOptions options;
-    options.endpoint = endpoint.toStdString();
-    options.connectDeadline = std::chrono::milliseconds(kPatienceMs);
-    const auto link = opcua::UaLink::connect(options);
-    QVERIFY(link.has_value());
-    QVERIFY((*link)->isVirtualMachine());
+    const auto link = connectTo(endpoint);
+    QVERIFY(link != nullptr);
+    QVERIFY(link->isVirtualMachine());
 
     QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
     QVERIFY(process.waitForFinished(kPatienceMs));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     QCOMPARE(process.exitCode(), 0);
-    const auto event = (*link)->wait((*link)->now() + 60s);
+    const auto event = link->wait(link->now() + 60s);
     QVERIFY(event && event->kind == opcua::EventKind::ConnectionLost);
     QVERIFY(process.readAllStandardOutput().isEmpty());  // one line and no more
     QVERIFY(process.readAllStandardError().isEmpty());
@@ -104,6 +113,63 @@ class TestRivuletMachine : public QObject {
     QCOMPARE(process.exitCode(), 2);
     QVERIFY(process.readAllStandardOutput().isEmpty());
     QVERIFY(!process.readAllStandardError().isEmpty());
+  }
+
+  /// R-parameters, programs and places outlive `kill -9`; a damaged state is not used.
+  void keepsItsStateOverALossOfPower() {
+    QTemporaryDir folder;
+    const QStringList arguments{QStringLiteral("--port"),   QStringLiteral("0"),
+                                QStringLiteral("--preset"), QStringLiteral("ideal"),
+                                QStringLiteral("--state"),  folder.path()};
+    const std::vector<opcua::Variable> watched{opcua::rParameter(20),
+                                               {opcua::VariableKind::ActualPosition, 0}};
+    QProcess first;
+    startProgram(first, arguments);
+    {
+      const auto link = connectTo(endpointOf(first));
+      const opcua::Assignment value{watched[0], 1.25};
+      QVERIFY(opcua::writeNow(*link, {&value, 1}, 20s));
+      QVERIFY(link->uploadProgram("GO.MPF", "G1 X7.5 F6000\nM30\n", true));
+      QVERIFY(link->selectProgram("GO.MPF"));
+      QVERIFY(link->cycleStart());
+      const auto isThere = [&] {
+        const auto numbers = opcua::readNumbers(*link, watched, 20s);
+        return numbers && std::abs((*numbers)[1] - 7.5) < 1e-6;
+      };
+      QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatienceMs);
+
+      QProcess second;
+      startProgram(second, arguments);
+      QVERIFY(second.waitForFinished(kPatienceMs));
+      QCOMPARE(second.exitCode(), 2);
+      // An answer shows that the state has been written since the tool arrived.
+      QVERIFY(isThere());
+    }
+    first.kill();
+    QVERIFY(first.waitForFinished(kPatienceMs));
+
+    QProcess again;
+    startProgram(again, arguments);
+    {
+      const auto link = connectTo(endpointOf(again));
+      const auto numbers = opcua::readNumbers(*link, watched, 20s);
+      QVERIFY(numbers);
+      QCOMPARE((*numbers)[0], 1.25);
+      QVERIFY(std::abs((*numbers)[1] - 7.5) < 1e-6);
+      QCOMPARE(link->downloadProgram("GO.MPF").value_or(""), std::string("G1 X7.5 F6000\nM30\n"));
+    }
+    again.kill();
+    QVERIFY(again.waitForFinished(kPatienceMs));
+
+    QFile state(folder.filePath(QStringLiteral("state")));
+    QVERIFY(state.open(QIODevice::ReadWrite));
+    QVERIFY(state.write(QByteArray(static_cast<int>(state.size()), 'x')) > 0);
+    state.close();
+    QProcess damaged;
+    startProgram(damaged, arguments);
+    QVERIFY(damaged.waitForFinished(kPatienceMs));
+    QCOMPARE(damaged.exitCode(), 2);
+    QVERIFY(damaged.readAllStandardError().contains("damaged"));
   }
 
   void saysItsVersion() {

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "machine/kept_state.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/units.h"
+
+namespace rivulet::machine {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t kMagic = 0x31204554'41545352ULL;
+constexpr std::size_t kPositions = base::kAxisCount + base::kRotaryAxisCount;
+constexpr int kMode = 0644;
+
+struct SlotHead {
+  std::uint64_t magic = kMagic;
+  std::uint64_t number = 0;  ///< the higher one counts
+  std::uint64_t executedBytes = 0;
+  std::uint64_t hash = 0;  ///< of the values, with number and bytes
+};
+
+std::uint64_t hashOfSlot(const SlotHead& head, const std::vector<double>& values) {
+  std::string bytes(values.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return base::hashOfFile(bytes) ^ ((head.number + 1) * base::kHashPrime) ^ head.executedBytes;
+}
+
+std::size_t slotBytes(std::size_t values) {
+  return sizeof(SlotHead) + values * sizeof(double);
+}
+
+bool writeAt(int file, const void* bytes, std::size_t count, std::size_t at) {
+  return pwrite(file, bytes, count, static_cast<off_t>(at)) == static_cast<ssize_t>(count);
+}
+
+base::Error unusable(const fs::path& folder, const std::string& why) {
+  return base::makeError(base::FileError::NotWritable, why, folder.string());
+}
+
+fs::path programsOf(const fs::path& folder) {
+  return folder / "programs";
+}
+
+}  // namespace
+
+base::Result<KeptState> KeptState::open(const fs::path& folder, MachineConfig& config) {
+  std::error_code ignored;  // opening says what is wrong
+  fs::create_directories(programsOf(folder), ignored);
+  const int file = ::open((folder / "state").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
+  const int executed =
+      ::open((folder / "executed.txt").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kMode);
+  KeptState state(folder, file, executed);
+  if (file < 0 || executed < 0) {
+    return base::fail(unusable(folder,
+                               "The folder for the state of the machine cannot be written. "
+                               "Choose another one."));
+  }
+  if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+    return base::fail(
+        unusable(folder, "Another rivulet-machine uses this folder. Choose another one."));
+  }
+  state.m_values.resize(kPositions + static_cast<std::size_t>(config.rParameterCount));
+  const bool isNew = fs::file_size(folder / "state", ignored) == 0;
+  if (!isNew && !state.load()) {
+    return base::fail(unusable(folder,
+                               "The state in this folder is damaged, or of a machine with another "
+                               "number of R-parameters. Choose another folder, or delete it."));
+  }
+  if (ftruncate(executed, static_cast<off_t>(state.m_executedBytes)) != 0) {
+    return base::fail(unusable(folder, "The folder for the state cannot be written."));
+  }
+  if (state.m_number > 0) {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      config.axes[axis].startMm = state.m_values[axis];
+    }
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      if (config.rotaryAxes[axis]) {
+        config.rotaryAxes[axis]->startDeg = state.m_values[base::kAxisCount + axis];
+      }
+    }
+  }
+  return state;
+}
+
+KeptState::KeptState(KeptState&& other) noexcept
+    : m_folder(std::move(other.m_folder)),
+      m_file(std::exchange(other.m_file, -1)),
+      m_executed(std::exchange(other.m_executed, -1)),
+      m_number(other.m_number),
+      m_executedBytes(other.m_executedBytes),
+      m_values(std::move(other.m_values)),
+      m_programs(std::move(other.m_programs)),
+      m_lastFrom(other.m_lastFrom),
+      m_blocks(other.m_blocks) {
+}
+
+KeptState::~KeptState() {
+  for (const int file : {m_file, m_executed}) {
+    if (file >= 0) {
+      close(file);
+    }
+  }
+}
+
+bool KeptState::load() {
+  const std::size_t bytes = slotBytes(m_values.size());
+  std::vector<double> values(m_values.size());
+  for (std::size_t slot = 0; slot < 2; ++slot) {
+    std::string text(bytes, '\0');
+    const auto at = static_cast<off_t>(slot * bytes);
+    if (pread(m_file, text.data(), bytes, at) != static_cast<ssize_t>(bytes)) {
+      continue;
+    }
+    SlotHead head;
+    std::memcpy(&head, text.data(), sizeof head);
+    std::memcpy(values.data(), text.data() + sizeof head, bytes - sizeof head);
+    if (head.magic == kMagic && head.number > m_number && head.hash == hashOfSlot(head, values)) {
+      m_number = head.number;
+      m_executedBytes = head.executedBytes;
+      m_values = values;
+    }
+  }
+  return m_number > 0;
+}
+
+void KeptState::restore(Machine& machine) const {
+  if (m_number > 0) {
+    for (std::size_t i = kPositions; i < m_values.size(); ++i) {
+      machine.writeRParameter(static_cast<int>(i - kPositions), m_values[i]);
+    }
+  }
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(programsOf(m_folder), ignored)) {
+    if (base::Result<std::string> text = base::readFile(entry.path())) {
+      static_cast<void>(
+          machine.storeProgram(entry.path().filename().string(), std::move(*text), true));
+    }
+  }
+}
+
+void KeptState::keepBlocks(const Machine& machine) {
+  const std::vector<trace::ExecutedBlock>& blocks = machine.trace().blocks;
+  if (blocks.size() < m_blocks || (m_blocks > 0 && blocks[m_blocks - 1].from != m_lastFrom)) {
+    m_blocks = 0;  // of another start
+  }
+  std::string text;
+  for (; m_blocks < blocks.size(); ++m_blocks) {
+    const trace::ExecutedBlock& block = blocks[m_blocks];
+    text += fmt::format("{} {} {} {} {} {} {} {}\n", block.targetMm.x, block.targetMm.y,
+                        block.targetMm.z, block.targetDeg[0], block.targetDeg[1],
+                        block.targetDeg[2], block.lengthMm, block.turnDeg);
+    m_lastFrom = block.from;
+  }
+  if (!text.empty() && writeAt(m_executed, text.data(), text.size(), m_executedBytes)) {
+    m_executedBytes += text.size();
+  }
+}
+
+base::Result<void> KeptState::keepPrograms(const Machine& machine) {
+  for (const std::string& name : machine.programNames()) {
+    const base::Result<std::string> text = machine.programText(name);
+    if (!text || name.find('/') != std::string::npos) {
+      continue;
+    }
+    const std::uint64_t hash = base::hashOfFile(*text);
+    if (const auto known = m_programs.find(name);
+        known != m_programs.end() && known->second == hash) {
+      continue;
+    }
+    if (base::Result<void> written = base::writeFile(programsOf(m_folder) / name, *text);
+        !written) {
+      return written;
+    }
+    m_programs[name] = hash;
+  }
+  return {};
+}
+
+base::Result<void> KeptState::keep(const Machine& machine) {
+  if (base::Result<void> kept = keepPrograms(machine); !kept) {
+    return kept;
+  }
+  const std::uint64_t before = m_executedBytes;
+  keepBlocks(machine);
+  const MachineState now = machine.state();
+  std::vector<double> values;
+  values.reserve(m_values.size());
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    values.push_back(now.actualMm[axis]);
+  }
+  values.insert(values.end(), now.actualDeg.begin(), now.actualDeg.end());
+  for (int cell = 0; machine.hasRParameter(cell); ++cell) {
+    values.push_back(machine.ncRParameter(cell));
+  }
+  if (m_number > 0 && values == m_values && before == m_executedBytes) {
+    return {};
+  }
+  m_values = std::move(values);
+  SlotHead head;
+  head.number = ++m_number;
+  head.executedBytes = m_executedBytes;
+  head.hash = hashOfSlot(head, m_values);
+  std::string slot(slotBytes(m_values.size()), '\0');
+  std::memcpy(slot.data(), &head, sizeof head);
+  std::memcpy(slot.data() + sizeof head, m_values.data(), m_values.size() * sizeof(double));
+  if (!writeAt(m_file, slot.data(), slot.size(), (m_number % 2) * slot.size())) {
+    return base::fail(unusable(m_folder, "The state of the machine cannot be written."));
+  }
+  return {};
+}
+
+}  // namespace rivulet::machine
