@@ -35,9 +35,28 @@ std::string withPlainLineEnds(std::string text) {
   return text;
 }
 
+/// A request or a program that was falsified on its way: made again, it is right.
+constexpr int kAttemptsMax = 3;
+
+bool mayBeFalsified(const base::Error& error) {
+  return isRefusal(error) || error.code == LinkError::ProgramMissing ||
+         error.code == StreamError::WrongProgram;
+}
+
+/// The answer to a call that is made again if it is refused.
+template <class Call>
+auto persistently(const Call& call) {
+  auto answer = call();
+  for (int attempt = 1; attempt < kAttemptsMax && !answer && mayBeFalsified(answer.error());
+       ++attempt) {
+    answer = call();
+  }
+  return answer;
+}
+
 /// @return true: the same; false: it may not be read
 Result<bool> compare(opcua::Control& control, const std::string& name, const std::string& text) {
-  const Result<std::string> there = control.downloadProgram(name);
+  const Result<std::string> there = persistently([&] { return control.downloadProgram(name); });
   if (!there) {
     return isRefusal(there.error()) ? Result<bool>(false) : Result<bool>(base::fail(there.error()));
   }
@@ -52,7 +71,7 @@ Result<bool> compare(opcua::Control& control, const std::string& name, const std
 
 /// @return true: done; false: the operator has to
 Result<bool> select(opcua::Control& control, const std::string& name) {
-  const Result<void> done = control.selectProgram(name);
+  const Result<void> done = persistently([&] { return control.selectProgram(name); });
   if (!done) {
     return isRefusal(done.error()) ? Result<bool>(false) : Result<bool>(base::fail(done.error()));
   }
@@ -65,14 +84,20 @@ Result<ProgramTransfer> transferProgram(opcua::Control& control, const std::stri
                                         const std::string& text, TransferWay way) {
   ProgramTransfer transfer;
   Result<void> written;
-  if (way == TransferWay::Link) {
-    written = control.uploadProgram(name, text, true);
-    if (!written && !isRefusal(written.error())) {
-      return base::fail(written.error());
+  Result<bool> compared = false;
+  for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
+    if (way == TransferWay::Link) {
+      written = persistently([&] { return control.uploadProgram(name, text, true); });
+      if (!written && !isRefusal(written.error())) {
+        return base::fail(written.error());
+      }
+      transfer.written = written.has_value();
     }
-    transfer.written = written.has_value();
+    compared = compare(control, name, text);
+    if (!transfer.written || compared || !mayBeFalsified(compared.error())) {
+      break;
+    }
   }
-  Result<bool> compared = compare(control, name, text);
   if (!written && (!compared || !*compared)) {
     return base::fail(refused(written.error()));
   }

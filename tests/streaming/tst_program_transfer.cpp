@@ -29,10 +29,17 @@ class ScriptedControl final : public opcua::Control {
     if (writeError) {
       return base::fail(*writeError, "no");
     }
+    if (isFalsified()) {
+      files[name] = "G1 X=R1";
+      return {};
+    }
     files[name] = text + changedBehind;
     return {};
   }
   base::Result<std::string> downloadProgram(const std::string& name) override {
+    if (isFalsified()) {
+      return base::fail(LinkError::Rejected, "no");
+    }
     if (readError) {
       return base::fail(*readError, "no");
     }
@@ -42,6 +49,9 @@ class ScriptedControl final : public opcua::Control {
     return files[name];
   }
   base::Result<void> selectProgram(const std::string& name) override {
+    if (isFalsified()) {
+      return base::fail(LinkError::ProgramMissing, "none");
+    }
     if (selectError) {
       return base::fail(*selectError, "no");
     }
@@ -56,6 +66,11 @@ class ScriptedControl final : public opcua::Control {
     return base::fail(LinkError::MethodMissing, "no");
   }
 
+  /// Whether this call is the one that is falsified on its way.
+  bool isFalsified() { return calls++ == falsifiedCall; }
+
+  int calls = 0;
+  int falsifiedCall = -1;
   std::map<std::string, std::string> files;
   std::string changedBehind;
   std::string selected;
@@ -70,6 +85,19 @@ class TestProgramTransfer : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// One bit on the way takes no rights away.
+  void aFalsifiedCallIsMadeAgain() {
+    for (const int call : {0, 1, 2}) {
+      ScriptedControl control;
+      control.falsifiedCall = call;
+      const auto transfer = transferProgram(control, kName, kText, TransferWay::Link);
+      QVERIFY2(transfer && *transfer == (ProgramTransfer{true, true, true}),
+               transfer ? "" : transfer.error().text().c_str());
+      QCOMPARE(control.files[kName], kText);
+      QVERIFY(control.calls > 3);
+    }
+  }
+
   void withAllRights() {
     ScriptedControl control;
     control.files[kName] = "an older one";
