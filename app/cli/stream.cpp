@@ -85,6 +85,12 @@ class ConsoleSink final : public streaming::RunSink {
                              ? "Nothing comes from the control. Check cable, switch and server."
                              : "The control answers again.");
     }
+    if (update.waitingFor == "claim" && !m_saysClaim) {
+      m_saysClaim = true;
+      log::logger().warn(
+          "Another client has claimed the R-parameters, but may have died. Its claim lapses after "
+          "10 s.");
+    }
     if (!m_isTerminal || update.counters.total == 0) {
       return;
     }
@@ -106,6 +112,7 @@ class ConsoleSink final : public streaming::RunSink {
   bool m_isTerminal;
   bool m_drawn = false;
   bool m_isSilent = false;  ///< nothing comes from the control
+  bool m_saysClaim = false;
   std::size_t m_share = 0;
   streaming::RunState m_state = streaming::RunState::Idle;
 };
