@@ -200,7 +200,9 @@ void Executor::setFeed(const BlockWords& words) {
   }
   double mmPerMin = feed * m_state.feedFactor;
   if (m_state.feedMode == FeedMode::PerRevolution) {
-    mmPerMin = feed * m_state.lengthFactor * m_state.spindlePerMin;
+    m_state.feedMmPerRev = feed * m_state.lengthFactor;
+    m_state.feedDegPerRev = feed;
+    mmPerMin = m_state.feedMmPerRev * m_state.spindlePerMin;
   } else if (m_state.feedMode != FeedMode::PerMinute) {
     return;  // known block by block, or not at all
   }

@@ -260,8 +260,17 @@ Move Executor::moveOf(const BlockWords& words, Vec3 target) {
     move.feedMmPerS =
         words.feed != nullptr ? m_position.lengthMmTo(target) * words.feed->value / 60.0 : 0.0;
   }
+  if (m_state.feedMode == FeedMode::PerRevolution) {  // S may have changed since F
+    move.feedMmPerS = m_state.feedMmPerRev * m_state.spindlePerMin / 60.0;
+    move.feedDegPerS = m_state.feedDegPerRev * m_state.spindlePerMin / 60.0;
+  }
   if (words.hasRotary) {
     takeRotary(words, move);
+  }
+  if (m_state.feedMode == FeedMode::InverseTime) {
+    const double turnDeg = move.turns ? base::turnDeg(m_position.rotaryDeg, move.rotaryDeg) : 0.0;
+    move.feedDegPerS =
+        words.feed != nullptr && turnDeg > 0.0 ? turnDeg * words.feed->value / 60.0 : 0.0;
   }
   if (words.rare) {
     takeDirection(words, move);

@@ -76,6 +76,8 @@ struct ModalState {
   double feedMmPerS = 0.0;   ///< 0: none is programmed
   double feedDegPerS = 0.0;  ///< the same number, for blocks that only turn
   double spindlePerMin = 0.0;
+  double feedMmPerRev = 0.0;   ///< with G95
+  double feedDegPerRev = 0.0;  ///< the same number
 
   BlockEnd blockEnd = BlockEnd::ExactStop;
   RoundingKind rounding = RoundingKind::Deviation;
