@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "feasibility/path_statistics.h"
+#include "gcode/feeds.h"
 #include "gcode/program.h"
 #include "report/report_json.h"
 
@@ -78,6 +79,10 @@ void print(const gcode::Program& program) {
     }
   }
   fmt::print("  feeds    {} mm/min\n", fmt::join(statistics.feedsMmPerMin, ", "));
+  if (const auto line = gcode::lineWithoutFeed(program.trajectory)) {
+    fmt::print("  line {} moves at a feed that is not known: stream it with --feed MM_PER_MIN\n",
+               line->value);
+  }
   for (const gcode::Diagnostic& diagnostic : program.diagnostics) {
     const std::string name = gcode::acceptableName(diagnostic);
     fmt::print("{}:{}:{}: {}: {}{}\n", diagnostic.file.empty() ? program.name : diagnostic.file,

@@ -48,6 +48,7 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.correctionLimitMm = correctionLimitMm;
   parameters.windowsAhead = windowsAhead;
   parameters.slowDown = !noSlowDown;
+  parameters.feedPerPoint = feedCells == "point";
   if (!axes.empty()) {
     // The option parser has rejected everything that is not an axis.
     static_cast<void>(templates::chooseAxes(parameters, axes));

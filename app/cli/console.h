@@ -40,7 +40,10 @@ struct OperatingOptions {
   int windowsAhead = 3;
   bool noSlowDown = false;
   double deltaMm = 0.3;
-  double feedMmPerMin = 0.0;
+  double feedMmPerMin = 0.0;       ///< of all moves; 0: the feeds of the program
+  double overridePercent = 100.0;  ///< on the feeds of the program
+  double rapidMmPerMin = 0.0;      ///< of the program's rapids; 0: that of the machine
+  std::string feedCells = "auto";  ///< auto, window, point
   std::string layout = "paper";
   double correctionLimitMm = 0.0;  ///< online correction; 0: none
   std::string

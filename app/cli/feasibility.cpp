@@ -18,6 +18,7 @@
 #include "report/report_json.h"
 #include "streaming/access_policy.h"
 #include "streaming/control_axes.h"
+#include "streaming/feed_plan.h"
 #include "streaming/pause_placement.h"
 
 namespace rivulet::cli {
@@ -27,7 +28,9 @@ namespace {
 /// Assumed position of the tool for programs that leave coordinates open.
 constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
 
-void print(const feasibility::Verdict& verdict) {
+/// @param limit  with the feeds of the program: what limits the override
+void print(const feasibility::Verdict& verdict,
+           const std::optional<streaming::OverrideLimit>& limit) {
   fmt::print("{}\n", !verdict.feasible ? "NOT feasible"
                      : verdict.waits   ? "feasible, but the machine will wait for the client"
                                        : "feasible");
@@ -42,8 +45,14 @@ void print(const feasibility::Verdict& verdict) {
     fmt::print("\n");
   }
   const bool reach = verdict.limiting.equation == feasibility::Equation::Reach;
+  const char* condition = reach ? " without waiting" : "";
+  if (limit) {
+    fmt::print("  limiting: {};{} {}\n", feasibility::equationLabel(verdict.limiting.equation),
+               condition, streaming::describe(*limit));
+    return;
+  }
   fmt::print("  limiting: {}; largest feed{} {:.0f} mm/min\n",
-             feasibility::equationLabel(verdict.limiting.equation), reach ? " without waiting" : "",
+             feasibility::equationLabel(verdict.limiting.equation), condition,
              base::mmPerMinFromMmPerS(verdict.feedMmPerSMax));
 }
 
@@ -51,8 +60,8 @@ void print(const feasibility::Verdict& verdict) {
 class PausePrice {
  public:
   PausePrice(const gcode::Trajectory& trajectory, const machine::MachineConfig& machine,
-             double feedMmPerS)
-      : m_trajectory(trajectory), m_machine(machine), m_feedMmPerS(feedMmPerS) {
+             const streaming::RunSettings& settings)
+      : m_trajectory(trajectory), m_machine(machine), m_settings(settings) {
     m_withoutS = totalS({});
   }
   [[nodiscard]] double withoutS() const { return m_withoutS; }
@@ -63,7 +72,8 @@ class PausePrice {
  private:
   [[nodiscard]] double totalS(const std::vector<streaming::PlannedPause>& pauses) const {
     experiments::PathTimeOptions options;
-    options.feedMmPerS = m_feedMmPerS;
+    options.feedMmPerS = m_settings.feedMmPerS;
+    options.programFeeds = m_settings.programFeeds;
     options.pauseS = base::toSeconds(m_machine.standstillMean);
     for (const streaming::PlannedPause& pause : pauses) {
       options.pausesBehind.push_back(pause.point);
@@ -74,7 +84,7 @@ class PausePrice {
 
   const gcode::Trajectory& m_trajectory;
   const machine::MachineConfig& m_machine;
-  double m_feedMmPerS;
+  const streaming::RunSettings& m_settings;
   double m_withoutS = 0.0;
 };
 
@@ -120,15 +130,18 @@ void print(const PlannedPauses& pauses, const std::string& machine) {
 
 PlannedPauses pausesOf(const std::vector<streaming::PlannedPause>& planned,
                        const std::vector<gcode::StreamPoint>& points,
-                       const feasibility::OperatingPoint& point, const PausePrice& price) {
+                       const streaming::RunSettings& settings, const PausePrice& price) {
   PlannedPauses pauses;
   pauses.count = planned.size();
   pauses.inCut = streaming::pausesInCut(planned);
   pauses.withoutS = price.withoutS();
   pauses.priceS = price.priceS(planned);
-  if (base::hasWindows(point.method) && !planned.empty()) {
+  const templates::TemplateParameters& parameters = settings.parameters;
+  if (base::hasWindows(parameters.method) && !planned.empty()) {
+    streaming::WindowCut cut = streaming::windowCut(settings);
+    cut.place = false;
     const auto even = streaming::plannedPauses(
-        points, point.method, static_cast<std::size_t>(point.pointsPerLoop), false);
+        points, parameters.method, static_cast<std::size_t>(parameters.pointsPerLoop), cut);
     pauses.even = {even.size(), streaming::pausesInCut(even), price.priceS(even)};
   }
   return pauses;
@@ -171,18 +184,35 @@ base::Result<CalibrationChoice> calibrationFor(const FeasibilityOptions& options
 struct Question {
   streaming::RunSettings settings;
   feasibility::ProgramDistances distances;
+  std::vector<gcode::StreamPoint> points;  ///< with their feeds
   std::optional<PlannedPauses> pauses;
   nlohmann::ordered_json json;
 };
 
 /// Takes distances and pauses from the program of the options.
-base::Result<void> readProgram(const FeasibilityOptions& options, Question& question) {
+base::Result<void> readProgram(const FeasibilityOptions& options,
+                               const feasibility::AccessModel& access, Question& question) {
   auto program = gcode::loadProgram(options.program, options.loading.loadOptions());
   if (!program) {
     return base::fail(program.error());
   }
   program->trajectory = options.resampling.resampled(std::move(program->trajectory));
-  const gcode::PointList list = gcode::streamPoints(program->trajectory, kOriginMm);
+  const auto machine = machine::loadPreset(options.preset);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  std::optional<gcode::ProgramFeeds>& feeds = question.settings.programFeeds;
+  if (options.point.feedMmPerMin == 0.0) {
+    feeds = report::programFeedsOf(*machine, options.point.overridePercent / 100.0,
+                                   base::mmPerSFromMmPerMin(options.point.rapidMmPerMin));
+    if (auto known = streaming::requireFeeds(program->trajectory, question.settings); !known) {
+      known.error().context = program->name;
+      known.error().message += " (--feed 500)";
+      return known;
+    }
+  }
+  const gcode::PointList list =
+      gcode::streamPoints(program->trajectory, kOriginMm, {}, feeds ? &*feeds : nullptr);
   if (list.points.size() < 2) {
     return base::fail(gcode::GcodeError::NoMotion,
                       "The program has fewer than two points. Choose another.", program->name);
@@ -191,20 +221,23 @@ base::Result<void> readProgram(const FeasibilityOptions& options, Question& ques
     question.settings.parameters =
         streaming::withTurnedAxes(question.settings.parameters, program->trajectory);
   }
+  const std::string& cells = options.point.feedCells;
+  streaming::planFeeds(question.settings, list.points, access,
+                       cells == "window"  ? streaming::FeedCells::PerWindow
+                       : cells == "point" ? streaming::FeedCells::PerPoint
+                                          : streaming::FeedCells::Best);
   const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
   question.distances = feasibility::programDistances(list.points, point.pointsPerLoop);
+  question.points = list.points;
   question.json["program"] = program->name;
   question.json["points"] = list.points.size();
   question.json["distances"] = report::distancesJson(question.distances);
-  const auto machine = machine::loadPreset(options.preset);
-  if (!machine) {
-    return base::fail(machine.error());
-  }
   if (point.pointsPerLoop >= 1) {
-    const PausePrice price(program->trajectory, *machine, point.feedMmPerS);
+    const PausePrice price(program->trajectory, *machine, question.settings);
     const auto planned = streaming::plannedPauses(list.points, point.method,
-                                                  static_cast<std::size_t>(point.pointsPerLoop));
-    question.pauses = pausesOf(planned, list.points, point, price);
+                                                  static_cast<std::size_t>(point.pointsPerLoop),
+                                                  streaming::windowCut(question.settings));
+    question.pauses = pausesOf(planned, list.points, question.settings, price);
     put(question.json, *question.pauses);
     question.json["pauses"] = pausesJson(planned, list.points);
   }
@@ -228,32 +261,40 @@ Exit feasibility(const FeasibilityOptions& options) {
   Question question;
   question.settings.parameters = options.point.parameters();
   question.settings.deltaMm = options.point.deltaMm;
-  question.settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  if (options.point.feedMmPerMin > 0.0) {
+    question.settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  }
   const auto calibrated = calibrationFor(options);
   if (!calibrated) {
     return reportError(calibrated.error(), options.json);
   }
-  if (options.program.empty()) {
-    question.distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
-    question.json["d_min_mm"] = question.distances.pointDistanceMmMin;
-  } else if (const auto read = readProgram(options, question); !read) {
-    return reportError(read.error(), options.json);
-  }
-  const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
   feasibility::AccessModel access;
   access.accessTime = base::fromMilliseconds(options.accessTimeMs);
   opcua::Grouping form = opcua::Grouping::List;
   if (const streaming::CalibrationRecord* record = calibrated->usable()) {
-    form = streaming::accessPlan(streaming::AccessPreference::Automatic, point.method)
+    form = streaming::accessPlan(streaming::AccessPreference::Automatic,
+                                 question.settings.parameters.method)
                .expected(&record->calibration);
     access = report::accessModel(record->calibration, form);
   }
+  if (options.program.empty()) {
+    question.distances.pointDistanceMmMin = options.pointDistanceMm.value_or(0.0);
+    question.json["d_min_mm"] = question.distances.pointDistanceMmMin;
+  } else if (const auto read = readProgram(options, access, question); !read) {
+    return reportError(read.error(), options.json);
+  }
+  const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
+  const feasibility::ProgramDistances judged =
+      question.settings.programFeeds
+          ? feasibility::programDistances(question.points, point.pointsPerLoop, point.feedMmPerS)
+          : question.distances;
   feasibility::SafetyFactors safety;
   safety.delta = options.deltaSafety;
-  const auto verdict = feasibility::judge(point, question.distances, access, safety);
+  const auto verdict = feasibility::judge(point, judged, access, safety);
   if (!verdict) {
     return reportError(verdict.error(), options.json);
   }
+  const auto limit = streaming::overrideLimit(*verdict, question.points, question.settings);
   if (options.json) {
     nlohmann::ordered_json& json = question.json;
     json.update(report::verdictJson(*verdict));
@@ -261,12 +302,20 @@ Exit feasibility(const FeasibilityOptions& options) {
     json["points_per_loop"] = point.pointsPerLoop;
     json["axes"] = templates::axisLetters(question.settings.parameters);
     json["delta_mm"] = point.deltaMm;
-    json["feed_mm_per_min"] = options.point.feedMmPerMin;
+    json["feed"] = question.settings.programFeeds ? "program" : "fixed";
+    json["feed_mm_per_min"] = base::mmPerMinFromMmPerS(point.feedMmPerS);
+    if (question.settings.programFeeds) {
+      json["override_percent"] = options.point.overridePercent;
+      json["feed_per_point"] = point.feedPerPoint;
+    }
+    if (limit) {
+      json["override_limit"] = report::overrideLimitJson(*limit);
+    }
     json["access_time"] = accessSourceJson(*calibrated, form, *verdict);
     printJson(json);
   } else {
     print(question.distances);
-    print(*verdict);
+    print(*verdict, limit);
     fmt::print("{}\n", accessSourceText(*calibrated, form, *verdict));
     if (question.pauses) {
       print(*question.pauses, options.preset);

@@ -27,24 +27,30 @@ namespace {
 /// A command with the settings of a run that was started in the HMI.
 std::vector<std::string> commandOf(const report::SavedRun& run) {
   const templates::TemplateParameters& parameters = run.settings.parameters;
-  std::vector<std::string> command{
-      "rivulet-cli",
-      "stream",
-      run.programFile.empty() ? run.programName : run.programFile,
-      "--method",
-      std::string(base::methodName(parameters.method)),
-      "--points",
-      std::to_string(parameters.pointsPerLoop),
-      "--windows",
-      std::to_string(parameters.windows),
-      "--base-cell",
-      std::to_string(parameters.baseCell),
-      "--axes",
-      templates::axisLetters(parameters),
-      "--feed",
-      fmt::format("{:g}", base::mmPerMinFromMmPerS(run.settings.feedMmPerS)),
-      "--endpoint",
-      run.endpoint};
+  std::vector<std::string> command{"rivulet-cli",
+                                   "stream",
+                                   run.programFile.empty() ? run.programName : run.programFile,
+                                   "--method",
+                                   std::string(base::methodName(parameters.method)),
+                                   "--points",
+                                   std::to_string(parameters.pointsPerLoop),
+                                   "--windows",
+                                   std::to_string(parameters.windows),
+                                   "--base-cell",
+                                   std::to_string(parameters.baseCell),
+                                   "--axes",
+                                   templates::axisLetters(parameters)};
+  if (const auto& feeds = run.settings.programFeeds) {
+    command.insert(
+        command.end(),
+        {"--feed", "program", "--override", fmt::format("{:.10g}", 100.0 * feeds->overrideFactor),
+         "--rapid", fmt::format("{:.10g}", base::mmPerMinFromMmPerS(feeds->rapidMmPerS))});
+  } else {
+    command.insert(
+        command.end(),
+        {"--feed", fmt::format("{:g}", base::mmPerMinFromMmPerS(run.settings.feedMmPerS))});
+  }
+  command.insert(command.end(), {"--endpoint", run.endpoint});
   if (parameters.method == base::MethodKind::Credit) {
     command.insert(command.end(), {"--windows-ahead", std::to_string(parameters.windowsAhead)});
     if (!parameters.slowDown) {

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "experiments/catalogue.h"
+#include "gcode/feeds.h"
 #include "log/log.h"
 #include "templates/cells.h"
 
@@ -35,8 +36,46 @@ const CLI::Validator kAxes(
     },
     "AXES");
 
-CLI::Option* addFeed(CLI::App* command, OperatingOptions& point) {
-  return command->add_option("--feed", point.feedMmPerMin, "Feed F, mm/min")->check(kPositive);
+/// A number, or the feeds of the program.
+const CLI::Validator kFeed(
+    [](std::string& text) { return text == "program" ? std::string() : kPositive(text); },
+    "program|MM_PER_MIN");
+
+void addFeedCells(CLI::App* command, OperatingOptions& point) {
+  command
+      ->add_option("--feed-cells", point.feedCells,
+                   "Feeds of the program: one cell per window, which then ends where the feed "
+                   "changes, or one per point; auto: what makes the run shorter")
+      ->check(CLI::IsMember({"auto", "window", "point"}))
+      ->capture_default_str();
+}
+
+/// What the feeds of a run are: one for all moves, or those of the program.
+void addFeed(CLI::App* command, OperatingOptions& point) {
+  command
+      ->add_option_function<std::string>(
+          "--feed",
+          [&point](const std::string& text) {
+            point.feedMmPerMin = 0.0;
+            if (text != "program") {
+              CLI::detail::lexical_cast(text, point.feedMmPerMin);
+            }
+          },
+          "Feed of all moves, mm/min; program: each move with the feed of its own "
+          "block, rapids as rapids")
+      ->check(kFeed)
+      ->default_str("program");
+  command
+      ->add_option("--override", point.overridePercent,
+                   "Override on the feeds of the program, rapids included, %")
+      ->check(
+          CLI::Range(100.0 * rivulet::gcode::kOverrideMin, 100.0 * rivulet::gcode::kOverrideMax))
+      ->capture_default_str();
+  command
+      ->add_option("--rapid", point.rapidMmPerMin,
+                   "Feed of the program's rapids at 100 %, mm/min (default: that of --preset)")
+      ->check(kPositive);
+  addFeedCells(command, point);
 }
 
 void addPoint(CLI::App* command, OperatingOptions& point) {
@@ -153,7 +192,7 @@ void addFeasibilityCommand(CLI::App& app, Exit& exit) {
   addPoint(command, options->point);
   addDelta(command, options->point);
   addAxes(command, options->point);
-  addFeed(command, options->point)->required();
+  addFeed(command, options->point);
   addLoading(command, options->loading);
   addResampling(command, options->resampling);
   auto* program = command->add_option("--program", options->program, "NC program");
@@ -175,13 +214,18 @@ void addFeasibilityCommand(CLI::App& app, Exit& exit) {
       ->check(kPositive)
       ->capture_default_str();
   command
-      ->add_option("--preset", options->preset,
-                   "Machine whose axes determine the cost of pauses: preset or TOML file")
+      ->add_option(
+          "--preset", options->preset,
+          "Machine whose axes determine the cost of pauses and the largest feeds: preset or "
+          "TOML file")
       ->capture_default_str();
   addJson(command, options->json);
   command->callback([options, &exit] {
     if (options->program.empty() && !options->pointDistanceMm) {
       throw CLI::RequiredError("--program or --d-min");
+    }
+    if (options->program.empty() && options->point.feedMmPerMin == 0.0) {
+      throw CLI::RequiredError("--feed with a number, where there is no --program");
     }
     exit = rivulet::cli::feasibility(*options);
   });
@@ -192,6 +236,7 @@ void addTemplateCommand(CLI::App& app, Exit& exit) {
   CLI::App* command = app.add_subcommand("template", "Write the flexible program for the control");
   addPoint(command, options->point);
   addLayout(command, options->point);
+  addFeedCells(command, options->point);
   command
       ->add_option("--r-parameters", options->rParameterCount,
                    "R-parameters of the control (MD28050)")
@@ -219,13 +264,16 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
   addResampling(command, options->resampling);
   addPoint(command, options->point);
   addDelta(command, options->point);
-  addFeed(command, options->point)->required();
+  addFeed(command, options->point);
   addLayout(command, options->point);
   auto* endpoint = command->add_option("--endpoint", options->endpoint, "OPC UA server");
   auto* simulate =
       command->add_flag("--simulate", options->simulate, "Virtual machine in virtual time");
   endpoint->excludes(simulate);
-  command->add_option("--preset", options->preset, "Machine of --simulate: a name or a file")
+  command
+      ->add_option("--preset", options->preset,
+                   "Machine of --simulate, a name or a file; with --endpoint: whose rapid and axes "
+                   "limit the feeds of the program")
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command->add_option("--record", options->record, "File for the recording of the run");

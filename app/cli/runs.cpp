@@ -57,7 +57,7 @@ std::vector<std::size_t> windowEnds(const report::RunStore& store, const report:
     const streaming::PausePlacement cut = streaming::cutWindows(
         std::span(points).subspan(first),
         static_cast<std::size_t>(run.saved->settings.parameters.pointsPerLoop),
-        run.saved->checkpoint.pausesPlaced);
+        streaming::windowCut(run.saved->settings));
     for (const std::size_t begin : cut.begins) {
       ends.push_back(first + begin);
     }

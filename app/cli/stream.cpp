@@ -28,6 +28,7 @@
 #include "streaming/access_policy.h"
 #include "streaming/commissioning.h"
 #include "streaming/control_axes.h"
+#include "streaming/feed_plan.h"
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -122,6 +123,7 @@ struct Judgement {
   bool feasible = false;
   opcua::Grouping form = opcua::Grouping::List;  ///< expected form of access of the run
   std::optional<feasibility::Verdict> verdict;   ///< nothing for a single point
+  std::optional<streaming::OverrideLimit> limit;
 };
 
 streaming::AccessPreference preferenceOf(const std::string& name) {
@@ -141,7 +143,9 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
   }
   settings.deltaMm = options.point.deltaMm;
   settings.passedBy = streaming::passedByFromName(options.passedBy).value_or(settings.passedBy);
-  settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  if (options.point.feedMmPerMin > 0.0) {
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  }
   const streaming::AccessPlan plan =
       streaming::accessPlan(preferenceOf(options.access), settings.parameters.method);
   settings.access = plan.choice;
@@ -188,6 +192,11 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
   }
   if (judged.verdict) {
     fmt::print("{}\n", accessSourceText(calibrated, judged.form, *judged.verdict));
+  }
+  if (judged.limit) {
+    fmt::print("feeds of the program at {:.4g} %: {}\n",
+               100.0 * report.settings.programFeeds->overrideFactor,
+               streaming::describe(*judged.limit));
   }
   if (!judged.feasible) {
     fmt::print("The settings were outside the feasible region.\n");
@@ -254,6 +263,10 @@ class StreamCommand {
 
  private:
   base::Result<void> load();
+  base::Result<void> takeFeeds();
+  [[nodiscard]] std::vector<gcode::StreamPoint> points() const;
+  void planFeeds();
+  [[nodiscard]] feasibility::AccessModel access();
   base::Result<void> openSource();
   base::Result<void> connect();
   base::Result<void> lookForRun();
@@ -307,11 +320,58 @@ base::Result<void> StreamCommand::load() {
   }
   m_program.trajectory = m_options.resampling.resampled(std::move(m_program.trajectory));
   m_settings = settingsOf(m_options, m_program.trajectory);
+  if (base::Result<void> taken = takeFeeds(); !taken) {
+    return taken;
+  }
   if (const auto cells = templates::planCells(m_settings.parameters); !cells) {
     return base::fail(cells.error());
   }
-  return m_options.simulate ? base::Result<void>()
-                            : streaming::requireProven(m_settings.parameters);
+  return {};
+}
+
+/// One feed for all moves, or those of the program within the limits of the machine.
+base::Result<void> StreamCommand::takeFeeds() {
+  const auto machine = machine::loadPreset(m_options.preset);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  if (m_options.point.feedMmPerMin > 0.0) {
+    return {};
+  }
+  m_settings.programFeeds =
+      report::programFeedsOf(*machine, m_options.point.overridePercent / 100.0,
+                             base::mmPerSFromMmPerMin(m_options.point.rapidMmPerMin));
+  if (base::Result<void> known = streaming::requireFeeds(m_program.trajectory, m_settings);
+      !known) {
+    known.error().context = m_program.name;
+    known.error().message += " (--feed 500)";
+    return known;
+  }
+  return {};
+}
+
+/// As far as they are known before the control is asked where the tool is.
+std::vector<gcode::StreamPoint> StreamCommand::points() const {
+  return gcode::streamPoints(m_program.trajectory, {}, {},
+                             m_settings.programFeeds ? &*m_settings.programFeeds : nullptr)
+      .points;
+}
+
+void StreamCommand::planFeeds() {
+  const std::string& cells = m_options.point.feedCells;
+  streaming::planFeeds(m_settings, points(), access(),
+                       cells == "window"  ? streaming::FeedCells::PerWindow
+                       : cells == "point" ? streaming::FeedCells::PerPoint
+                                          : streaming::FeedCells::Best);
+}
+
+feasibility::AccessModel StreamCommand::access() {
+  if (!m_settings.calibration) {
+    return {};
+  }
+  m_judged.form = streaming::AccessPlan{m_settings.access, m_settings.grouping}.expected(
+      m_settings.calibration.get());
+  return report::accessModel(*m_settings.calibration, m_judged.form);
 }
 
 base::Result<void> StreamCommand::openSource() {
@@ -348,7 +408,12 @@ base::Result<void> StreamCommand::connect() {
       m_settings.calibration = std::make_shared<const streaming::Calibration>(record->calibration);
     }
   }
-  return {};
+  planFeeds();
+  if (const auto cells = templates::planCells(m_settings.parameters); !cells) {
+    return base::fail(cells.error());
+  }
+  return m_options.simulate ? base::Result<void>()
+                            : streaming::requireProven(m_settings.parameters);
 }
 
 base::Result<void> StreamCommand::judge() {
@@ -360,22 +425,18 @@ base::Result<void> StreamCommand::judge() {
   // Wrong motion of a virtual machine does no harm.
   facts.acceptsInfeasible = m_options.acceptInfeasible || m_connection.control->isVirtualMachine();
   const feasibility::OperatingPoint point = report::operatingPointOf(m_settings);
-  const gcode::PointList list = gcode::streamPoints(m_program.trajectory, {});
+  const std::vector<gcode::StreamPoint> points = this->points();
   m_judged.feasible = true;  // a single point needs no refill; method file waits
-  if (list.points.size() >= 2 && point.method != base::MethodKind::File) {
-    feasibility::AccessModel access;
-    if (m_settings.calibration) {
-      m_judged.form = streaming::AccessPlan{m_settings.access, m_settings.grouping}.expected(
-          m_settings.calibration.get());
-      access = report::accessModel(*m_settings.calibration, m_judged.form);
-    }
+  if (points.size() >= 2 && point.method != base::MethodKind::File) {
     const auto verdict = feasibility::judge(
-        point, feasibility::programDistances(list.points, point.pointsPerLoop), access);
+        point, feasibility::programDistances(points, point.pointsPerLoop, point.feedMmPerS),
+        access());
     if (!verdict) {
       return base::fail(verdict.error());
     }
     m_judged.feasible = verdict->feasible;
     m_judged.verdict = *verdict;
+    m_judged.limit = streaming::overrideLimit(*verdict, points, m_settings);
     facts.verdict = *verdict;
   }
   const auto blocked = streaming::startBlocked(facts);
@@ -442,6 +503,7 @@ base::Result<void> StreamCommand::findResume() {
 base::Result<streaming::Resume> StreamCommand::askResume(const report::SavedRun& run) {
   streaming::RunSettings earlier = m_settings;
   earlier.parameters = run.settings.parameters;
+  earlier.programFeeds = run.settings.programFeeds;
   const std::optional<report::SavedRun> kept = m_runs.find(run.checkpoint.runNumber);
   const std::vector<gcode::StreamPoint> points =
       kept ? m_runs.points(*kept) : std::vector<gcode::StreamPoint>();
@@ -506,6 +568,9 @@ Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<vo
     json["feasible"] = m_judged.feasible;
     if (m_judged.verdict) {
       json["access_time"] = accessSourceJson(m_calibrated, m_judged.form, *m_judged.verdict);
+    }
+    if (m_judged.limit) {
+      json["override_limit"] = report::overrideLimitJson(*m_judged.limit);
     }
     json["endpoint"] = m_connection.name;
     if (!m_options.record.empty()) {

@@ -3,12 +3,24 @@
 
 #include "report/operating_point.h"
 
+#include <algorithm>
+
 namespace rivulet::report {
 
 feasibility::OperatingPoint operatingPointOf(const streaming::RunSettings& settings) {
   const templates::TemplateParameters& parameters = settings.parameters;
-  return {parameters.method, parameters.pointsPerLoop, settings.deltaMm, settings.feedMmPerS,
-          templates::cellsPerPoint(parameters)};
+  return {parameters.method,
+          parameters.pointsPerLoop,
+          settings.deltaMm,
+          settings.feedMmPerS,
+          templates::cellsPerPoint(parameters),
+          parameters.feedPerPoint};
+}
+
+gcode::ProgramFeeds programFeedsOf(const machine::MachineConfig& machine, double overrideFactor,
+                                   double rapidMmPerS) {
+  const double rapid = rapidMmPerS > 0.0 ? rapidMmPerS : machine.rapidMmPerS;
+  return {overrideFactor, rapid, std::max(rapid, machine.feedMmPerSMax())};
 }
 
 }  // namespace rivulet::report

@@ -7,11 +7,17 @@
 #pragma once
 
 #include "feasibility/verdict.h"
+#include "gcode/feeds.h"
+#include "machine/config.h"
 #include "streaming/run.h"
 
 namespace rivulet::report {
 
 /// @param settings  with all axes that the run streams: see `streaming::withTurnedAxes`
 [[nodiscard]] feasibility::OperatingPoint operatingPointOf(const streaming::RunSettings& settings);
+
+/// The feeds of the program within the limits of a machine. @param rapidMmPerS  0: the machine's
+[[nodiscard]] gcode::ProgramFeeds programFeedsOf(const machine::MachineConfig& machine,
+                                                 double overrideFactor, double rapidMmPerS = 0.0);
 
 }  // namespace rivulet::report

@@ -84,22 +84,32 @@ ordered_json accessFormsJson(const streaming::AccessForms& forms) {
 }
 
 ordered_json settingsJson(const streaming::RunSettings& settings) {
-  return {{"method", base::methodName(settings.parameters.method)},
-          {"points_per_loop", settings.parameters.pointsPerLoop},
-          {"windows", settings.parameters.windows},
-          {"base_cell", settings.parameters.baseCell},
-          {"slot_stride", settings.parameters.slotStride},
-          {"r_parameters", settings.parameters.rParameterCount},
-          {"correction_limit_mm", settings.parameters.correctionLimitMm},
-          {"windows_ahead", settings.parameters.windowsAhead},
-          {"slow_down", settings.parameters.slowDown},
-          {"layout", templates::layoutName(settings.parameters.layout)},
-          {"axes", templates::axisLetters(settings.parameters)},
-          {"delta_mm", settings.deltaMm},
-          {"passed_by", streaming::passedByName(settings.passedBy)},
-          {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
-          {"grouping", opcua::groupingName(settings.grouping)},
-          {"monitor", settings.monitor}};
+  ordered_json json{{"method", base::methodName(settings.parameters.method)},
+                    {"points_per_loop", settings.parameters.pointsPerLoop},
+                    {"windows", settings.parameters.windows},
+                    {"base_cell", settings.parameters.baseCell},
+                    {"slot_stride", settings.parameters.slotStride},
+                    {"r_parameters", settings.parameters.rParameterCount},
+                    {"correction_limit_mm", settings.parameters.correctionLimitMm},
+                    {"windows_ahead", settings.parameters.windowsAhead},
+                    {"slow_down", settings.parameters.slowDown},
+                    {"layout", templates::layoutName(settings.parameters.layout)},
+                    {"axes", templates::axisLetters(settings.parameters)},
+                    {"delta_mm", settings.deltaMm},
+                    {"passed_by", streaming::passedByName(settings.passedBy)},
+                    {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
+                    {"grouping", opcua::groupingName(settings.grouping)},
+                    {"monitor", settings.monitor},
+                    {"feed", settings.programFeeds ? "program" : "fixed"},
+                    {"feed_per_point", settings.parameters.feedPerPoint}};
+  if (const auto& feeds = settings.programFeeds) {
+    // In mm/s: a run is resumed with exactly the same feeds.
+    json["program_feeds"] = {{"override_percent", 100.0 * feeds->overrideFactor},
+                             {"override", feeds->overrideFactor},
+                             {"rapid_mm_per_s", feeds->rapidMmPerS},
+                             {"limit_mm_per_s", feeds->feedMmPerSMax}};
+  }
+  return json;
 }
 
 ordered_json checkpointJson(const streaming::Checkpoint& checkpoint) {
@@ -189,6 +199,14 @@ ordered_json verdictJson(const feasibility::Verdict& verdict) {
           {"conditions", conditions}};
 }
 
+ordered_json overrideLimitJson(const streaming::OverrideLimit& limit) {
+  return {{"override_percent_max", 100.0 * limit.overrideFactor},
+          {"line", limit.line.value},
+          {"feed_mm_per_min", base::mmPerMinFromMmPerS(limit.feedMmPerS)},
+          {"step_mm", limit.stepMm},
+          {"rapid", limit.isRapid}};
+}
+
 ordered_json distancesJson(const feasibility::ProgramDistances& distances) {
   return {
       {"d_min_mm", distances.pointDistanceMmMin},
@@ -275,6 +293,7 @@ ordered_json programJson(const gcode::Program& program) {
       diagnostics.back()["file"] = diagnostic.file;
     }
   }
+  const auto lineWithoutFeed = gcode::lineWithoutFeed(program.trajectory);
   return {{"file", program.name},
           {"hash", program.hash},
           {"dialect", gcode::dialectName(program.dialect)},
@@ -288,6 +307,8 @@ ordered_json programJson(const gcode::Program& program) {
           {"bounds", bounds},
           {"length_mm", {{"rapid", statistics.rapidLengthMm}, {"cut", statistics.cutLengthMm}}},
           {"feeds", statistics.feedsMmPerMin},
+          {"line_without_feed",
+           lineWithoutFeed ? ordered_json(lineWithoutFeed->value) : ordered_json(nullptr)},
           {"streamable", program.isStreamable()},
           {"facts", factsJson(program.facts)},
           {"diagnostics", diagnostics}};

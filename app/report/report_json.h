@@ -11,6 +11,7 @@
 #include "feasibility/path_statistics.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
+#include "streaming/feed_plan.h"
 #include "streaming/run.h"
 #include "trace/analysis/integrity.h"
 #include "trace/pause.h"
@@ -30,6 +31,8 @@ namespace rivulet::report {
 [[nodiscard]] nlohmann::ordered_json checkpointJson(const streaming::Checkpoint& checkpoint);
 [[nodiscard]] nlohmann::ordered_json runJson(const streaming::RunReport& report);
 [[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);
+/// The largest override and the block that limits it.
+[[nodiscard]] nlohmann::ordered_json overrideLimitJson(const streaming::OverrideLimit& limit);
 [[nodiscard]] nlohmann::ordered_json distancesJson(const feasibility::ProgramDistances& distances);
 /// The facts of a program's text, in its own units; null if not known.
 [[nodiscard]] nlohmann::ordered_json factsJson(const gcode::ProgramFacts& facts);

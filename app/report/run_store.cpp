@@ -146,6 +146,14 @@ streaming::RunSettings settingsOf(Members& members) {
   double feedMmPerMin = base::mmPerMinFromMmPerS(settings.feedMmPerS);
   members.ifThere("/settings/feed_mm_per_min", feedMmPerMin, above0);
   settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  members.ifThere("/settings/feed_per_point", parameters.feedPerPoint, flag);
+  if (members.has("/settings/program_feeds")) {
+    settings.programFeeds =
+        gcode::ProgramFeeds{members.number("/settings/program_feeds/override", gcode::kOverrideMin,
+                                           gcode::kOverrideMax),
+                            above0("/settings/program_feeds/rapid_mm_per_s"),
+                            above0("/settings/program_feeds/limit_mm_per_s")};
+  }
   std::string axes = "XYZ";
   members.ifThere("/settings/axes", axes, text);
   if (!templates::chooseAxes(parameters, axes)) {
@@ -211,9 +219,12 @@ ordered_json savedRunJson(const SavedRun& run) {
           {"checkpoint", checkpointJson(run.checkpoint)}};
 }
 
-/// "rivulet-points 1\n", then per point six coordinates and whether its move is a rapid.
-constexpr std::string_view kPointsBegin = "rivulet-points 1\n";
-constexpr std::size_t kPlacesPerPoint = base::kAxisCount + base::kRotaryAxisCount;
+/// "rivulet-points 2\n", then per point six coordinates and its own feed, its line, and whether its
+/// move is a rapid. Version 1 has no feeds.
+constexpr std::string_view kPointsBegin = "rivulet-points 2\n";
+constexpr std::string_view kPointsBeginWithoutFeeds = "rivulet-points 1\n";
+constexpr std::size_t kCoordinatesPerPoint = base::kAxisCount + base::kRotaryAxisCount;
+constexpr std::size_t kPlacesPerPoint = kCoordinatesPerPoint + 1;
 constexpr std::size_t kPointBytes = kPlacesPerPoint * sizeof(double) + sizeof(std::uint32_t) + 1;
 
 std::string printPoints(std::span<const gcode::StreamPoint> points) {
@@ -226,6 +237,7 @@ std::string printPoints(std::span<const gcode::StreamPoint> points) {
       places[axis] = point.positionMm[axis];
     }
     std::copy(point.rotaryDeg.begin(), point.rotaryDeg.end(), places.begin() + base::kAxisCount);
+    places.back() = point.feedMmPerS;
     const std::uint32_t line = point.line.value;
     std::memcpy(bytes.data(), places.data(), sizeof places);
     std::memcpy(bytes.data() + sizeof places, &line, sizeof line);
@@ -236,23 +248,30 @@ std::string printPoints(std::span<const gcode::StreamPoint> points) {
 }
 
 std::vector<gcode::StreamPoint> parsePoints(std::string_view text) {
-  if (!text.starts_with(kPointsBegin) || (text.size() - kPointsBegin.size()) % kPointBytes != 0) {
+  static_assert(kPointsBegin.size() == kPointsBeginWithoutFeeds.size());
+  const bool hasFeeds = text.starts_with(kPointsBegin);
+  const std::size_t count = kPlacesPerPoint - (hasFeeds ? 0 : 1);
+  const std::size_t pointBytes = count * sizeof(double) + sizeof(std::uint32_t) + 1;
+  if ((!hasFeeds && !text.starts_with(kPointsBeginWithoutFeeds)) ||
+      (text.size() - kPointsBegin.size()) % pointBytes != 0) {
     return {};
   }
   text.remove_prefix(kPointsBegin.size());
-  std::vector<gcode::StreamPoint> points(text.size() / kPointBytes);
+  std::vector<gcode::StreamPoint> points(text.size() / pointBytes);
   for (gcode::StreamPoint& point : points) {
     std::array<double, kPlacesPerPoint> places{};
     std::uint32_t line = 0;
-    std::memcpy(places.data(), text.data(), sizeof places);
-    std::memcpy(&line, text.data() + sizeof places, sizeof line);
+    std::memcpy(places.data(), text.data(), count * sizeof(double));
+    std::memcpy(&line, text.data() + count * sizeof(double), sizeof line);
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       point.positionMm.set(axis, places[axis]);
     }
-    std::copy(places.begin() + base::kAxisCount, places.end(), point.rotaryDeg.begin());
+    std::copy(places.begin() + base::kAxisCount, places.begin() + kCoordinatesPerPoint,
+              point.rotaryDeg.begin());
+    point.feedMmPerS = places.back();
     point.line.value = line;
-    point.kind = text[kPointBytes - 1] != 0 ? gcode::MoveKind::Rapid : gcode::MoveKind::Feed;
-    text.remove_prefix(kPointBytes);
+    point.kind = text[pointBytes - 1] != 0 ? gcode::MoveKind::Rapid : gcode::MoveKind::Feed;
+    text.remove_prefix(pointBytes);
   }
   return points;
 }

@@ -30,15 +30,16 @@ struct MethodTraits {
   bool hasWindows;
   bool streamsRotary;       ///< rotary axes beside X, Y and Z
   bool needsCommissioning;  ///< starts only on a control that has passed its test
+  bool sendsBlocks;         ///< a window is NC blocks, each with its own feed and type of motion
 };
 
 /// In the order they are offered.
 inline constexpr std::array<MethodTraits, 5> kMethods{{
-    {MethodKind::Window, "window", false, true, true, false},
-    {MethodKind::Position, "position", true, false, false, false},
-    {MethodKind::Signal, "signal", true, false, false, false},
-    {MethodKind::Credit, "credit", false, true, false, true},
-    {MethodKind::File, "file", false, true, true, false},
+    {MethodKind::Window, "window", false, true, true, false, false},
+    {MethodKind::Position, "position", true, false, false, false, false},
+    {MethodKind::Signal, "signal", true, false, false, false, false},
+    {MethodKind::Credit, "credit", false, true, false, true, false},
+    {MethodKind::File, "file", false, true, true, false, true},
 }};
 /// The same, without what is known of them.
 inline constexpr std::array<MethodKind, kMethods.size()> kMethodKinds = [] {
@@ -71,6 +72,9 @@ inline constexpr std::array<MethodKind, 2> kPaperMethods{MethodKind::Position, M
 }
 [[nodiscard]] constexpr bool needsCommissioning(MethodKind method) {
   return methodTraits(method).needsCommissioning;
+}
+[[nodiscard]] constexpr bool sendsBlocks(MethodKind method) {
+  return methodTraits(method).sendsBlocks;
 }
 [[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
   return methodTraits(method).name;

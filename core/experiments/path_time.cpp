@@ -70,6 +70,10 @@ class Feeder {
   }
 
   [[nodiscard]] double feedMmPerS(const gcode::TrajectoryPoint& point) const {
+    if (m_options.programFeeds) {
+      const double commanded = gcode::commandedMmPerS(point, *m_options.programFeeds);
+      return commanded > 0.0 ? commanded : m_options.programFeeds->rapidMmPerS;
+    }
     if (m_options.feedMmPerS > 0.0) {
       return m_options.feedMmPerS;
     }

@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "gcode/feeds.h"
 #include "gcode/trajectory.h"
 #include "machine/config.h"
 
@@ -19,6 +20,8 @@ namespace rivulet::experiments {
 
 struct PathTimeOptions {
   double feedMmPerS = 0.0;  ///< of all points, as a method streams them; 0: as programmed
+  /// Instead of `feedMmPerS`: as a method streams them with the feeds of the program.
+  std::optional<gcode::ProgramFeeds> programFeeds;
   /// Streamed points (those that do not repeat their predecessor) with a STOPRE after them,
   /// ascending. A STOPRE after the last point does not count: the program ends there.
   std::vector<std::uint32_t> pausesBehind;

@@ -17,7 +17,7 @@ feasibility::TimedMotion PlannerMotion::move(std::span<const gcode::StreamPoint>
     machine::PreparedMotion block;
     block.line = point.line;
     block.targetMm = point.positionMm;
-    block.feedMmPerS = feedMmPerS;
+    block.feedMmPerS = point.feedMmPerS > 0.0 ? point.feedMmPerS : feedMmPerS;
     block.end = machine::BlockEnd::Rounded;
     block.roundingMm = m_machine.roundingMm;
     block.dynamics = m_machine.resetDynamics;

@@ -35,9 +35,15 @@ double plannedSeconds(const streaming::Scenario& scenario) {
     const double wayMm = points.front().positionMm[axis] - scenario.machine.axes[axis].startMm;
     approachMm += std::isfinite(wayMm) ? std::abs(wayMm) : 0.0;
   }
+  // Moves with their own feed count as long as the feed of the run goes in their time.
+  const auto slower = [&](const gcode::TrajectoryPoint& point) {
+    const auto& feeds = scenario.settings.programFeeds;
+    return feeds ? scenario.settings.feedMmPerS / gcode::commandedMmPerS(point, *feeds) : 1.0;
+  };
+  approachMm *= slower(points.front());
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double stepMm = base::distance(points[i - 1].positionMm, points[i].positionMm);
-    lengthMm += std::isfinite(stepMm) ? stepMm : 0.0;
+    lengthMm += std::isfinite(stepMm) ? stepMm * slower(points[i]) : 0.0;
   }
   const double stops = 2.0 * static_cast<double>(points.size()) /
                        static_cast<double>(scenario.settings.parameters.pointsPerLoop);
@@ -55,8 +61,13 @@ std::shared_ptr<const gcode::Program> programAt(const std::vector<gcode::StreamP
     positions.push_back(originMm + scale * (point.positionMm - originMm));
     angles.push_back(point.rotaryDeg);
   }
-  return base::any(rotaryAxes) ? streaming::programOf(positions, angles, rotaryAxes)
-                               : streaming::programOf(positions);
+  auto program = std::make_shared<gcode::Program>(
+      base::any(rotaryAxes) ? *streaming::programOf(positions, angles, rotaryAxes)
+                            : *streaming::programOf(positions));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    program->trajectory.points[i].feedMmPerS = points[i].feedMmPerS;
+  }
+  return program;
 }
 
 /// The places of the region to be tried, feed by feed, and the program of each abscissa.
@@ -104,6 +115,13 @@ streaming::Scenario scenarioAt(const RegionRequest& request, const Grid& grid, s
   }
   scenario.settings = request.settings;
   scenario.settings.feedMmPerS = point.feedMmPerS;
+  if (request.settings.programFeeds) {
+    // The points carry the feeds at which the run is to be made.
+    scenario.settings.programFeeds = gcode::ProgramFeeds{
+        std::clamp(point.feedMmPerS / request.settings.feedMmPerS, gcode::kOverrideMin,
+                   gcode::kOverrideMax),
+        request.settings.programFeeds->rapidMmPerS, request.settings.programFeeds->feedMmPerSMax};
+  }
   scenario.settings.deltaMm = point.deltaMm;
   scenario.settings.parameters.pointsPerLoop = point.pointsPerLoop;
   return scenario;

@@ -52,21 +52,23 @@ std::size_t shortestWindow(std::span<const double> stepsMm, std::size_t width) {
 
 }  // namespace
 
-ProgramDistances programDistances(const std::vector<gcode::StreamPoint>& points,
-                                  int pointsPerLoop) {
+ProgramDistances programDistances(const std::vector<gcode::StreamPoint>& points, int pointsPerLoop,
+                                  double referenceMmPerS) {
   RIVULET_ASSERT(points.size() >= 2);
   RIVULET_ASSERT(pointsPerLoop >= 2);
   std::vector<double> stepsMm;
   stepsMm.reserve(points.size() - 1);
   for (std::size_t i = 1; i < points.size(); ++i) {
     // If only rotary axes turn, the feed is in degrees: the time is the same as for as many mm.
-    stepsMm.push_back(
+    const double way =
         base::wayAlongFeed(base::distance(points[i - 1].positionMm, points[i].positionMm),
-                           base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg)));
+                           base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg));
+    const bool isScaled = referenceMmPerS > 0.0 && points[i].feedMmPerS > 0.0;
+    stepsMm.push_back(isScaled ? way * referenceMmPerS / points[i].feedMmPerS : way);
   }
   const auto place = [&](std::size_t first, std::size_t steps) {
     return Place{
-        {static_cast<std::uint32_t>(first)}, points[first].line, points[first + steps].line};
+        {static_cast<std::uint32_t>(first)}, points[first].line, points[first + steps].line, steps};
   };
 
   ProgramDistances distances;

@@ -47,7 +47,8 @@ struct TimedMotion {
 class MotionModel {
  public:
   virtual ~MotionModel() = default;
-  /// From a stand at `fromMm` through the points to a stand at the last one.
+  /// From a stand at `fromMm` through the points to a stand at the last one. @param feedMmPerS  of
+  /// moves without a feed of their own
   [[nodiscard]] virtual TimedMotion move(std::span<const gcode::StreamPoint> points,
                                          base::Vec3 fromMm, double feedMmPerS,
                                          double stepS) const = 0;

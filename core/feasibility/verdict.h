@@ -45,7 +45,8 @@ struct OperatingPoint {
   int pointsPerLoop = 7;  ///< N, >= 2; method window: points per window
   double deltaMm = 0.3;   ///< δ; used by method position only
   double feedMmPerS = 500.0 / 60.0;
-  int cellsPerPoint = kPaperAxes;  ///< axes that are streamed: `templates::cellsPerPoint`
+  int cellsPerPoint = kPaperAxes;  ///< `templates::cellsPerPoint`
+  bool feedPerPoint = false;       ///< windows need not end where the feed changes
 
   [[nodiscard]] TurnSize turn() const { return {method, pointsPerLoop, cellsPerPoint}; }
 };
@@ -62,6 +63,7 @@ struct Place {
   base::PointIndex point;  ///< index of the first of the points, into the streamed points
   base::LineNumber firstLine;
   base::LineNumber lastLine;
+  std::size_t steps = 1;  ///< moves between them
 };
 
 struct ProgramDistances {
@@ -74,9 +76,11 @@ struct ProgramDistances {
 
 /// d_min and d_min^N of the streamed points. @param points at least 2
 /// @param pointsPerLoop N >= 2; if the list has fewer than ⌊N/2⌋ steps, its whole length counts
+/// @param referenceMmPerS  > 0: a move with a feed of its own counts as long as this feed goes in
+/// its time, so that the equations hold for the whole program at this one feed; 0: real lengths
 /// @threadsafety pure; O(points).
 [[nodiscard]] ProgramDistances programDistances(const std::vector<gcode::StreamPoint>& points,
-                                                int pointsPerLoop);
+                                                int pointsPerLoop, double referenceMmPerS = 0.0);
 
 struct Condition {
   Equation equation = Equation::PointDistance;

@@ -4,11 +4,12 @@
 #include "gcode/trajectory.h"
 
 #include "base/contract.h"
+#include "gcode/feeds.h"
 
 namespace rivulet::gcode {
 
 PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
-                       const base::RotaryDeg& startDeg) {
+                       const base::RotaryDeg& startDeg, const ProgramFeeds* feeds) {
   RIVULET_ASSERT(base::isFinite(startMm));
   PointList list;
   list.points.reserve(trajectory.points.size());
@@ -31,7 +32,8 @@ PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
       ++list.merged;
       continue;
     }
-    list.points.push_back({positionMm, point.line, point.kind, rotaryDeg});
+    list.points.push_back({positionMm, point.line, point.kind, rotaryDeg,
+                           feeds != nullptr ? commandedMmPerS(point, *feeds) : 0.0});
   }
   return list;
 }

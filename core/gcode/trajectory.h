@@ -31,7 +31,9 @@ struct TrajectoryPoint {
   /// End point, workpiece frame, mm. A coordinate is NaN until the program has named its axis:
   /// it means "where the machine stands".
   base::Vec3 positionMm;
-  double feedMmPerS = 0.0;  ///< programmed feed; 0 for rapids and where no F was given
+  /// Programmed feed, converted from G93 and G95; deg/s of a move that only turns. 0 for rapids,
+  /// and where it is not known.
+  double feedMmPerS = 0.0;
   base::LineNumber line;
   MoveKind kind = MoveKind::Feed;
 };
@@ -77,7 +79,11 @@ struct StreamPoint {
   base::LineNumber line;           ///< where it comes from in the CAM program
   MoveKind kind = MoveKind::Feed;  ///< of the move that ends here
   base::RotaryDeg rotaryDeg{};     ///< A, B, C; finite
+  /// Commanded feed of that move, deg/s if it only turns; 0: that of the run, the same for all
+  double feedMmPerS = 0.0;
 };
+
+struct ProgramFeeds;  // gcode/feeds.h
 
 struct PointList {
   std::vector<StreamPoint> points;
@@ -88,9 +94,11 @@ struct PointList {
 /// taken from the start; a point equal to its predecessor is left out (it would not move an axis).
 /// @param startMm   present tool position, workpiece frame, mm; all finite
 /// @param startDeg  where the rotary axes stand; all finite
+/// @param feeds  the run takes its feeds from the program; null: they stay 0
 /// @threadsafety pure; O(points).
 [[nodiscard]] PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
-                                     const base::RotaryDeg& startDeg = {});
+                                     const base::RotaryDeg& startDeg = {},
+                                     const ProgramFeeds* feeds = nullptr);
 
 /// Rotary axes the program turns on its path: they stand differently at some points, or are named
 /// first when X, Y or Z has moved. An axis that is only set at the beginning is none of them.

@@ -277,6 +277,14 @@ std::error_code make_error_code(MachineError code) {
   return {static_cast<int>(code), category};
 }
 
+double MachineConfig::feedMmPerSMax() const {
+  double fastest = rapidMmPerS;
+  for (const AxisLimits& axis : axes) {
+    fastest = std::max(fastest, axis.speedMmPerSMax);
+  }
+  return fastest;
+}
+
 base::AxisPosition MachineConfig::start() const {
   base::AxisPosition position{{axes[0].startMm, axes[1].startMm, axes[2].startMm}, {}};
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {

@@ -131,6 +131,8 @@ struct MachineConfig {
   /// The rotary axis that is axis `index` of the channel: the rotary ones follow X, Y and Z without
   /// a gap. @param index  from 0 @return 0 to 2 for A, B, C; nothing for a geometry axis or none
   [[nodiscard]] std::optional<std::size_t> rotaryAt(int index) const;
+  /// No feed can be larger: the speed of the fastest linear axis, or that of G0; mm/s.
+  [[nodiscard]] double feedMmPerSMax() const;
   /// Positions of all axes when the machine is switched on.
   [[nodiscard]] base::AxisPosition start() const;
 };

@@ -150,8 +150,10 @@ Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
 
 Result<gcode::PointList> pointsOnAxes(const gcode::Trajectory& trajectory,
                                       const templates::TemplateParameters& parameters,
-                                      const base::AxisPosition& start) {
-  gcode::PointList list = gcode::streamPoints(trajectory, start.mm, start.deg);
+                                      const base::AxisPosition& start,
+                                      const std::optional<gcode::ProgramFeeds>& feeds) {
+  gcode::PointList list =
+      gcode::streamPoints(trajectory, start.mm, start.deg, feeds ? &*feeds : nullptr);
   for (gcode::StreamPoint& point : list.points) {
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (parameters.axes[axis]) {

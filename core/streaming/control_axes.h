@@ -11,6 +11,7 @@
 #include "base/axes.h"
 #include "base/instant.h"
 #include "base/result.h"
+#include "gcode/feeds.h"
 #include "gcode/trajectory.h"
 #include "opcua/link.h"
 #include "templates/cells.h"
@@ -52,9 +53,10 @@ struct ControlAxes {
                                                    const base::RotaryDeg& atDeg);
 
 /// `gcode::streamPoints` for the chosen axes: the others do not move.
+/// @param feeds  `RunSettings::programFeeds`
 /// @return AxesNotChosen if the program moves one of X, Y, Z that is not selected
 [[nodiscard]] base::Result<gcode::PointList> pointsOnAxes(
     const gcode::Trajectory& trajectory, const templates::TemplateParameters& parameters,
-    const base::AxisPosition& start);
+    const base::AxisPosition& start, const std::optional<gcode::ProgramFeeds>& feeds = {});
 
 }  // namespace rivulet::streaming

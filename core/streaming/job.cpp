@@ -17,6 +17,7 @@
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
 #include "streaming/cell_claim.h"
+#include "streaming/feed_plan.h"
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
 #include "streaming/resume.h"
@@ -292,6 +293,7 @@ class Job {
     }
     start.deltaMm = m_settings.deltaMm;
     start.feedMmPerS = m_settings.feedMmPerS;
+    start.feedOverride = m_settings.programFeeds ? m_settings.programFeeds->overrideFactor : 0.0;
     start.programName = m_program.name;
     start.programHash = m_program.hash;
     start.runNumber = m_settings.runNumber;
@@ -359,8 +361,9 @@ class Job {
     if (isGranted) {
       checkpoint.granted = true;
     } else if (m_settings.resume) {
-      if (Result<gcode::PointList> list = pointsOnAxes(m_program.trajectory, m_settings.parameters,
-                                                       {checkpoint.startMm, checkpoint.startDeg})) {
+      if (Result<gcode::PointList> list =
+              pointsOnAxes(m_program.trajectory, m_settings.parameters,
+                           {checkpoint.startMm, checkpoint.startDeg}, m_settings.programFeeds)) {
         all = std::move(list->points);
       }
     } else {
@@ -643,6 +646,10 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
     return base::fail(StreamError::ProgramNotStreamable,
                       "The feed and δ must be greater than zero.");
   }
+  if (Result<void> feeds = requireFeeds(program.trajectory, settings); !feeds) {
+    feeds.error().context = program.name;
+    return base::fail(feeds.error());
+  }
   const std::array<Variable, 5> watched{{{VariableKind::ChannelStatus, 0},
                                          {VariableKind::ActualPosition, 0},
                                          {VariableKind::ActualPosition, 1},
@@ -685,7 +692,8 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   if (settings.resume) {
     start = {settings.resume->startMm, settings.resume->startDeg};
   }
-  Result<gcode::PointList> list = pointsOnAxes(program.trajectory, settings.parameters, start);
+  Result<gcode::PointList> list =
+      pointsOnAxes(program.trajectory, settings.parameters, start, settings.programFeeds);
   if (!list) {
     return base::fail(list.error());
   }

@@ -19,6 +19,7 @@
 #include "base/timer_table.h"
 #include "gcode/trajectory.h"
 #include "opcua/link.h"
+#include "streaming/pause_placement.h"
 #include "streaming/run.h"
 #include "templates/cells.h"
 
@@ -138,9 +139,10 @@ class MethodType {
   virtual void complete(RunSettings& /*settings*/, std::uint64_t /*entropy*/) const {}
 
   /// Points at whose end the axes stop between windows or loops, in order.
-  /// @param points N, >= 1, points per loop or window  @param place  see `cutWindows`
+  /// @param pointsPerLoop N, >= 1, points per loop or window  @param cut  see `cutWindows`
   [[nodiscard]] virtual std::vector<std::size_t> pausesBefore(
-      std::span<const gcode::StreamPoint> points, std::size_t pointsPerLoop, bool place) const = 0;
+      std::span<const gcode::StreamPoint> points, std::size_t pointsPerLoop,
+      WindowCut cut) const = 0;
 
   /// What is needed to resume a run later; nothing: this method cannot be resumed.
   [[nodiscard]] virtual std::optional<Checkpoint> checkpoint(const RunSettings& /*settings*/,

@@ -36,6 +36,11 @@ bool retracts(const gcode::StreamPoint& before, const gcode::StreamPoint& at) {
          at.rotaryDeg == upright;
 }
 
+/// Point i has another feed than its predecessor. @param i > 0
+bool changesFeed(std::span<const gcode::StreamPoint> points, std::size_t i) {
+  return points[i].feedMmPerS != points[i - 1].feedMmPerS;
+}
+
 }  // namespace
 
 std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
@@ -50,8 +55,8 @@ std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
   return harmless;
 }
 
-PausePlacement placePauses(std::span<const gcode::StreamPoint> points,
-                           std::size_t pointsPerWindow) {
+PausePlacement placePauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                           bool feedPerPoint) {
   RIVULET_ASSERT(!points.empty() && pointsPerWindow >= 1);
   const std::vector<bool> harmless = harmlessPauses(points);
   struct Best {
@@ -71,7 +76,8 @@ PausePlacement placePauses(std::span<const gcode::StreamPoint> points,
     }
     const std::size_t begin = begins.front();
     best[end] = {best[begin].inCut + (harmless[end - 1] ? 0U : 1U), best[begin].windows + 1, begin};
-    while (!begins.empty() && cost(begins.back()) > cost(end)) {
+    const bool mustEnd = !feedPerPoint && end < points.size() && changesFeed(points, end);
+    while (!begins.empty() && (mustEnd || cost(begins.back()) > cost(end))) {
       begins.pop_back();
     }
     begins.push_back(end);
@@ -85,29 +91,36 @@ PausePlacement placePauses(std::span<const gcode::StreamPoint> points,
   return placement;
 }
 
-PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow) {
+PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                          bool feedPerPoint) {
   RIVULET_ASSERT(!points.empty() && pointsPerWindow >= 1);
   const std::vector<bool> harmless = harmlessPauses(points);
   PausePlacement placement;
-  for (std::size_t begin = 0; begin < points.size(); begin += pointsPerWindow) {
-    placement.begins.push_back(begin);
-    placement.inCut += begin > 0 && !harmless[begin - 1] ? 1U : 0U;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool mustEnd = i > 0 && !feedPerPoint && changesFeed(points, i);
+    if (i == 0 || mustEnd || i == begin + pointsPerWindow) {
+      begin = i;
+      placement.begins.push_back(begin);
+      placement.inCut += begin > 0 && !harmless[begin - 1] ? 1U : 0U;
+    }
   }
   return placement;
 }
 
 PausePlacement cutWindows(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
-                          bool place) {
-  return place ? placePauses(points, pointsPerWindow) : evenPauses(points, pointsPerWindow);
+                          WindowCut cut) {
+  return cut.place ? placePauses(points, pointsPerWindow, cut.feedPerPoint)
+                   : evenPauses(points, pointsPerWindow, cut.feedPerPoint);
 }
 
 std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> points,
                                         base::MethodKind method, std::size_t pointsPerLoop,
-                                        bool place) {
+                                        WindowCut cut) {
   RIVULET_ASSERT(!points.empty() && pointsPerLoop >= 1);
   const std::vector<bool> harmless = harmlessPauses(points);
   std::vector<PlannedPause> pauses;
-  for (const std::size_t next : methodType(method).pausesBefore(points, pointsPerLoop, place)) {
+  for (const std::size_t next : methodType(method).pausesBefore(points, pointsPerLoop, cut)) {
     if (next > 0 && next < points.size()) {
       pauses.push_back({static_cast<std::uint32_t>(next - 1), !harmless[next - 1]});
     }

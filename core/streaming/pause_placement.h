@@ -4,7 +4,8 @@
 /// @file
 /// Where the machine pauses because of the method: at the STOPREs of the program on the control.
 /// Method window has a choice: as far as the size of its windows allows, it ends them where the
-/// path stops or turns anyway.
+/// path stops or turns anyway. Where a window has one feed for all its points, it also ends where
+/// the feed changes.
 ///
 /// A pause is off the cut if it is at the end of a point for which one of these holds:
 /// - the move to it is a rapid, so the tool is out of the material;
@@ -30,6 +31,14 @@ namespace rivulet::streaming {
 /// Change of direction at which the path nearly stops, also with G64; degrees.
 inline constexpr double kCornerDegrees = 45.0;
 
+/// How a run is cut into windows.
+struct WindowCut {
+  bool place = true;          ///< end them where a pause does least harm, else as late as possible
+  bool feedPerPoint = false;  ///< windows need not end where the feed changes
+
+  friend bool operator==(const WindowCut&, const WindowCut&) = default;
+};
+
 struct PausePlacement {
   std::vector<std::size_t> begins;  ///< first point of each window; the first is 0
   std::size_t inCut = 0;            ///< pauses that are not off the cut
@@ -43,18 +52,19 @@ struct PausePlacement {
 [[nodiscard]] std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points);
 
 /// Of all ways to cut the points into windows of at most M, one with the fewest pauses in the cut,
-/// and among those one with the fewest windows. Exact: no other has fewer.
+/// and among those one with the fewest windows. Exact: no other has fewer. Windows end where the
+/// feed changes, unless each point has its own.
 /// @param points at least 1  @param pointsPerWindow M, >= 1  @threadsafety pure; O(points).
 [[nodiscard]] PausePlacement placePauses(std::span<const gcode::StreamPoint> points,
-                                         std::size_t pointsPerWindow);
+                                         std::size_t pointsPerWindow, bool feedPerPoint = false);
 
-/// Windows of M points each, the last one shorter.
+/// Windows of M points each; the last one, and those that end where the feed changes, are shorter.
 [[nodiscard]] PausePlacement evenPauses(std::span<const gcode::StreamPoint> points,
-                                        std::size_t pointsPerWindow);
+                                        std::size_t pointsPerWindow, bool feedPerPoint = false);
 
 /// `placePauses` or `evenPauses`. Client and resume cut a run with the same call.
 [[nodiscard]] PausePlacement cutWindows(std::span<const gcode::StreamPoint> points,
-                                        std::size_t pointsPerWindow, bool place);
+                                        std::size_t pointsPerWindow, WindowCut cut);
 
 /// One pause of a run that is still to come.
 struct PlannedPause {
@@ -68,10 +78,11 @@ struct PlannedPause {
 /// last point, and none with method credit as long as the client is on time.
 /// @param points         at least 1
 /// @param pointsPerLoop  N, >= 1; method window: M
-/// @param place          methods window and file: `cutWindows`
+/// @param cut            methods with windows: `cutWindows`
 [[nodiscard]] std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> points,
                                                       base::MethodKind method,
-                                                      std::size_t pointsPerLoop, bool place = true);
+                                                      std::size_t pointsPerLoop,
+                                                      WindowCut cut = {});
 
 [[nodiscard]] std::size_t pausesInCut(std::span<const PlannedPause> pauses);
 

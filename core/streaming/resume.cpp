@@ -314,7 +314,9 @@ class Resumption {
     std::vector<std::size_t> ends;
     if (!streamed.empty()) {
       const auto perWindow = static_cast<std::size_t>(m_settings.parameters.pointsPerLoop);
-      for (const std::size_t begin : cutWindows(streamed, perWindow, m_last.pausesPlaced).begins) {
+      WindowCut cut = windowCut(m_settings);
+      cut.place = m_last.pausesPlaced;
+      for (const std::size_t begin : cutWindows(streamed, perWindow, cut).begins) {
         ends.push_back(first + begin);
       }
     }
@@ -361,13 +363,15 @@ class Resumption {
   base::AxisPosition m_uncorrected;
 };
 
-/// Windows are cut at rapids; other kinds of moves are streamed alike.
+/// Windows are cut at rapids and, if they have feeds of their own, where these change; other kinds
+/// of moves are streamed alike.
 bool isRapid(const gcode::StreamPoint& point) {
   return point.kind == gcode::MoveKind::Rapid;
 }
 
 bool isSamePoint(const gcode::StreamPoint& a, const gcode::StreamPoint& b) {
-  return a.positionMm == b.positionMm && a.rotaryDeg == b.rotaryDeg && isRapid(a) == isRapid(b);
+  return a.positionMm == b.positionMm && a.rotaryDeg == b.rotaryDeg && isRapid(a) == isRapid(b) &&
+         a.feedMmPerS == b.feedMmPerS;
 }
 
 /// Compares the program with the points of the interrupted run.
@@ -418,6 +422,9 @@ std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points) {
       mixNumber(angle);
     }
     mix(isRapid(point) ? 1 : 0);
+    if (point.feedMmPerS > 0.0) {  // windows end where it changes
+      mixNumber(point.feedMmPerS);
+    }
   }
   return hash != 0 ? hash : 1;
 }
@@ -436,7 +443,8 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
         "Only methods window and credit report how far a run came. Start from the beginning.");
   }
   Result<gcode::PointList> list =
-      pointsOnAxes(program.trajectory, settings.parameters, {last.startMm, last.startDeg});
+      pointsOnAxes(program.trajectory, settings.parameters, {last.startMm, last.startDeg},
+                   settings.programFeeds);
   if (!list) {
     return base::fail(list.error());
   }

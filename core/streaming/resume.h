@@ -33,8 +33,8 @@ namespace rivulet::streaming {
                                               const RunSettings& settings, const Checkpoint& last,
                                               std::span<const gcode::StreamPoint> earlier = {});
 
-/// A hash of everything that decides how points are streamed: their places and the kinds of their
-/// moves, not their lines. Never 0.
+/// A hash of everything that decides how points are streamed: their places, the kinds of their
+/// moves and feeds of their own, not their lines. Never 0.
 [[nodiscard]] std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points);
 
 /// Index of the first point ahead of a tool that is on the path.

@@ -82,6 +82,11 @@ std::optional<PassedBy> passedByFromName(std::string_view name) {
   return std::nullopt;
 }
 
+WindowCut windowCut(const RunSettings& settings) {
+  return {settings.placePauses,
+          settings.parameters.feedPerPoint || base::sendsBlocks(settings.parameters.method)};
+}
+
 std::string_view runFindingName(RunFinding finding) {
   switch (finding) {
     case RunFinding::Faultless:

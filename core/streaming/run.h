@@ -19,9 +19,11 @@
 #include "base/method_kind.h"
 #include "base/result.h"
 #include "base/vec3.h"
+#include "gcode/feeds.h"
 #include "gcode/program.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
+#include "streaming/pause_placement.h"
 #include "streaming/program_transfer.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
@@ -57,6 +59,9 @@ enum class StreamError {
   OverlayIntegrates,         ///< the control adds up overlaid values (online correction)
   ProgramChanged,            ///< the points differ from those of the run to be resumed
   Claimed,                   ///< another client has claimed the cells and is about to start
+  FeedUnknown,               ///< a move of the program has no known feed
+  OneFeedOnly,               ///< the method has one feed for all moves
+  BadOverride,               ///< out of range
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -131,7 +136,11 @@ struct RunSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
   double deltaMm = 0.3;                      ///< δ, > 0
   PassedBy passedBy = PassedBy::Position;    ///< method position only
-  double feedMmPerS = 10.0;                  ///< > 0
+  /// > 0. Of all moves; with `programFeeds` the largest one, to which verdict and scales refer.
+  double feedMmPerS = 10.0;
+  /// Each move has the feed of its own block; nothing: all have the same. Not for the methods of
+  /// [P1]. See `planFeeds`.
+  std::optional<gcode::ProgramFeeds> programFeeds;
   opcua::Grouping grouping = opcua::Grouping::List;
   /// If it is not Fixed, the forms are tested on the cells of the first window (or on the slots,
   /// which must be contiguous) before the program on the control is started, and `grouping` is set
@@ -162,6 +171,9 @@ struct RunSettings {
   /// user, nothing is stored on the control, and the cells are not claimed (`CellClaim`).
   RunOrigin origin{};
 };
+
+/// How this run is cut into windows, by the client and again when it is resumed.
+[[nodiscard]] WindowCut windowCut(const RunSettings& settings);
 
 struct Counters {
   std::size_t sent = 0;      ///< points written to the control

@@ -46,7 +46,7 @@ std::vector<int> CellMap::slotCells(int slot) const {
   // If a slot has room for all axes, each axis keeps its place whichever axes are selected.
   const bool fixedPlaces = windows == 0 && slotStride >= static_cast<int>(base::kAxisCount);
   std::vector<int> cells;
-  cells.reserve(base::kAxisCount + base::kRotaryAxisCount);
+  cells.reserve(base::kAxisCount + base::kRotaryAxisCount + 1);
   const int window = windows > 0 ? slot / pointsPerLoop : 0;
   const int place = windows > 0 ? slot % pointsPerLoop : slot;
   const int first = firstSlot + window * windowStride + place * slotStride;
@@ -59,6 +59,9 @@ std::vector<int> CellMap::slotCells(int slot) const {
     if (isChosen) {
       cells.push_back(first + static_cast<int>(cells.size()));
     }
+  }
+  if (feedPerPoint) {
+    cells.push_back(first + static_cast<int>(cells.size()));
   }
   return cells;
 }
@@ -90,7 +93,7 @@ int correctionSteps(const WindowSettings& settings) {
 
 base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters) {
   const MethodTemplate& method = methodTemplate(parameters.method);
-  const int axes = cellsPerPoint(parameters);
+  const int axes = axisCount(parameters);
   if (axes == 0) {
     return base::fail(TemplateError::NoAxis,
                       "No axis is selected: choose at least one of X, Y, Z.");
@@ -145,13 +148,18 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
 }
 
 int pointsPerLoopMax(const TemplateParameters& parameters) {
-  return cellsPerPoint(parameters) == 0 ? 0
-                                        : methodTemplate(parameters.method).pointsMax(parameters);
+  return axisCount(parameters) == 0 ? 0 : methodTemplate(parameters.method).pointsMax(parameters);
+}
+
+int axisCount(const TemplateParameters& parameters) {
+  const auto linear = std::count(parameters.axes.begin(), parameters.axes.end(), true);
+  return static_cast<int>(linear) + static_cast<int>(base::count(parameters.rotaryAxes));
 }
 
 int cellsPerPoint(const TemplateParameters& parameters) {
-  const auto linear = std::count(parameters.axes.begin(), parameters.axes.end(), true);
-  return static_cast<int>(linear) + static_cast<int>(base::count(parameters.rotaryAxes));
+  const bool hasFeed = parameters.feedPerPoint && base::hasWindows(parameters.method) &&
+                       !base::sendsBlocks(parameters.method);
+  return axisCount(parameters) + (hasFeed ? 1 : 0);
 }
 
 int longestWrite(const TemplateParameters& parameters) {

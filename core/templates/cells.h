@@ -68,6 +68,9 @@ struct WindowSettings {
   /// Largest correction of each linear axis by a client, in steps of 0.001 mm; 0: the program has
   /// no online correction. Not for method file
   double correctionLimitMm = 0.0;
+  /// Each point has a cell for its feed, after its coordinates; otherwise the feed is that of the
+  /// window. Not for method file, whose blocks have their own
+  bool feedPerPoint = false;
 };
 
 /// Method credit, in addition to those of method window.
@@ -117,6 +120,9 @@ struct WindowCells {
   /// Client: online correction of X, Y, Z, in mm; -1: none. After the last slot.
   std::array<int, base::kAxisCount> correction{-1, -1, -1};
 
+  /// The last cell of each slot is the feed of the point, mm/min; the feed of the window is unused.
+  bool feedPerPoint = false;
+
   /// True if the program obeys corrections.
   [[nodiscard]] bool corrects() const { return correction != std::array{-1, -1, -1}; }
 };
@@ -148,7 +154,8 @@ struct CellMap : LoopCells, WindowCells, FileCells {
   /// The first and the last are not written. Nothing: the cells are not consecutive.
   std::optional<CellRange> scratch;
 
-  /// Cells of one slot in the order X Y Z A B C, only the selected axes.
+  /// Cells of one slot in the order X Y Z A B C, only the selected axes; then the feed, if each
+  /// point has its own.
   /// @param slot from 0; methods window and credit: window · N + place in the window
   [[nodiscard]] std::vector<int> slotCells(int slot) const;
   [[nodiscard]] int slotCount() const { return pointSlots; }
@@ -184,6 +191,9 @@ struct CellMap : LoopCells, WindowCells, FileCells {
 [[nodiscard]] int pointsPerLoopMax(const TemplateParameters& parameters);
 
 /// Axes that are streamed, each with a cell in every slot.
+[[nodiscard]] int axisCount(const TemplateParameters& parameters);
+
+/// Cells of a point: its axes, and its feed where it has its own.
 [[nodiscard]] int cellsPerPoint(const TemplateParameters& parameters);
 
 /// Cells of the client's longest request during a run.

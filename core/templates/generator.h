@@ -25,8 +25,15 @@ struct WindowFile {
   int run = 0;
   std::size_t number = 1;  ///< of the window, from 1
   bool isLast = false;
-  double feedMmPerMin = 0.0;
   std::vector<double> coordinates;  ///< point by point, in the order of the axes; mm, degrees
+  /// How a point is approached.
+  struct Motion {
+    double feedMmPerMin = 0.0;
+    bool isRapid = false;  ///< with G0 at the rapid speed of the control
+
+    friend bool operator==(const Motion&, const Motion&) = default;
+  };
+  std::vector<Motion> motions;  ///< one per point
 };
 
 /// The subprogram of this window. It moves only if the program requests this number and obeys this

@@ -40,6 +40,9 @@ SlotText slotText(const CellMap& cells, int slot) {
     text.cells += fmt::format("{}R{}", blank, numbers[next]);
     ++next;
   }
+  for (; next < numbers.size(); ++next) {  // the feed of the point
+    text.cells += fmt::format(" R{}", numbers[next]);
+  }
   return text;
 }
 

@@ -39,7 +39,8 @@ struct WindowProtocol {
 
   /// Factors of the check number of a window, so that no window is mistaken for another: program
   /// and client add up the number of the run and, each multiplied by its own factor, the number of
-  /// the window, its count, its feed and its coordinates.
+  /// the window, its count, its feed and its coordinates (where each point has its own feed, it
+  /// follows its coordinates).
   static constexpr double kCheckNumber = 7.31;
   static constexpr double kCheckCount = 13.7;
   static constexpr double kCheckFeed = 0.917;

@@ -139,6 +139,8 @@ bool Reader::readRun(Fields fields) {
       start.deltaMm = fields.number();
     } else if (key == "feed_mm_per_s") {
       start.feedMmPerS = fields.number();
+    } else if (key == "feed_override") {
+      start.feedOverride = fields.number();
     } else if (key == "program") {
       start.programName = fields.quoted();
     } else if (key == "hash") {
@@ -376,6 +378,9 @@ bool RecordingWriter::start(const RunStart& start) {
   }
   appendNumber(m_lines, "delta_mm", start.deltaMm);
   appendNumber(m_lines, "feed_mm_per_s", start.feedMmPerS);
+  if (start.feedOverride > 0.0) {
+    appendNumber(m_lines, "feed_override", start.feedOverride);
+  }
   appendText(m_lines, "program", start.programName);
   appendText(m_lines, "hash", start.programHash);
   appendText(m_lines, "endpoint", start.endpoint);

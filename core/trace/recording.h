@@ -31,15 +31,16 @@ struct RunStart {
   int pointsPerLoop = 0;
   std::string layout;
   double deltaMm = 0.0;
-  double feedMmPerS = 0.0;
+  double feedMmPerS = 0.0;  ///< of all moves; with `feedOverride` the largest one
   std::string programName;
   std::string programHash;
-  std::string endpoint;      ///< of the OPC UA server, or "simulated <preset> <seed>"
-  std::string startedAtUtc;  ///< ISO 8601, given by the caller (core reads no clock); may be empty
-  std::string axes{};        ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
-  int runNumber = 0;         ///< by which the control knows the run; 0: none
-  std::string user{};        ///< who started it; may be empty
-  std::string computer{};    ///< where; may be empty
+  std::string endpoint;       ///< of the OPC UA server, or "simulated <preset> <seed>"
+  std::string startedAtUtc;   ///< ISO 8601, given by the caller (core reads no clock); may be empty
+  std::string axes{};         ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
+  int runNumber = 0;          ///< by which the control knows the run; 0: none
+  std::string user{};         ///< who started it; may be empty
+  std::string computer{};     ///< where; may be empty
+  double feedOverride = 0.0;  ///< factor on the feeds of the program; 0: one feed for all moves
 };
 
 /// One live observation. Values that were not read stay empty.

@@ -333,6 +333,54 @@ class TestCli : public QObject {
     QVERIFY(report["checkpoint"]["run_number"].get<int>() > 0);
   }
 
+  /// Without --feed each move has the feed of its own block; the one that limits is named.
+  void feedsOfTheProgramAreTheDefault() {
+    const auto stream = [](const char* options) {
+      return run(QStringList{QStringLiteral("stream"), kScorpion} << words("--simulate --json")
+                                                                  << words(options));
+    };
+    const Outcome plain = stream("");
+    QCOMPARE(plain.exit, 0);
+    const json report = plain.parsed();
+    QVERIFY(report["faultless"].get<bool>());
+    QCOMPARE(report["executed"].get<int>(), 270);
+    QCOMPARE(report["settings"]["feed"].get<std::string>(), std::string("program"));
+    QCOMPARE(report["settings"]["program_feeds"]["override_percent"].get<double>(), 100.0);
+    QCOMPARE(report["settings"]["feed_mm_per_min"].get<double>(), 40000.0);  // of the rapids
+    const json limit = report["override_limit"];
+    QVERIFY(limit["line"].get<int>() > 0);
+    QVERIFY(limit["override_percent_max"].get<double>() > 0.0);
+    // Half the override takes longer, whatever the windows are.
+    const json half = stream("--override 50").parsed();
+    QVERIFY(half["faultless"].get<bool>());
+    QVERIFY(half["duration_s"].get<double>() > 1.2 * report["duration_s"].get<double>());
+    QCOMPARE(half["settings"]["feed_mm_per_min"].get<double>(), 20000.0);
+
+    const json judged =
+        run(words("feasibility --json --override 50 --program") << kScorpion).parsed();
+    QCOMPARE(judged["feed"].get<std::string>(), std::string("program"));
+    QVERIFY(std::abs(judged["override_limit"]["override_percent_max"].get<double>() -
+                     half["override_limit"]["override_percent_max"].get<double>()) < 1e-6);
+    QVERIFY(judged["time_without_pauses_s"].get<double>() > 1.0);
+    const Outcome text = run(words("feasibility --program") << kScorpion);
+    QVERIFY2(text.output.contains(QStringLiteral("largest override")) &&
+                 text.output.contains(QStringLiteral("limited by line")),
+             qPrintable(text.output));
+
+    // The methods of the paper have one feed; a program without feeds needs one.
+    QCOMPARE(stream("--method signal").exit, 2);
+    const QString without = file("without.nc", "G0 X0 Y0 Z0\nG1 X10\nX20\nM30\n");
+    const Outcome refused =
+        run(QStringList{QStringLiteral("stream"), without} << words("--simulate --json"));
+    QCOMPARE(refused.exit, 2);
+    QVERIFY(refused.parsed()["error"]["message"].get<std::string>().find("line 2") !=
+            std::string::npos);
+    QCOMPARE(run(words("check --json") << without).parsed()["line_without_feed"].get<int>(), 2);
+    for (const char* wrong : {"--override 0", "--override 201", "--feed fast", "--feed 0"}) {
+      QCOMPARE(stream(wrong).exit, 2);
+    }
+  }
+
   void takesTheBestFormOfAccess() {
     const auto stream = [](const char* options) {
       return run(QStringList{QStringLiteral("stream"), kScorpion}

@@ -261,6 +261,10 @@ struct ErrorTexts {
         return tr(
             "The program has been changed since the interrupted run. Restore it, or start from the "
             "beginning.");
+      case StreamError::FeedUnknown:
+      case StreamError::OneFeedOnly:
+      case StreamError::BadOverride:
+        break;  // the window has one feed for all moves
     }
     return {};
   }

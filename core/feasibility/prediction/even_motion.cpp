@@ -23,6 +23,7 @@ EvenMotion::EvenMotion(std::span<const gcode::StreamPoint> points, base::Vec3 fr
   for (const gcode::StreamPoint& point : points) {
     Leg leg;
     leg.fromMm = at;
+    leg.feedMmPerS = point.feedMmPerS > 0.0 ? point.feedMmPerS : feedMmPerS;
     leg.lengthMm = base::distance(at, point.positionMm);
     if (leg.lengthMm > kLengthMmMin) {
       leg.direction = (1.0 / leg.lengthMm) * (point.positionMm - at);
@@ -30,13 +31,13 @@ EvenMotion::EvenMotion(std::span<const gcode::StreamPoint> points, base::Vec3 fr
       leg.lengthMm = 0.0;
     }
     if (!m_legs.empty()) {
-      leg.entryMmPerS = cornerMmPerS(m_legs.back(), leg, feedMmPerS, control.cornerStepMmPerS);
+      leg.entryMmPerS = cornerMmPerS(m_legs.back(), leg, control.cornerStepMmPerS);
     }
     m_legs.push_back(leg);
     at = point.positionMm;
   }
   m_endMm = at;
-  plan(feedMmPerS);
+  plan();
 }
 
 void EvenMotion::sample(double stepS, std::vector<base::Vec3>& out) const {
@@ -66,12 +67,11 @@ base::Vec3 EvenMotion::Leg::atMm(double timeS, double accelerationMmPerS2) const
   return fromMm + std::clamp(path, 0.0, lengthMm) * direction;
 }
 
-double EvenMotion::cornerMmPerS(const Leg& before, const Leg& after, double feedMmPerS,
-                                double stepMmPerS) {
+double EvenMotion::cornerMmPerS(const Leg& before, const Leg& after, double stepMmPerS) {
   if (before.lengthMm == 0.0 || after.lengthMm == 0.0) {
     return 0.0;
   }
-  double speed = feedMmPerS;
+  double speed = std::min(before.feedMmPerS, after.feedMmPerS);
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     const double turn = std::abs(after.direction[axis] - before.direction[axis]);
     if (turn > 1e-12) {
@@ -81,7 +81,7 @@ double EvenMotion::cornerMmPerS(const Leg& before, const Leg& after, double feed
   return speed;
 }
 
-void EvenMotion::plan(double feedMmPerS) {
+void EvenMotion::plan() {
   const double a = m_accelerationMmPerS2;
   double exit = 0.0;
   for (std::size_t i = m_legs.size(); i-- > 0;) {
@@ -99,7 +99,7 @@ void EvenMotion::plan(double feedMmPerS) {
       leg.exitMmPerS = std::min(leg.exitMmPerS, std::sqrt(entry * entry + 2.0 * a * leg.lengthMm));
       const double peak =
           std::sqrt(a * leg.lengthMm + 0.5 * (entry * entry + leg.exitMmPerS * leg.exitMmPerS));
-      leg.topMmPerS = std::max({std::min(feedMmPerS, peak), entry, leg.exitMmPerS});
+      leg.topMmPerS = std::max({std::min(leg.feedMmPerS, peak), entry, leg.exitMmPerS});
       const double upMm = (leg.topMmPerS * leg.topMmPerS - entry * entry) / (2.0 * a);
       const double downMm =
           (leg.topMmPerS * leg.topMmPerS - leg.exitMmPerS * leg.exitMmPerS) / (2.0 * a);

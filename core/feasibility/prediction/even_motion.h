@@ -29,6 +29,7 @@ class EvenMotion {
     base::Vec3 fromMm;
     base::Vec3 direction;
     double lengthMm = 0.0;
+    double feedMmPerS = 0.0;
     double entryMmPerS = 0.0;
     double topMmPerS = 0.0;
     double exitMmPerS = 0.0;
@@ -38,9 +39,8 @@ class EvenMotion {
     [[nodiscard]] base::Vec3 atMm(double timeS, double accelerationMmPerS2) const;
   };
 
-  static double cornerMmPerS(const Leg& before, const Leg& after, double feedMmPerS,
-                             double stepMmPerS);
-  void plan(double feedMmPerS);
+  static double cornerMmPerS(const Leg& before, const Leg& after, double stepMmPerS);
+  void plan();
 
   double m_accelerationMmPerS2;
   std::vector<Leg> m_legs;

@@ -20,7 +20,15 @@ Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
   constexpr std::size_t kWindows = 2;
   const Clockwork clock(model.control);
   const auto perWindow = static_cast<std::size_t>(operatingPoint.pointsPerLoop);
-  const std::size_t count = (points.size() + perWindow - 1) / perWindow;
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool changes =
+        i > 0 && !operatingPoint.feedPerPoint && points[i].feedMmPerS != points[i - 1].feedMmPerS;
+    if (i == 0 || changes || i == begins.back() + perWindow) {
+      begins.push_back(i);
+    }
+  }
+  const std::size_t count = begins.size();
   const double nodeMs = base::toMilliseconds(model.access.nodeMean);
   const double pollMs = base::toMilliseconds(model.access.readOverhead) + nodeMs;
   const ClientTurn turn = turnOf(operatingPoint.turn());
@@ -68,8 +76,8 @@ Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
       standingMs += beginMs - endMs;
       waitingMs += waitMs;
     }
-    const std::size_t begin = window * perWindow;
-    const std::size_t end = std::min(begin + perWindow, points.size());
+    const std::size_t begin = begins[window];
+    const std::size_t end = window + 1 < count ? begins[window + 1] : points.size();
     const Stretch motion(std::span<const gcode::StreamPoint>(points).subspan(begin, end - begin),
                          fromMm, operatingPoint.feedMmPerS, model);
     fromMm = motion.endMm();

@@ -79,7 +79,7 @@ std::string_view LoopMethod::adviceWhenStalled() const {
 
 std::vector<std::size_t> LoopMethodType::pausesBefore(std::span<const gcode::StreamPoint> points,
                                                       std::size_t pointsPerLoop,
-                                                      bool /*place*/) const {
+                                                      WindowCut /*cut*/) const {
   const std::size_t within = pauseWithinLoop(pointsPerLoop);
   std::vector<std::size_t> pauses;
   for (std::size_t loop = 0; loop < points.size(); loop += pointsPerLoop) {

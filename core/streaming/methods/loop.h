@@ -65,7 +65,7 @@ class LoopMethodType : public MethodType {
  public:
   [[nodiscard]] std::vector<std::size_t> pausesBefore(std::span<const gcode::StreamPoint> points,
                                                       std::size_t pointsPerLoop,
-                                                      bool place) const final;
+                                                      WindowCut cut) const final;
 
  protected:
   /// Points after which the axes also stop within a loop; 0: only at its end.

@@ -26,12 +26,13 @@ class SlotPlan {
     for (std::size_t slot = 0; slot < slots; ++slot) {
       m_cells.push_back(m_setup.cells.slotCells(static_cast<int>(slot)));
     }
-    m_writes.reserve(slots * base::kStreamedAxesMax + 4);
+    m_writes.reserve(slots * (base::kStreamedAxesMax + 1) + 4);
     m_arcMm.reserve(m_setup.points.size());
     double length = 0.0;
     for (std::size_t i = 0; i < m_setup.points.size(); ++i) {
       if (i > 0) {
-        length += wayTo(m_setup.points[i - 1].positionMm, m_setup.points[i - 1].rotaryDeg, i);
+        length += wayTo(m_setup.points[i - 1].positionMm, m_setup.points[i - 1].rotaryDeg, i) *
+                  slowerThanRun(i);
       }
       m_arcMm.push_back(length);
     }
@@ -50,7 +51,7 @@ class SlotPlan {
   /// First point of each window of at most M points, and the number of points at the end.
   [[nodiscard]] std::vector<std::size_t> windowBegins(std::size_t pointsPerWindow) const {
     std::vector<std::size_t> begins =
-        cutWindows(m_setup.points, pointsPerWindow, m_setup.settings.placePauses).begins;
+        cutWindows(m_setup.points, pointsPerWindow, windowCut(m_setup.settings)).begins;
     begins.push_back(pointCount());
     return begins;
   }
@@ -64,8 +65,17 @@ class SlotPlan {
 
   /// Shortest time from the tool's position to the first point.
   [[nodiscard]] base::Duration approachTime() const {
-    return base::fromSeconds(wayTo(m_setup.startMm, m_setup.startDeg, 0) /
+    return base::fromSeconds(wayTo(m_setup.startMm, m_setup.startDeg, 0) * slowerThanRun(0) /
                              m_setup.settings.feedMmPerS);
+  }
+
+  /// Commanded feed of the move to point `index` (or the last one).
+  [[nodiscard]] double feedMmPerMin(std::size_t index) const {
+    const double own = m_setup.points[std::min(index, pointCount() - 1)].feedMmPerS;
+    return base::mmPerMinFromMmPerS(own > 0.0 ? own : m_setup.settings.feedMmPerS);
+  }
+  [[nodiscard]] const gcode::StreamPoint& point(std::size_t index) const {
+    return m_setup.points[std::min(index, pointCount() - 1)];
   }
 
   /// The last `count` writes are moved before all others.
@@ -82,19 +92,22 @@ class SlotPlan {
     const std::vector<int>& cells = m_cells[slot];
     std::size_t next = 0;
     forEachCoordinate(index, [&](double value) { addCell(cells[next++], value); });
+    if (m_setup.cells.feedPerPoint) {
+      addCell(cells[next], feedMmPerMin(index));
+    }
   }
   /// The coordinates of point `index` (or the last one) that are streamed, in the order of cells.
   template <class Take>
   void forEachCoordinate(std::size_t index, const Take& take) const {
-    const gcode::StreamPoint& point = m_setup.points[std::min(index, pointCount() - 1)];
+    const gcode::StreamPoint& at = point(index);
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (m_setup.cells.axes[axis]) {
-        take(point.positionMm[axis]);
+        take(at.positionMm[axis]);
       }
     }
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
       if (m_setup.cells.rotaryAxes[axis]) {
-        take(point.rotaryDeg[axis]);
+        take(at.rotaryDeg[axis]);
       }
     }
   }
@@ -115,9 +128,17 @@ class SlotPlan {
                               base::turnDeg(fromDeg, m_setup.points[point].rotaryDeg));
   }
 
+  /// Feed of the run over that of the move to a point.
+  [[nodiscard]] double slowerThanRun(std::size_t point) const {
+    const double own = m_setup.points[point].feedMmPerS;
+    return own > 0.0 ? m_setup.settings.feedMmPerS / own : 1.0;
+  }
+
   MethodSetup m_setup;
   std::vector<std::vector<int>> m_cells;
-  std::vector<double> m_arcMm;  ///< path length up to each point, see `base::wayAlongFeed`
+  /// Path length up to each point, see `base::wayAlongFeed`; moves with their own feed as long as
+  /// the feed of the run would go in their time.
+  std::vector<double> m_arcMm;
   std::vector<opcua::Assignment> m_writes;
 };
 

@@ -354,7 +354,9 @@ Action WindowMethod::bring(std::size_t window, std::size_t points) {
   const auto perWindow = static_cast<std::size_t>(cells.pointsPerLoop);
   const bool isLast = end == m_plan.pointCount();
   const double count = (isLast ? -1.0 : 1.0) * static_cast<double>(points);
-  const double feedMmPerMin = base::mmPerMinFromMmPerS(m_plan.settings().feedMmPerS);
+  // With a feed in each point the window has none.
+  const double feedMmPerMin = cells.feedPerPoint ? 0.0 : m_plan.feedMmPerMin(begin);
+  RIVULET_ASSERT(cells.feedPerPoint || m_plan.feedMmPerMin(end - 1) == feedMmPerMin);
   double check = static_cast<double>(m_plan.settings().runNumber) +
                  WindowProtocol::kCheckNumber * static_cast<double>(window + 1) +
                  WindowProtocol::kCheckCount * count + WindowProtocol::kCheckFeed * feedMmPerMin;
@@ -389,8 +391,8 @@ void WindowMethodType::complete(RunSettings& settings, std::uint64_t entropy) co
 
 std::vector<std::size_t> WindowMethodType::pausesBefore(std::span<const gcode::StreamPoint> points,
                                                         std::size_t pointsPerLoop,
-                                                        bool place) const {
-  return cutWindows(points, pointsPerLoop, place).begins;
+                                                        WindowCut cut) const {
+  return cutWindows(points, pointsPerLoop, cut).begins;
 }
 
 std::optional<Checkpoint> WindowMethodType::checkpoint(const RunSettings& settings,
@@ -432,7 +434,7 @@ std::optional<ProgramEnd> WindowMethodType::askEnd(
   }
   if (executed >= 0.0) {
     const auto perWindow = static_cast<std::size_t>(cells.pointsPerLoop);
-    const PausePlacement placement = cutWindows(points, perWindow, settings.placePauses);
+    const PausePlacement placement = cutWindows(points, perWindow, windowCut(settings));
     end.executed = executed < static_cast<double>(placement.windows())
                        ? placement.begins[static_cast<std::size_t>(executed)]
                        : points.size();

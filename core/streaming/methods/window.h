@@ -164,7 +164,7 @@ class WindowMethodType : public MethodType {
   void complete(RunSettings& settings, std::uint64_t entropy) const override;
   [[nodiscard]] std::vector<std::size_t> pausesBefore(std::span<const gcode::StreamPoint> points,
                                                       std::size_t pointsPerLoop,
-                                                      bool place) const override;
+                                                      WindowCut cut) const override;
   [[nodiscard]] std::optional<Checkpoint> checkpoint(const RunSettings& settings,
                                                      const Resume& from) const final;
   [[nodiscard]] int windowsTakenMax(const templates::TemplateParameters&) const override {
@@ -181,7 +181,7 @@ class CreditMethodType final : public WindowMethodType {
   /// Without pauses between windows there is nothing to place.
   void complete(RunSettings& settings, std::uint64_t entropy) const override;
   [[nodiscard]] std::vector<std::size_t> pausesBefore(std::span<const gcode::StreamPoint>,
-                                                      std::size_t, bool) const override {
+                                                      std::size_t, WindowCut) const override {
     return {};
   }
   [[nodiscard]] int windowsTakenMax(

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <cmath>
+
 #include "base/contract.h"
 #include "base/text.h"
 #include "templates/generator.h"
@@ -104,9 +106,9 @@ std::string FileTemplate::program(const TemplateParameters& parameters, const Ce
 std::string windowFileText(const CellMap& cells, const WindowFile& window) {
   const std::string letters = lettersOf(cells);
   RIVULET_ASSERT(cells.files > 0 && !window.coordinates.empty());
-  RIVULET_ASSERT(window.coordinates.size() % letters.size() == 0);
+  const std::size_t count = window.motions.size();
+  RIVULET_ASSERT(window.coordinates.size() == count * letters.size());
   Listing out;
-  const std::size_t count = window.coordinates.size() / letters.size();
   out.line("; RIVULET: WINDOW {} OF RUN {}, {} POINTS. REPLACED DURING THE RUN", window.number,
            window.run, count);
   out.line("IF (R{}<>{}) OR (R{}<>{}) GOTOF RIV_END", cells.asked, window.number, cells.owner,
@@ -117,13 +119,23 @@ std::string windowFileText(const CellMap& cells, const WindowFile& window) {
   out.line("R{}={}", cells.asked,
            WindowProtocol::fileAnswer(static_cast<long long>(window.number), window.isLast));
   std::size_t next = 0;
+  double feedMmPerMin = 0.0;
   for (std::size_t point = 0; point < count; ++point) {
     std::string words;
     for (const char letter : letters) {
       words += fmt::format(" {}{:.6f}", letter, window.coordinates[next++]);
     }
+    const WindowFile::Motion& motion = window.motions[point];
+    if (motion.isRapid) {
+      out.line("G0{}", words);
+      continue;
+    }
+    const bool isSame = feedMmPerMin == motion.feedMmPerMin;
+    feedMmPerMin = motion.feedMmPerMin;
     out.line("G1{}{}", words,
-             point == 0 ? fmt::format(" F{}", base::formatNumber(window.feedMmPerMin)) : "");
+             isSame
+                 ? ""
+                 : fmt::format(" F{}", base::formatNumber(std::round(feedMmPerMin * 1e6) / 1e6)));
   }
   out.line("RIV_END:");
   out.line("M17");

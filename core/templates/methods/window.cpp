@@ -100,14 +100,19 @@ void writeOverlayBack(Listing& out, const CellMap& cells, int layoutNumber) {
   out.line("M30");
 }
 
+/// Copied cells of a point: the coordinates, and its feed where it has its own.
+int copiedPerPoint(const CellMap& cells) {
+  return static_cast<int>(lettersOf(cells).size()) + (cells.feedPerPoint ? 1 : 0);
+}
+
 /// "G1 X=RIV_C[3] Y=RIV_C[4] F=RIV_F": from the program's own copy, never from the cells.
-void writeCopiedPoint(Listing& out, const std::string& letters, int place) {
+void writeCopiedPoint(Listing& out, const CellMap& cells, int place) {
   std::string words;
-  int next = place * static_cast<int>(letters.size());
-  for (const char letter : letters) {
+  int next = place * copiedPerPoint(cells);
+  for (const char letter : lettersOf(cells)) {
     words += fmt::format("{}=RIV_C[{}] ", letter, next++);
   }
-  out.line("G1 {}F=RIV_F", words);
+  out.line("G1 {}F={}", words, cells.feedPerPoint ? fmt::format("RIV_C[{}]", next) : "RIV_F");
 }
 
 double limitMmOf(const WindowSettings& settings) {
@@ -149,12 +154,13 @@ base::Result<void> WindowedTemplate::check(const TemplateParameters& parameters)
     return base::fail(TemplateError::BadCells,
                       fmt::format("The cells cannot begin at R{}.", parameters.baseCell));
   }
-  const int axes = cellsPerPoint(parameters);
+  const int perPoint = cellsPerPoint(parameters);
   if (parameters.slotStride != 0 &&
-      (parameters.slotStride < axes || parameters.slotStride > kStrideMax)) {
-    return base::fail(TemplateError::BadCells,
-                      fmt::format("{} cells per point: choose {} to {}, or 0 for as many as axes.",
-                                  parameters.slotStride, axes, kStrideMax));
+      (parameters.slotStride < perPoint || parameters.slotStride > kStrideMax)) {
+    return base::fail(
+        TemplateError::BadCells,
+        fmt::format("{} cells per point: choose {} to {}, or 0 for as many as needed.",
+                    parameters.slotStride, perPoint, kStrideMax));
   }
   return {};
 }
@@ -272,6 +278,7 @@ base::Result<void> WindowTemplate::check(const TemplateParameters& parameters) c
 
 CellMap WindowTemplate::cells(const TemplateParameters& parameters) const {
   CellMap cells = header(parameters);
+  cells.feedPerPoint = parameters.feedPerPoint;
   cells.pointSlots = cells.windows * cells.pointsPerLoop;
   if (cells.pointSlots <= 0) {
     return cells;
@@ -316,7 +323,8 @@ int WindowTemplate::pointsMax(const TemplateParameters& parameters) const {
 
 std::string WindowTemplate::nameSuffix(const TemplateParameters& parameters) const {
   const int steps = correctionSteps(parameters);
-  return WindowedTemplate::nameSuffix(parameters) + (steps > 0 ? fmt::format("K{}", steps) : "");
+  return WindowedTemplate::nameSuffix(parameters) + (parameters.feedPerPoint ? "P" : "") +
+         (steps > 0 ? fmt::format("K{}", steps) : "");
 }
 
 int WindowTemplate::longestWrite(const TemplateParameters& parameters) const {
@@ -359,12 +367,13 @@ void WindowTemplate::writeComments(Listing& out, const TemplateParameters& param
   writeNotes(out, parameters);
   writeHeaderCells(out, cells, kWording);
   for (int window = 0; window < cells.windows; ++window) {
-    out.line("; R{} R{} R{}  window {}: points (negative: the last window), feed in mm/min, check",
+    out.line("; R{} R{} R{}  window {}: points (negative: the last window), {}, check",
              cells.windowCount(window), cells.windowFeed(window), cells.windowCheck(window),
-             window + 1);
+             window + 1, cells.feedPerPoint ? "0" : "feed in mm/min");
     for (int place = 0; place < cells.pointsPerLoop; ++place) {
       const SlotText slot = slotText(cells, window * cells.pointsPerLoop + place);
-      out.line("; {}  window {} point {}: {}", slot.cells, window + 1, place + 1, slot.axes);
+      out.line("; {}  window {} point {}: {}{}", slot.cells, window + 1, place + 1, slot.axes,
+               cells.feedPerPoint ? " feed in mm/min" : "");
     }
   }
   for (const Corrected& axis : correctedAxes(cells)) {
@@ -377,8 +386,8 @@ void WindowTemplate::writeComments(Listing& out, const TemplateParameters& param
 void WindowTemplate::writeStart(Listing& out, const TemplateParameters& parameters,
                                 const CellMap& cells, int layoutNumber) const {
   // Everything that the program relies on is in its own variables, which no client can write.
-  const int coordinates = cells.pointsPerLoop * static_cast<int>(lettersOf(cells).size());
-  out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT", coordinates);
+  out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT",
+           cells.pointsPerLoop * copiedPerPoint(cells));
   out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE{}", variables());
   writeResets(out, cells);
   out.line("RIV_L=0 RIV_OWN=0 RIV_B={} RIV_IDLE=0", cells.windowCount(0));
@@ -403,16 +412,16 @@ void WindowTemplate::writeStart(Listing& out, const TemplateParameters& paramete
 void WindowTemplate::writeCopyAndCheck(Listing& out, const CellMap& cells) const {
   // First a copy, then the check of the copy, then the motion from the copy: whatever is written
   // meanwhile, and by whom, the axes move to the positions sent by the client of this run.
-  const auto axes = static_cast<int>(lettersOf(cells).size());
+  const int perPoint = copiedPerPoint(cells);
   out.line("RIV_TAKE:");
   out.line("RIV_IDLE=0 RIV_K=R[RIV_B] RIV_F=R[RIV_B+{}] RIV_S=R[RIV_B+{}]",
            static_cast<int>(WindowProtocol::Feed), static_cast<int>(WindowProtocol::Check));
   std::vector<std::string> copies;
   std::vector<std::string> terms;
   for (int place = 0; place < cells.pointsPerLoop; ++place) {
-    for (int axis = 0; axis < axes; ++axis) {
-      const int number = place * axes + axis;
-      const int offset = WindowProtocol::WindowCells + place * cells.slotStride + axis;
+    for (int value = 0; value < perPoint; ++value) {
+      const int number = place * perPoint + value;
+      const int offset = WindowProtocol::WindowCells + place * cells.slotStride + value;
       copies.push_back(fmt::format("RIV_C[{}]=R[RIV_B+{}]", number, offset));
       terms.push_back(fmt::format("{:.6f}*RIV_C[{}]", WindowProtocol::checkFactor(number), number));
     }
@@ -435,18 +444,17 @@ void WindowTemplate::writeCopyAndCheck(Listing& out, const CellMap& cells) const
 void WindowTemplate::writeMotion(Listing& out, const TemplateParameters& parameters,
                                  const CellMap& cells) const {
   const int count = cells.pointsPerLoop;
-  const std::string letters = lettersOf(cells);
   out.line("IF RIV_K<{} GOTOF RIV_SHORT", count);
   writeTaken(out, cells);
   for (int place = 0; place < count; ++place) {
-    writeCopiedPoint(out, letters, place);
+    writeCopiedPoint(out, cells, place);
   }
   out.line("GOTOB {}", next());
   out.line("RIV_SHORT:");
   writeLastTaken(out, parameters);
   writeTaken(out, cells);
   for (int place = 0; place < count; ++place) {
-    writeCopiedPoint(out, letters, place);
+    writeCopiedPoint(out, cells, place);
     if (place + 1 < count) {
       out.line("IF RIV_N<{} GOTOF RIV_TAIL", place + 2);
     }

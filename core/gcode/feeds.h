@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The feeds of a program as a run commands them: each move with the feed of its own block, scaled
+/// by one override, and never above the limits of the machine. @threadsafety pure.
+#pragma once
+
+#include <optional>
+
+#include "base/id.h"
+#include "gcode/trajectory.h"
+
+namespace rivulet::gcode {
+
+/// Range of the override: that of the path override of a control ($AC_OVR, OVR=).
+inline constexpr double kOverrideMin = 0.01;
+inline constexpr double kOverrideMax = 2.0;
+
+/// The moves keep the proportions of their feeds.
+struct ProgramFeeds {
+  double overrideFactor = 1.0;  ///< `kOverrideMin` to `kOverrideMax`; scales rapids, too
+  double rapidMmPerS = 0.0;     ///< of rapids at 100 %, and their limit; > 0
+  double feedMmPerSMax = 0.0;   ///< no move is commanded faster; > 0
+
+  friend bool operator==(const ProgramFeeds&, const ProgramFeeds&) = default;
+};
+
+/// The feed that is commanded for the move to this point; mm/s, or deg/s if it only turns.
+/// @return 0 if the program gives the move no feed
+[[nodiscard]] double commandedMmPerS(const TrajectoryPoint& point, const ProgramFeeds& feeds);
+
+/// The first line that moves at a feed which is not known: F is missing, G95 without a spindle
+/// speed, G93 where the length of the move is not known. Rapids need none. @return nothing: all are
+/// known
+[[nodiscard]] std::optional<base::LineNumber> lineWithoutFeed(const Trajectory& trajectory);
+
+}  // namespace rivulet::gcode
