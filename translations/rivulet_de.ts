@@ -428,6 +428,18 @@
         <source>The simulation of this program failed in %1 of %2 runs. Change F, N or δ.</source>
         <translation>Die Simulation dieses Programms schlug in %1 von %2 Läufen fehl. F, N oder δ ändern.</translation>
     </message>
+    <message>
+        <source>The window is locked: log in.</source>
+        <translation>Das Fenster ist gesperrt: anmelden.</translation>
+    </message>
+    <message>
+        <source>Only an engineer may do this.</source>
+        <translation>Das darf nur ein Einrichter.</translation>
+    </message>
+    <message>
+        <source>Not released: an engineer has to release this program with these settings.</source>
+        <translation>Nicht freigegeben: Ein Einrichter muss dieses Programm mit diesen Einstellungen freigeben.</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -928,6 +940,14 @@
         <source>Messages</source>
         <translation>Meldungen</translation>
     </message>
+    <message>
+        <source>Audit</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Benutzer</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -1061,6 +1081,25 @@
     <message>
         <source>Program: %1, version %2</source>
         <translation>Programm: %1, Fassung %2</translation>
+    </message>
+</context>
+<context>
+    <name>UserTexts</name>
+    <message>
+        <source>At least one user must be an engineer.</source>
+        <translation>Mindestens ein Benutzer muss Einrichter sein.</translation>
+    </message>
+    <message>
+        <source>The file of users is damaged. Restore it, or delete it to set the users up again.</source>
+        <translation>Die Benutzerdatei ist beschädigt. Sie wiederherstellen oder löschen und die Benutzer neu einrichten.</translation>
+    </message>
+    <message>
+        <source>Give a name.</source>
+        <translation>Einen Namen angeben.</translation>
+    </message>
+    <message>
+        <source>The PIN needs at least 4 characters.</source>
+        <translation>Die PIN braucht mindestens 4 Zeichen.</translation>
     </message>
 </context>
 <context>
@@ -1310,6 +1349,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Simulation</source>
         <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigabe</translation>
+    </message>
+    <message>
+        <source>Released by %1 on %2, who starts: %3</source>
+        <translation>Freigegeben von %1 am %2, es startet: %3</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>This program with these settings and this calibration is not released.</source>
+        <translation>Dieses Programm ist mit diesen Einstellungen und dieser Kalibrierung nicht freigegeben.</translation>
     </message>
 </context>
 <context>

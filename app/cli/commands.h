@@ -115,6 +115,14 @@ struct RunsOptions {
 /// Lists the runs that can be resumed; watches or stops the one on a control.
 [[nodiscard]] Exit runs(const RunsOptions& options);
 
+struct AuditOptions {
+  std::string file;     ///< audit trail; empty: the user's
+  bool verify = false;  ///< findings instead of lines
+  bool json = false;    ///< both
+};
+/// Prints an audit trail, and whether it was changed.
+[[nodiscard]] Exit audit(const AuditOptions& options);
+
 struct AnalyseOptions {
   std::string file;
   bool json = false;

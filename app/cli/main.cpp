@@ -345,6 +345,16 @@ void addRunsCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] { exit = rivulet::cli::runs(*options); });
 }
 
+void addAuditCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::AuditOptions>();
+  CLI::App* command =
+      app.add_subcommand("audit", "Print the audit trail of the window as CSV, or verify it");
+  command->add_option("FILE", options->file, "Audit trail; without it that of this user");
+  command->add_flag("--verify", options->verify, "Say whether lines were changed or removed");
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::audit(*options); });
+}
+
 void addAnalyseCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::AnalyseOptions>();
   CLI::App* command = app.add_subcommand("analyse", "Analyse a recording");
@@ -470,6 +480,7 @@ int main(int argc, char** argv) {
   addTemplateCommand(app, exit);
   addStreamCommand(app, exit, {argv, argv + argc});
   addRunsCommand(app, exit);
+  addAuditCommand(app, exit);
   addAnalyseCommand(app, exit);
   addCalibrateCommand(app, exit);
   addCommissionCommand(app, exit);

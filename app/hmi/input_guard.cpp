@@ -24,8 +24,8 @@ bool isSetting(const QObject* object) {
 
 }  // namespace
 
-InputGuard::InputGuard(std::function<void()> stop, QObject* parent)
-    : QObject(parent), m_stop(std::move(stop)) {
+InputGuard::InputGuard(std::function<void()> stop, std::function<void()> touched, QObject* parent)
+    : QObject(parent), m_stop(std::move(stop)), m_touched(std::move(touched)) {
   qApp->installEventFilter(this);
 }
 
@@ -35,7 +35,12 @@ InputGuard::~InputGuard() {
 
 bool InputGuard::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::TouchBegin:
+      m_touched();
+      break;
     case QEvent::Wheel:
+      m_touched();
       if (isSetting(watched)) {
         event->ignore();  // so that the area around it scrolls
         return true;
@@ -50,6 +55,7 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event) {
       break;
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress:
+      m_touched();
       // Before any window, menu or dialog can take the key; they still get it.
       if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         m_stop();

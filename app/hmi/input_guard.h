@@ -19,7 +19,8 @@ class InputGuard final : public QObject {
  public:
   /// @param stop  stops the run in progress, if there is one; may be called more than once for a
   ///              key
-  explicit InputGuard(std::function<void()> stop, QObject* parent = nullptr);
+  /// @param touched  somebody uses keys, mouse or screen
+  InputGuard(std::function<void()> stop, std::function<void()> touched, QObject* parent = nullptr);
   ~InputGuard() override;
 
  protected:
@@ -27,6 +28,7 @@ class InputGuard final : public QObject {
 
  private:
   std::function<void()> m_stop;
+  std::function<void()> m_touched;
 };
 
 }  // namespace rivulet::hmi

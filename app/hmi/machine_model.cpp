@@ -62,7 +62,13 @@ void MachineModel::setEndpoint(const QString& endpoint) {
 
 void MachineModel::connectTo(const QString& endpoint) {
   setEndpoint(endpoint);
+  m_messages.didAct(permission::Act::Connect, {{"machine", endpoint.toStdString()}});
   m_session.connectTo(endpoint);
+}
+
+void MachineModel::disconnectFrom() {
+  m_messages.didAct(permission::Act::Disconnect, {{"machine", m_endpoint.toStdString()}});
+  m_session.disconnectFrom();
 }
 
 std::optional<base::Vec3> MachineModel::positionNowMm() const {

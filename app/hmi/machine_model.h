@@ -32,7 +32,7 @@ class MachineModel final : public QObject {
   void setEndpoint(const QString& endpoint);
   [[nodiscard]] const QString& endpoint() const { return m_endpoint; }
   void connectTo(const QString& endpoint);
-  void disconnectFrom() { m_session.disconnectFrom(); }
+  void disconnectFrom();
 
   [[nodiscard]] const session::LinkChanged& link() const { return m_link; }
   [[nodiscard]] bool isConnected() const { return m_link.state == session::LinkState::Connected; }

@@ -16,9 +16,10 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <initializer_list>
 
 #include "hmi/input_guard.h"
-#include "journal/line_file.h"
+#include "report/run_store.h"
 #include "widgets/alarms/alarm_page.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/blocked_text.h"
@@ -73,11 +74,14 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
     : QMainWindow(parent),
       m_settings(std::move(settings)),
       m_persistent(persistent),
-      m_alarms(m_messages, persistent ? journal::stateFolderOfUser() : std::filesystem::path()),
+      m_alarms(m_messages, m_settings.stateFolder),
+      m_users(m_settings.usersFile, QString::fromStdString(report::thisUser().user)),
+      m_audit(m_messages, m_settings.stateFolder, Alarms::utcNow),
       m_session(std::move(connector), report::MachineStore()),
       m_document(m_settings.stream),
       m_machine(m_session, report::MachineStore(), m_messages),
       m_runs(m_session, m_document, m_machine, m_messages),
+      m_releases(m_settings.stateFolder, m_users, m_document, m_machine, m_messages),
       m_preflight(m_document, m_machine, m_runs) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
@@ -90,9 +94,11 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
           m_runs.stop();
         }
       },
-      this);
+      [this] { m_users.noticeInput(); }, this);
+  watchOperator();
   buildPages();
   buildMenus();
+  showLock();
   connect(&m_runs, &RunController::started, this, [this] { m_isStopRequested = false; });
   connect(&m_document, &Document::programLoaded, this, &MainWindow::retranslate);
   connect(&m_runs, &RunController::permissionsChanged, this,
@@ -114,7 +120,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_alarms, m_machine, m_document, m_runs, m_preflight};
+  const Models models{m_settings, m_messages, m_alarms, m_users,    m_audit,
+                      m_machine,  m_document, m_runs,   m_preflight};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -147,7 +154,8 @@ void MainWindow::buildPages() {
     }
   });
 
-  rows->addWidget(makeResumeBar(models, central));
+  m_resumeBar = makeResumeBar(models, central);
+  rows->addWidget(m_resumeBar);
   rows->addWidget(makeRunPanel(models, central));
   setCentralWidget(central);
   for (const auto* field : central->findChildren<widgets::NumberField*>()) {
@@ -178,6 +186,7 @@ QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
   row->addWidget(m_machineButton);
   row->addWidget(makeAlarmLine(models, header), 1);
   row->addStretch();
+  row->addWidget(makeUserButton(models, header));
   row->addWidget(m_setUpButton);
   connect(&m_machine, &MachineModel::linkChanged, this, &MainWindow::showHeader);
   return header;
@@ -303,6 +312,53 @@ QString MainWindow::resumeBlockedReason() const {
 
 widgets::ProgramPage* MainWindow::programPage() const {
   return m_tabs->findChild<widgets::ProgramPage*>();
+}
+
+void MainWindow::watchOperator() {
+  using permission::Act;
+  m_runs.setGate([this](Act act) { return m_users.refusal(act, m_releases.isReleased()); });
+  m_preflight.setReleases(m_releases, m_users);
+  connect(&m_releases, &Releases::changed, &m_runs, &RunController::permissionsChanged);
+  connect(&m_users, &Users::loggedIn, this, [this](const QString& name) {
+    m_audit.setWho(name.toStdString(), std::string(permission::roleName(m_users.standing().role)));
+    m_messages.didAct(Act::LogIn);
+    m_messages.clear();  // it answered somebody else
+  });
+  connect(&m_users, &Users::logInFailed, this, [this](const QString& name) {
+    m_messages.didAct(Act::LogInFailed, {{"user", name.toStdString()}});
+  });
+  connect(&m_users, &Users::locked, this, [this](bool byItself) {
+    m_messages.didAct(Act::Lock, {{"cause", byItself ? "idle" : "by hand"}});
+  });
+  connect(&m_users, &Users::changed, this, &MainWindow::showLock);
+  connect(&m_alarms, &Alarms::happened, &m_audit, &Audit::take);
+  connect(&m_document, &Document::judged, &m_audit,
+          [this] { m_audit.follow(m_document.settings()); });
+  connect(&m_runs, &RunController::corrected, &m_audit, &Audit::followCorrection);
+  if (m_users.fileError().code) {
+    m_messages.log(gcode::Severity::Error, Messages::Source::Computer,
+                   [error = m_users.fileError()] { return userErrorText(error); });
+  }
+  m_audit.refresh();
+  m_audit.setWho(m_users.name().toStdString(), "");
+  m_messages.didAct(Act::ProgramStart,
+                    {{"version", RIVULET_VERSION}, {"computer", report::thisUser().computer}});
+}
+
+void MainWindow::showLock() {
+  const permission::Standing standing = m_users.standing();
+  m_audit.setWho(m_users.name().toStdString(),
+                 m_users.isSetUp() && !standing.isLocked
+                     ? std::string(permission::roleName(standing.role))
+                     : std::string());
+  m_alarms.setUser(m_users.name().toStdString());
+  const bool isOpen = !m_users.isLocked();
+  for (QWidget* part : std::initializer_list<QWidget*>{m_columns, m_machineButton, m_setUpButton,
+                                                       m_resumeBar, menuBar()}) {
+    part->setEnabled(isOpen);
+  }
+  setAcceptDrops(isOpen);
+  Q_EMIT m_runs.permissionsChanged();
 }
 
 void MainWindow::showAlarms() {

@@ -11,13 +11,16 @@
 #include <optional>
 
 #include "hmi/alarms.h"
+#include "hmi/audit.h"
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "hmi/pages/pages.h"
+#include "hmi/releases.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
 #include "hmi/translator.h"
+#include "hmi/users.h"
 #include "session/stream_session.h"
 
 class QAction;
@@ -81,6 +84,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] std::shared_ptr<const gcode::Program> program() const {
     return m_document.program();
   }
+  [[nodiscard]] Users& users() { return m_users; }
+  [[nodiscard]] Releases& releases() { return m_releases; }
   /// The pages, for pictures and tests.
   [[nodiscard]] QTabWidget* pages() const { return m_tabs; }
   [[nodiscard]] widgets::TracePage* tracePage() const;
@@ -103,6 +108,10 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] QWidget* makeHeader(const Models& models, QWidget* parent);
   void showHeader();
   void showAlarms();
+  /// Connects what the operator does with permissions and with the audit trail.
+  void watchOperator();
+  /// In a locked window only Stop works.
+  void showLock();
   void retranslate();
 
   Settings m_settings;
@@ -110,16 +119,20 @@ class MainWindow final : public QMainWindow {
   Translator m_translator;
   Messages m_messages;
   Alarms m_alarms;
+  Users m_users;
+  Audit m_audit;
   session::StreamSession m_session;
   Document m_document;
   MachineModel m_machine;
   RunController m_runs;
+  Releases m_releases;
   Preflight m_preflight;
 
   bool m_isStopRequested = false;  ///< by Escape, of the run in progress
 
   QToolButton* m_machineButton = nullptr;
   QToolButton* m_setUpButton = nullptr;
+  QWidget* m_resumeBar = nullptr;
   widgets::FoldingColumns* m_columns = nullptr;
   QStackedWidget* m_centre = nullptr;  ///< the pages, or the preflight
   QTabWidget* m_tabs = nullptr;

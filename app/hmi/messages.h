@@ -11,14 +11,19 @@
 #include <QString>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "alarm/alarm.h"
 #include "gcode/diagnostic.h"
 #include "log/log.h"
+#include "permission/permission.h"
 #include "widgets/common/log_view.h"
 
 namespace rivulet::hmi {
+
+/// Names and values of what somebody did.
+using ActDetails = std::vector<std::pair<std::string, std::string>>;
 
 class Messages final : public QObject {
   Q_OBJECT
@@ -43,6 +48,8 @@ class Messages final : public QObject {
     Q_EMIT raised(code, arguments, error);
   }
   void settle(alarm::Code code) { Q_EMIT settled(code); }
+  /// The operator has done something: a line of the audit trail.
+  void didAct(permission::Act act, const ActDetails& details = {}) { Q_EMIT did(act, details); }
 
  Q_SIGNALS:
   /// Also what others have logged, from level `info` on.
@@ -52,6 +59,7 @@ class Messages final : public QObject {
   void raised(rivulet::alarm::Code code, const std::vector<std::string>& arguments,
               const rivulet::base::Error& error);
   void settled(rivulet::alarm::Code code);
+  void did(rivulet::permission::Act act, const rivulet::hmi::ActDetails& details);
 
  private:
   /// On any thread.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hmi/pages/pages.h"
+#include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/number_format.h"
 
@@ -87,6 +88,9 @@ std::vector<PreflightItem> Preflight::items() const {
                      0});
   }
   items.push_back(accessItem());
+  if (m_users != nullptr && m_users->isSetUp()) {
+    items.push_back(releaseItem());
+  }
   return items;
 }
 
@@ -202,7 +206,35 @@ PreflightItem Preflight::accessItem() const {
       findings.source.isUsed() ? Status::Good : Status::Attention, tr("Access"), text.text, {}, 0};
 }
 
+void Preflight::setReleases(Releases& releases, Users& users) {
+  m_releases = &releases;
+  m_users = &users;
+  connect(m_releases, &Releases::changed, this, &Preflight::changed);
+}
+
+PreflightItem Preflight::releaseItem() const {
+  const bool mayRelease = !m_users->refusal(permission::Act::Release);
+  if (const permission::Release* release = m_releases->release()) {
+    return {Status::Good, tr("Release"),
+            tr("Released by %1 on %2, who starts: %3")
+                .arg(QString::fromStdString(release->by), widgets::dateTimeText(release->at),
+                     m_users->name()),
+            mayRelease ? tr("Take back") : QString(), TakeBackRelease};
+  }
+  const QString text = tr("This program with these settings and this calibration is not released.");
+  return mayRelease ? PreflightItem{Status::Plain, tr("Release"), text, tr("Release"), ReleaseJob}
+                    : PreflightItem{Status::Fault, tr("Release"), text, {}, 0};
+}
+
 void Preflight::remedy(int remedyId) {
+  if (remedyId == ReleaseJob) {
+    m_releases->give();
+    return;
+  }
+  if (remedyId == TakeBackRelease) {
+    m_releases->takeBack();
+    return;
+  }
   if (remedyId == ReloadProgram) {
     m_document.readAgain(m_document.reading());
   } else if (const auto feeds = programFeeds(*m_document.view()); feeds) {

@@ -11,7 +11,9 @@
 
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
+#include "hmi/releases.h"
 #include "hmi/run_controller.h"
+#include "hmi/users.h"
 #include "widgets/streaming/preflight_sheet.h"
 
 namespace rivulet::hmi {
@@ -20,7 +22,7 @@ class Preflight final : public QObject {
   Q_OBJECT
 
  public:
-  enum Remedy { ReloadProgram, UseProgramFeed };
+  enum Remedy { ReloadProgram, UseProgramFeed, ReleaseJob, TakeBackRelease };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
 
@@ -33,6 +35,8 @@ class Preflight final : public QObject {
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
   void remedy(int remedyId);
+  /// Shows who has released the job; without it nobody has to.
+  void setReleases(Releases& releases, Users& users);
 
  Q_SIGNALS:
   /// Opened or closed.
@@ -46,10 +50,13 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem feedItem() const;
   [[nodiscard]] widgets::PreflightItem methodItem() const;
   [[nodiscard]] widgets::PreflightItem accessItem() const;
+  [[nodiscard]] widgets::PreflightItem releaseItem() const;
 
   Document& m_document;
   MachineModel& m_machine;
   RunController& m_runs;
+  Releases* m_releases = nullptr;
+  Users* m_users = nullptr;
   bool m_isOpen = false;
 };
 

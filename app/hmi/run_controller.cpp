@@ -16,6 +16,7 @@
 namespace rivulet::hmi {
 
 using gcode::Severity;
+using permission::Act;
 using Source = Messages::Source;
 using session::StreamSession;
 
@@ -68,7 +69,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
   });
 }
 
-streaming::StartFacts RunController::facts() const {
+streaming::StartFacts RunController::facts(Act act) const {
   const Findings& findings = m_document.findings();
   const widgets::MachineView& machine = m_machine.view();
   streaming::StartFacts facts;
@@ -90,19 +91,20 @@ streaming::StartFacts RunController::facts() const {
   facts.alarm = machine.alarmNumber;
   facts.controlAxes = machine.rotaryAxes;
   facts.hasRunToResume = m_left.has_value();
+  facts.refusal = refusal(act);
   return facts;
 }
 
 std::optional<streaming::Blocked> RunController::startBlocked() const {
-  return streaming::startBlocked(facts());
+  return streaming::startBlocked(facts(Act::Start));
 }
 
 std::optional<streaming::Blocked> RunController::resumeBlocked() const {
-  return streaming::resumeBlocked(facts());
+  return streaming::resumeBlocked(facts(Act::Resume));
 }
 
 std::optional<streaming::Blocked> RunController::calibrationBlocked() const {
-  return streaming::calibrationBlocked(facts());
+  return streaming::calibrationBlocked(facts(Act::Calibrate));
 }
 
 bool RunController::hasRunToResume() const {
@@ -110,7 +112,18 @@ bool RunController::hasRunToResume() const {
 }
 
 bool RunController::canHold() const {
-  return base::hasWindows(m_document.settings().parameters.method);
+  return base::hasWindows(m_document.settings().parameters.method) && !refusal(Act::Hold);
+}
+
+bool RunController::canChangeSettings() const {
+  return !isRunning() && !refusal(Act::ChangeSettings);
+}
+
+void RunController::correct(const base::Vec3& valueMm) {
+  if (!refusal(Act::Correct)) {
+    m_session.correct(valueMm);
+    Q_EMIT corrected(valueMm);
+  }
 }
 
 bool RunController::refuses(const std::optional<streaming::Blocked>& blocked) {
@@ -126,11 +139,17 @@ bool RunController::start() {
 
 void RunController::stop() {
   m_session.stop();
+  m_messages.didAct(Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
   m_messages.log(Severity::Note, Source::Run, [] { return tr("Stop requested."); });
 }
 
 void RunController::hold(bool hold) {
+  if (refusal(Act::Hold)) {
+    return;
+  }
   m_session.hold(hold);
+  m_messages.didAct(hold ? Act::Hold : Act::Continue,
+                    {{"point", std::to_string(m_update.counters.executed)}});
   m_messages.log(Severity::Note, Source::Run,
                  [hold] { return hold ? tr("Hold requested.") : tr("Continue requested."); });
 }
@@ -141,6 +160,9 @@ void RunController::calibrate(const streaming::CalibrationPlan& plan) {
   }
   m_messages.clear();
   m_session.calibrate(plan);
+  m_messages.didAct(Act::Calibrate, {{"machine", m_machine.endpoint().toStdString()},
+                                     {"cells", std::to_string(plan.firstCell) + " to " +
+                                                   std::to_string(plan.lastCell)}});
   Q_EMIT calibrationProgressed({});
   m_messages.log(Severity::Note, Source::Control,
                  [first = QString::number(plan.firstCell), last = QString::number(plan.lastCell)] {
@@ -223,6 +245,11 @@ bool RunController::startRun(const std::optional<streaming::Resume>& resume) {
     m_messages.settle(code);
   }
   announceStart(settings);
+  m_messages.didAct(resume ? Act::Resume : Act::Start,
+                    {{"program", m_document.program()->name},
+                     {"hash", m_document.program()->hash},
+                     {"machine", m_machine.endpoint().toStdString()},
+                     {"first_point", std::to_string(m_firstPoint + 1)}});
   m_session.start(m_document.program(), settings, newRecordingPath(),
                   resume ? m_left : std::optional<session::ResumeQuestion>{});
   m_document.setRunning(m_session.isRunning());

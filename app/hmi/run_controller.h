@@ -8,6 +8,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,12 @@ class RunController final : public QObject {
   [[nodiscard]] bool hasRunToResume() const;
   /// The method of the settings can be held before a window.
   [[nodiscard]] bool canHold() const;
+  /// No run is in progress, and who is there may do it.
+  [[nodiscard]] bool canChangeSettings() const;
+
+  /// Who is there may do what; nothing: everything. Stop is not asked for.
+  using Gate = std::function<std::optional<permission::Refusal>(permission::Act)>;
+  void setGate(Gate gate) { m_gate = std::move(gate); }
 
   /// Starts if nothing stands in the way. @return false and says why otherwise
   bool start();
@@ -50,7 +57,7 @@ class RunController final : public QObject {
   /// Begins on cells the operator has confirmed, if nothing stands in the way.
   void calibrate(const streaming::CalibrationPlan& plan);
   void cancelCalibration() { m_session.stop(); }
-  void correct(const base::Vec3& valueMm) { m_session.correct(valueMm); }
+  void correct(const base::Vec3& valueMm);
 
   [[nodiscard]] bool isRunning() const { return m_session.isRunning(); }
   [[nodiscard]] bool isCalibrating() const { return m_session.isCalibrating(); }
@@ -64,6 +71,7 @@ class RunController final : public QObject {
  Q_SIGNALS:
   /// What may be done, or why not, has changed.
   void permissionsChanged();
+  void corrected(const rivulet::base::Vec3& valueMm);
   /// @param firstPoint  index of the first point that is streamed
   void started(std::size_t firstPoint);
   void updated(const rivulet::streaming::LiveUpdate& update);
@@ -79,7 +87,10 @@ class RunController final : public QObject {
   void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
 
  private:
-  [[nodiscard]] streaming::StartFacts facts() const;
+  [[nodiscard]] streaming::StartFacts facts(permission::Act act) const;
+  [[nodiscard]] std::optional<permission::Refusal> refusal(permission::Act act) const {
+    return m_gate ? m_gate(act) : std::nullopt;
+  }
   /// @return true if something stands in the way; it has been said
   bool refuses(const std::optional<streaming::Blocked>& blocked);
   bool startRun(const std::optional<streaming::Resume>& resume);
@@ -99,6 +110,7 @@ class RunController final : public QObject {
   Document& m_document;
   MachineModel& m_machine;
   Messages& m_messages;
+  Gate m_gate;
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_firstMotion;
   std::size_t m_firstPoint = 0;

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "base/units.h"
+#include "hmi/users.h"
+#include "journal/line_file.h"
 
 namespace rivulet::hmi {
 
@@ -63,6 +65,8 @@ void Settings::addRecentFile(const QString& path) {
 Settings loadSettings() {
   const QSettings store;
   Settings settings;
+  settings.stateFolder = journal::stateFolderOfUser();
+  settings.usersFile = Users::fileOfUser();
   settings.endpoint = store.value(QStringLiteral("endpoint"), settings.endpoint).toString();
   settings.recentFiles = store.value(QStringLiteral("recentFiles")).toStringList();
   settings.language = store.value(QStringLiteral("language")).toString();

@@ -8,6 +8,7 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <filesystem>
 
 #include "widgets/common/theme.h"
 #include "widgets/streaming/stream_settings.h"
@@ -21,6 +22,9 @@ struct Settings {
   widgets::Theme theme = widgets::Theme::System;
   widgets::StreamSettings stream;
   QByteArray geometry;
+  /// Where alarms, audit trail and releases are kept; empty: nowhere.
+  std::filesystem::path stateFolder;
+  std::filesystem::path usersFile;  ///< empty: no users
 
   static constexpr int kRecentFilesMax = 8;
   void addRecentFile(const QString& path);

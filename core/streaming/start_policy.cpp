@@ -35,6 +35,22 @@ Reason linkBlocked(const StartFacts& facts) {
   return facts.isConnected ? std::nullopt : Reason(because(BlockReason::NotConnected));
 }
 
+/// What who is there may not do. A job that is not released is named last: the rest of it has to be
+/// right before it can be released.
+Reason permissionBlocked(const StartFacts& facts) {
+  if (!facts.refusal || *facts.refusal == permission::Refusal::NotReleased) {
+    return std::nullopt;
+  }
+  return because(*facts.refusal == permission::Refusal::Locked ? BlockReason::Locked
+                                                               : BlockReason::NeedsEngineer);
+}
+
+Reason releaseBlocked(const StartFacts& facts) {
+  return facts.refusal == permission::Refusal::NotReleased
+             ? Reason(because(BlockReason::NotReleased))
+             : std::nullopt;
+}
+
 Reason channelBlocked(const StartFacts& facts) {
   return facts.channelStatus.value_or(opcua::kChannelReset) == opcua::kChannelReset
              ? std::nullopt
@@ -82,6 +98,9 @@ Reason settingsBlocked(const StartFacts& facts) {
 
 /// All but the state of the channel.
 Reason runBlocked(const StartFacts& facts) {
+  if (Reason reason = permissionBlocked(facts)) {
+    return reason;
+  }
   if (Reason reason = linkBlocked(facts)) {
     return reason;
   }
@@ -100,7 +119,7 @@ Reason runBlocked(const StartFacts& facts) {
   if (const int alarm = facts.alarm.value_or(0); alarm != 0) {
     return because(BlockReason::AlarmActive, {std::to_string(alarm)});
   }
-  return std::nullopt;
+  return releaseBlocked(facts);
 }
 
 StreamError codeOf(BlockReason reason) {
@@ -131,6 +150,9 @@ StreamError codeOf(BlockReason reason) {
     case BlockReason::Infeasible:
     case BlockReason::NotRehearsed:
     case BlockReason::RehearsalFailed:
+    case BlockReason::Locked:
+    case BlockReason::NeedsEngineer:
+    case BlockReason::NotReleased:
       break;
   }
   return StreamError::ProgramNotStreamable;
@@ -189,6 +211,12 @@ std::string sentence(const Blocked& blocked) {
       return "There is no interrupted run to resume.";
     case BlockReason::MethodCannotResume:
       return "Only methods with numbered windows resume a run. Choose method window.";
+    case BlockReason::Locked:
+      return "The window is locked. Log in first.";
+    case BlockReason::NeedsEngineer:
+      return "Only an engineer may do this. Log in as one.";
+    case BlockReason::NotReleased:
+      return "This program with these settings is not released. An engineer has to release it.";
     case BlockReason::SettingsInvalid:
       break;
   }
@@ -232,6 +260,9 @@ Reason resumeBlocked(const StartFacts& facts) {
 }
 
 Reason calibrationBlocked(const StartFacts& facts) {
+  if (Reason reason = permissionBlocked(facts)) {
+    return reason;
+  }
   if (Reason reason = linkBlocked(facts)) {
     return reason;
   }

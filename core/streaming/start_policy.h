@@ -16,6 +16,7 @@
 #include "base/method_kind.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
+#include "permission/permission.h"
 
 namespace rivulet::streaming {
 
@@ -48,6 +49,9 @@ enum class BlockReason {
   AlarmActive,          ///< number of the alarm
   ChannelBusy,          ///< a program runs on the control
   NothingToResume,      ///< no run was left
+  Locked,               ///< the window is locked: only Stop works
+  NeedsEngineer,        ///< who is there may not do this
+  NotReleased,          ///< an operator starts only what an engineer has released
   MethodCannotResume,   ///< only methods with numbered windows go on where a run was left
 };
 
@@ -81,6 +85,7 @@ struct StartFacts {
   std::optional<int> channelStatus;    ///< 0: reset
   std::optional<int> alarm;            ///< 0: none
   std::optional<base::RotarySet> controlAxes;  ///< rotary axes the control has
+  std::optional<permission::Refusal> refusal;  ///< why who is there may not do it
   bool hasRunToResume = false;                 ///< a run was left that can be resumed
 };
 

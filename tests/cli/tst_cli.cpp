@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "journal/audit.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
 
@@ -116,6 +117,35 @@ class TestCli : public QObject {
     QCOMPARE(list[1]["dialect"].get<std::string>(), std::string("sinumerik"));
     const QTemporaryDir empty;
     QCOMPARE(run({QStringLiteral("check"), empty.path()}).exit, 2);
+  }
+
+  void verifiesAuditTrails() {
+    const QString path = m_folder.filePath(QStringLiteral("audit.jsonl"));
+    for (int i = 0; i < 3; ++i) {
+      QVERIFY(journal::appendAudit(path.toStdString(), {i, "anna", "", "start", {{"n", "1"}}})
+                  .has_value());
+    }
+    const QString audit = QStringLiteral("audit");
+    const QString verify = QStringLiteral("--verify");
+    Outcome outcome = run({audit, path});
+    QCOMPARE(outcome.exit, 0);
+    QCOMPARE(outcome.output.count(QLatin1Char('\n')), 4);
+    QVERIFY(outcome.output.contains(QLatin1String("\"anna\",\"\",\"start\",\"n=1\"")));
+    outcome = run({audit, verify, path});
+    QCOMPARE(outcome.exit, 0);
+    QVERIFY(outcome.output.contains(QLatin1String("3 lines, no line was changed")));
+    QFile trail(path);
+    QVERIFY(trail.open(QIODevice::ReadWrite));
+    QByteArray text = trail.readAll();
+    text.replace(text.indexOf("anna"), 4, "otto");
+    QVERIFY(trail.seek(0) && trail.write(text) == text.size());
+    trail.close();
+    outcome = run({audit, verify, path});
+    QCOMPARE(outcome.exit, 1);
+    QVERIFY(outcome.output.contains(QLatin1String("Line 1 was changed")));
+    const json parsed = run({audit, path, QStringLiteral("--json")}).parsed();
+    QCOMPARE(parsed["findings"].size(), std::size_t{2});
+    QCOMPARE(run({audit, path + QLatin1Char('x')}).exit, 2);
   }
 
   void writesPoints() {

@@ -100,7 +100,8 @@ void picturePages(MainWindow& window, const QString& prefix) {
   const QStringList names{QStringLiteral("program"),     QStringLiteral("feasibility"),
                           QStringLiteral("traces"),      QStringLiteral("template"),
                           QStringLiteral("calibration"), QStringLiteral("report"),
-                          QStringLiteral("alarms"),      QStringLiteral("messages")};
+                          QStringLiteral("alarms"),      QStringLiteral("messages"),
+                          QStringLiteral("audit"),       QStringLiteral("users")};
   const int present = window.pages()->currentIndex();
   for (int page = 0; page < window.pages()->count(); ++page) {
     window.pages()->setCurrentIndex(page);

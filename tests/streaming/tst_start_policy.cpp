@@ -94,6 +94,28 @@ class TestStartPolicy : public QObject {
     QVERIFY(reason() == BlockReason::RunInProgress);
   }
 
+  /// A locked window hides every other reason; a release comes last.
+  void asksWhoIsThere() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    facts.hasRunToResume = true;
+    facts.refusal = permission::Refusal::NotReleased;
+    QVERIFY(reasonOf(streaming::startBlocked(facts)) == BlockReason::NotReleased);
+    QVERIFY(reasonOf(streaming::resumeBlocked(facts)) == BlockReason::NotReleased);
+    QVERIFY(!streaming::calibrationBlocked(facts));
+    facts.alarm = 14080;
+    QVERIFY(reasonOf(streaming::startBlocked(facts)) == BlockReason::AlarmActive);
+    facts.refusal = permission::Refusal::NeedsEngineer;
+    QVERIFY(reasonOf(streaming::calibrationBlocked(facts)) == BlockReason::NeedsEngineer);
+    facts.refusal = permission::Refusal::Locked;
+    facts.isConnected = false;
+    for (const auto& blocked : {streaming::startBlocked(facts), streaming::resumeBlocked(facts),
+                                streaming::calibrationBlocked(facts)}) {
+      QVERIFY(reasonOf(blocked) == BlockReason::Locked);
+      QVERIFY(!streaming::blockedError(*blocked).message.empty());
+    }
+  }
+
   void tellsProgramsApartThatCannotBeStreamed() {
     const gcode::Program unknown = programOf("G1 X1 Y2 Z3 F100\nX=FOO(3)\n");
     QVERIFY(reasonOf(streaming::startBlocked(ready(unknown))) == BlockReason::PathUnknown);

@@ -61,6 +61,12 @@ struct BlockedTexts {
         return tr("A program is running on the control.");
       case BlockReason::NothingToResume:
         return tr("There is no interrupted run of method window.");
+      case BlockReason::Locked:
+        return tr("The window is locked: log in.");
+      case BlockReason::NeedsEngineer:
+        return tr("Only an engineer may do this.");
+      case BlockReason::NotReleased:
+        return tr("Not released: an engineer has to release this program with these settings.");
       case BlockReason::MethodCannotResume:
         return tr("Only method window can resume an interrupted run.");
     }

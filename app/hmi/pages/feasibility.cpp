@@ -119,7 +119,7 @@ QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
                    });
   const RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::permissionsChanged, page,
-                   [page, runs] { page->setEditable(!runs->isRunning()); });
+                   [page, runs] { page->setEditable(runs->canChangeSettings()); });
   return page;
 }
 

@@ -17,7 +17,7 @@ struct Pages {
   Q_DECLARE_TR_FUNCTIONS(Pages)
 };
 
-constexpr std::array<PageEntry, 8> kEntries{{
+constexpr std::array<PageEntry, 10> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage},
     {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage},
     {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage},
@@ -26,6 +26,8 @@ constexpr std::array<PageEntry, 8> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Report"), makeReportPage},
     {QT_TRANSLATE_NOOP("Pages", "Alarms"), makeAlarmPage},
     {QT_TRANSLATE_NOOP("Pages", "Messages"), makeLogPage},
+    {QT_TRANSLATE_NOOP("Pages", "Audit"), makeAuditPage},
+    {QT_TRANSLATE_NOOP("Pages", "Users"), makeUsersPage},
 }};
 
 }  // namespace

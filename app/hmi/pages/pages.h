@@ -9,12 +9,14 @@
 #include <span>
 
 #include "hmi/alarms.h"
+#include "hmi/audit.h"
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "hmi/preflight.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
+#include "hmi/users.h"
 
 class QWidget;
 
@@ -29,6 +31,8 @@ struct Models {
   Settings& settings;
   Messages& messages;
   Alarms& alarms;
+  Users& users;
+  Audit& audit;
   MachineModel& machine;
   Document& document;
   RunController& runs;
@@ -51,9 +55,12 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeCalibrationPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeReportPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAlarmPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeAuditPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeUsersPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLogPage(const Models& models, QWidget* parent);
 
 /// Beside, above and below the tabs.
+[[nodiscard]] QWidget* makeUserButton(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAlarmLine(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLoadBar(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeFileBanner(const Models& models, QWidget* parent);

@@ -104,6 +104,10 @@ void connectLoading(ProgramPage* page, const Models& models) {
     models.messages.clear();
     models.messages.settle(alarm::Code::FileChanged);
     models.messages.settle(alarm::Code::FileGone);
+    models.messages.didAct(permission::Act::OpenProgram,
+                           {{"program", program.name},
+                            {"hash", program.hash},
+                            {"file", models.document.path().toStdString()}});
     const std::size_t points = models.document.points().size();
     models.messages.log(Severity::Note, Source::Program,
                         [name = QString::fromStdString(program.name),

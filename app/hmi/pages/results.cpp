@@ -12,6 +12,16 @@
 
 namespace rivulet::hmi {
 
+namespace {
+
+void acknowledge(const Models& models, int number) {
+  if (!models.users.refusal(permission::Act::Acknowledge)) {
+    models.alarms.acknowledge(number);
+  }
+}
+
+}  // namespace
+
 QWidget* makeTracePage(const Models& models, QWidget* parent) {
   auto* page = new widgets::TracePage(parent);
   QObject::connect(&models.runs, &RunController::started, page, &widgets::TracePage::clear);
@@ -47,11 +57,24 @@ QWidget* makeAlarmPage(const Models& models, QWidget* parent) {
   show();
   QObject::connect(alarms, &Alarms::changed, page, show);
   QObject::connect(alarms, &Alarms::listRequested, page, &widgets::AlarmPage::showAlarms);
-  QObject::connect(page, &widgets::AlarmPage::acknowledgeRequested, alarms, &Alarms::acknowledge);
-  QObject::connect(page, &widgets::AlarmPage::acknowledgeAllRequested, alarms,
-                   &Alarms::acknowledgeAll);
-  QObject::connect(page, &widgets::AlarmPage::shelveRequested, alarms, &Alarms::shelve);
-  QObject::connect(page, &widgets::AlarmPage::unshelveRequested, alarms, &Alarms::unshelve);
+  QObject::connect(page, &widgets::AlarmPage::acknowledgeRequested, page,
+                   [models](int number) { acknowledge(models, number); });
+  QObject::connect(page, &widgets::AlarmPage::acknowledgeAllRequested, page, [models] {
+    if (!models.users.refusal(permission::Act::Acknowledge)) {
+      models.alarms.acknowledgeAll();
+    }
+  });
+  QObject::connect(page, &widgets::AlarmPage::shelveRequested, page,
+                   [models](int number, int minutes) {
+                     if (!models.users.refusal(permission::Act::Shelve)) {
+                       models.alarms.shelve(number, minutes);
+                     }
+                   });
+  QObject::connect(page, &widgets::AlarmPage::unshelveRequested, page, [models](int number) {
+    if (!models.users.refusal(permission::Act::Shelve)) {
+      models.alarms.unshelve(number);
+    }
+  });
   return page;
 }
 
@@ -75,7 +98,8 @@ QWidget* makeAlarmLine(const Models& models, QWidget* parent) {
   QObject::connect(alarms, &Alarms::changed, line, show);
   QObject::connect(&models.messages, &Messages::shown, line, &widgets::AlarmLine::showNote);
   QObject::connect(&models.messages, &Messages::cleared, line, &widgets::AlarmLine::clearNote);
-  QObject::connect(line, &widgets::AlarmLine::acknowledgeRequested, alarms, &Alarms::acknowledge);
+  QObject::connect(line, &widgets::AlarmLine::acknowledgeRequested, line,
+                   [models](int number) { acknowledge(models, number); });
   QObject::connect(line, &widgets::AlarmLine::listRequested, alarms, &Alarms::listRequested);
   return line;
 }

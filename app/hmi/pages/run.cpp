@@ -87,7 +87,7 @@ QWidget* makeMethodPanel(const Models& models) {
                    [panel, document] { panel->setPauses(document->pauseSummary()); });
   const RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::permissionsChanged, panel,
-                   [panel, runs] { panel->setEditable(!runs->isRunning()); });
+                   [panel, runs] { panel->setEditable(runs->canChangeSettings()); });
   return panel;
 }
 

@@ -19,6 +19,7 @@
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/alarms/alarm_page.h"
 #include "widgets/alarms/alarm_text.h"
+#include "widgets/audit/audit_page.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/log_view.h"
 #include "widgets/common/theme.h"
@@ -34,6 +35,7 @@
 #include "widgets/streaming/run_panel.h"
 #include "widgets/templates/template_page.h"
 #include "widgets/trace/trace_page.h"
+#include "widgets/users/users_page.h"
 
 using namespace rivulet;
 using namespace rivulet::widgets;
@@ -263,6 +265,55 @@ std::unique_ptr<QWidget> alarmLine(std::size_t index) {
   return line;
 }
 
+std::unique_ptr<QWidget> auditPage(std::size_t firstChange) {
+  auto page = std::make_unique<AuditPage>();
+  AuditView view;
+  const auto add = [&view](const char* who, const char* role, const char* act,
+                           const char* details) {
+    const std::size_t line = view.rows.size() + 1;
+    view.rows.push_back({line, 1'795'336'205'000 + static_cast<base::UtcMs>(line) * 61'000,
+                         QString::fromUtf8(who), QString::fromUtf8(role), QString::fromUtf8(act),
+                         QString::fromUtf8(details), false});
+  };
+  add("anna", "engineer", "log-in", "");
+  add("anna", "engineer", "open-program", "program=POCKET_60x40.MPF; hash=6f1c0a9be2d4c3a1");
+  add("anna", "engineer", "change-settings", "feed=829 -> 1090; points=7 -> 9");
+  add("anna", "engineer", "release", "program=POCKET_60x40.MPF; hash=6f1c0a9be2d4c3a1");
+  add("otto", "operator", "start", "program=POCKET_60x40.MPF; first_point=1");
+  add("otto", "operator", "stop", "point=412");
+  view.firstChange = firstChange;
+  if (firstChange > 0) {
+    view.rows[firstChange - 1].isSuspect = true;
+  }
+  view.lastHash = QString(64, QLatin1Char('a'));
+  view.file = QStringLiteral("audit.jsonl");
+  page->setAudit(view);
+  return page;
+}
+
+UsersView usersView() {
+  UsersView view;
+  view.users = {{"anna", permission::Role::Engineer, true},
+                {"otto", permission::Role::Operator, true},
+                {"cell", permission::Role::Operator, false}};
+  view.current = "anna";
+  view.idleMinutes = 15;
+  view.systemUser = "cell";
+  return view;
+}
+
+std::unique_ptr<QWidget> usersPage(const UsersView& view) {
+  auto page = std::make_unique<UsersPage>();
+  page->setUsers(view, true);
+  return page;
+}
+
+std::unique_ptr<QWidget> logIn() {
+  auto dialog = std::make_unique<LogInDialog>(usersView());
+  dialog->showFailure(30);
+  return dialog;
+}
+
 std::unique_ptr<QWidget> alarmPage(bool history) {
   auto page = std::make_unique<AlarmPage>();
   page->setAlarms(test::alarms());
@@ -369,6 +420,11 @@ std::vector<Sample> samples() {
       {"alarm_line_medium", {860, 48}, [] { return alarmLine(3); }},
       {"alarms", {960, 560}, [] { return alarmPage(false); }},
       {"alarms_none", {960, 400}, [] { return std::make_unique<AlarmPage>(); }},
+      {"audit", {1000, 420}, [] { return auditPage(0); }},
+      {"audit_changed", {1000, 420}, [] { return auditPage(3); }},
+      {"users", {900, 460}, [] { return usersPage(usersView()); }},
+      {"users_none", {900, 400}, [] { return usersPage({}); }},
+      {"log_in", {300, 480}, [] { return logIn(); }},
       {"alarms_history", {960, 400}, [] { return alarmPage(true); }},
   };
 }
