@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/contract.h"
 #include "gcode/fact_counter.h"
@@ -24,7 +25,6 @@ namespace rivulet::gcode {
 
 namespace {
 
-using nc::Block;
 using nc::BlockWords;
 using nc::Token;
 using nc::TokenKind;
@@ -32,7 +32,7 @@ using nc::TokenKind;
 /// Blocks between two calls of `LoadOptions::progress`.
 constexpr std::size_t kProgressBlocks = 16384;
 
-bool hasBlockSkip(const Block& block) {
+bool hasBlockSkip(const nc::Words& block) {
   return std::any_of(block.tokens.begin(), block.tokens.end(),
                      [](const Token& token) { return token.kind == TokenKind::BlockSkip; });
 }
@@ -52,8 +52,7 @@ class Interpreter {
         m_flow(text, guess.dialect, m_variables, m_cursorOptions),
         m_path(options, m_out.trajectory, m_out.statistics, m_findings),
         m_executorOptions{.centres = options.centres},
-        m_executor(m_language, m_executorOptions, m_variables, &m_flow,
-                   {m_path, m_findings, m_facts}) {
+        m_executor(m_language, m_executorOptions, m_variables, {m_path, m_findings, m_facts}) {
     if (m_language.hasTurningCycles && !guess.turningCycle.empty()) {
       nc::ModalState& state = m_executor.state();
       state.isLathe = true;
@@ -72,10 +71,9 @@ class Interpreter {
     if (m_text.substr(0, 4096).find('\0') != std::string_view::npos) {
       m_findings.report(Severity::Error, 1, DiagnosticCode::NotAnyDialect, {});
     }
-    Block block;
     std::size_t untilProgress = kProgressBlocks;
     while (!m_ended) {
-      const nc::Cursor::Step step = m_flow.next(block);
+      const nc::Cursor::Step step = m_flow.next();
       if (step == nc::Cursor::Step::End) {
         break;
       }
@@ -86,7 +84,7 @@ class Interpreter {
           break;
         }
       }
-      if (step == nc::Cursor::Step::Block && block.tokens.empty()) {
+      if (step == nc::Cursor::Step::Block && m_flow.words().tokens.empty()) {
         continue;
       }
       const nc::Place place = m_flow.place();
@@ -97,7 +95,7 @@ class Interpreter {
         settle(m_flow.outcome(), statement);
         continue;
       }
-      interpretBlock(block);
+      interpretBlock(m_flow.words());
       if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
         m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
                           fmt::format("{}", kTrajectoryPointsMax));
@@ -116,7 +114,7 @@ class Interpreter {
     return !m_options.progress || m_options.progress(std::min(1.0, share));
   }
 
-  void interpretBlock(const Block& block) {
+  void interpretBlock(const nc::Words& block) {
     if (m_options.blockSkip && hasBlockSkip(block)) {
       return;
     }
@@ -126,7 +124,8 @@ class Interpreter {
     for (const Token& token : block.tokens) {
       const bool isNumber =
           token.kind == TokenKind::Word && (token.address == 'N' || token.address == 'O');
-      counts |= !isNumber && token.kind != TokenKind::Tape && token.kind != TokenKind::BlockSkip;
+      counts |= !isNumber && token.kind != TokenKind::Tape && token.kind != TokenKind::BlockSkip &&
+                token.kind != TokenKind::Comment;
       if (isNumber && token.address == 'O' && m_out.blocks > 0 && !m_flow.isInSubprogram()) {
         // Another program begins: the one before has ended.
         m_findings.error(token, DiagnosticCode::UnknownWord);
@@ -165,7 +164,9 @@ class Interpreter {
       settle(m_flow.execute(*rare.statement), *rare.statement);
     }
     if (rare.call) {
-      callByName(*rare.call, static_cast<int>(std::clamp(words.p.value_or(1.0), 0.0, 1e6)));
+      // PART(1,2), PART P3 and L123.
+      const auto times = static_cast<int>(std::clamp(words.p.value_or(1.0), 0.0, 1e6));
+      settle(m_flow.call(*rare.call, times), *rare.call);
     }
     if ((rare.call98 || rare.macroCall) && !words.p) {
       m_findings.report(Severity::Error, 1, DiagnosticCode::NumberMissing, "P");
@@ -187,13 +188,6 @@ class Interpreter {
       m_executor.finishCurve();
       m_ended = true;
     }
-  }
-
-  /// PART(1,2), PART P3 and L123.
-  void callByName(const Token& token, int times) {
-    const std::string numbered =
-        token.address == 'L' ? fmt::format("L{:.0f}", token.value) : std::string();
-    settle(m_flow.call(numbered.empty() ? token.text : numbered, token.column, times), token);
   }
 
   void settle(const nc::Outcome& outcome, const Token& token) {
@@ -248,13 +242,14 @@ class Interpreter {
 
   /// What follows the end of a program is not read; subprograms after it are.
   void reportTail() {
-    Block block;
-    while (m_flow.nextBehindEnd(block)) {
-      if (block.tokens.empty() || block.tokens.front().kind == TokenKind::Tape) {
+    while (m_flow.nextBehindEnd()) {
+      const std::vector<Token>& tokens = m_flow.words().tokens;
+      if (tokens.empty() || tokens.front().kind == TokenKind::Tape ||
+          tokens.front().kind == TokenKind::Comment) {
         continue;
       }
-      m_findings.setPlace(block.line, m_flow.fileName(0));
-      m_findings.report(Severity::Warning, block.tokens.front().column,
+      m_findings.setPlace(m_flow.line(), m_flow.fileName(0));
+      m_findings.report(Severity::Warning, tokens.front().column,
                         DiagnosticCode::TextAfterProgramEnd, {});
       return;
     }

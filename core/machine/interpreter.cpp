@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/units.h"
+#include "base/text.h"
 #include "machine/sync_action.h"
-#include "nc/exec/tree_words.h"
 #include "nc/syntax/language.h"
 
 namespace rivulet::machine {
@@ -26,6 +25,17 @@ nc::ExecutorOptions executorOptions(const InterpreterOptions& options) {
           .refusesFurtherAxes = false,
           .knowsMachineCoordinates = true,
           .knowsWorkOffsets = true};
+}
+
+/// True if the words move nothing and change no mode of the path: spindle, tool, coolant, and what
+/// says something of the program.
+bool isWithoutEffect(const nc::Words& words) {
+  return std::all_of(words.tokens.begin(), words.tokens.end(), [](const nc::Token& token) {
+    return token.address != 0
+               ? std::string_view("MSTDHUVW").find(token.address) != std::string_view::npos
+               : nc::nameEffect(nc::Dialect::Sinumerik, base::toUpper(nc::tokenName(token))) ==
+                     nc::NameEffect::None;
+  });
 }
 
 template <class... Callables>
@@ -91,7 +101,7 @@ Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& p
       m_flow(std::move(program), m_values, options.library),
       m_motions({options.startMm, options.rapidMmPerS, options.roundingMm}, m_alarms),
       m_executorOptions(executorOptions(options)),
-      m_executor(nc::languageOf(nc::Dialect::Sinumerik), m_executorOptions, m_values, nullptr,
+      m_executor(nc::languageOf(nc::Dialect::Sinumerik), m_executorOptions, m_values,
                  {m_motions, m_alarms, m_observer}) {
   nc::ModalState& state = m_executor.state();
   state.motion = nc::Motion::Line;  // reset default
@@ -110,7 +120,7 @@ void Interpreter::refresh() {
 Prepared Interpreter::next() {
   const auto isSilent = [](const nc::Statement& statement) {
     const auto* const words = std::get_if<nc::Words>(&statement.what);
-    return words != nullptr && nc::isWithoutEffect(*words);
+    return words != nullptr && isWithoutEffect(*words);
   };
   // A block may hold several statements (R1=0 R2=0 G1 X5): those that neither move nor jump are
   // executed together with what follows them in the same block.
@@ -147,15 +157,7 @@ Prepared Interpreter::next() {
 Prepared Interpreter::execute(const nc::Statement& statement) {
   return std::visit(
       Overload{
-          [&](const nc::Words& s) { return executeWords(s.words, statement.place.line); },
-          [&](const nc::Dwell& s) -> Prepared {
-            const nc::Expected<double> seconds = m_values.number(s.seconds);
-            if (!seconds) {
-              return alarmOf(seconds.error());
-            }
-            return PreparedDwell{statement.place.line,
-                                 base::fromSeconds(std::clamp(*seconds, 0.0, 1e6))};
-          },
+          [&](const nc::Words& s) { return executeWords(s, statement.place.line); },
           [](const nc::PreprocessingStop&) -> Prepared { return PreparedStopre{}; },
           [this](const nc::Message& s) -> Prepared {
             if (!s.text) {
@@ -164,9 +166,6 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
             const nc::Expected<nc::Value> text =
                 nc::evaluate(*s.text, m_values, m_values.semantics());
             return text ? Prepared(PreparedMessage{nc::textOf(*text)}) : alarmOf(text.error());
-          },
-          [&](const nc::FrameStatement& s) {
-            return executeWords(s.words, statement.place.line, s.name);
           },
           [this](const nc::Synchronized& s) -> Prepared {
             nc::Expected<SyncAction> action = frozen(s, m_values);
@@ -199,36 +198,18 @@ Prepared Interpreter::leave() {
 
 // --- words ------------------------------------------------------------------------------------
 
-Prepared Interpreter::executeWords(const std::vector<nc::Word>& words, base::LineNumber line,
-                                   std::string_view frame) {
-  const nc::Expected<std::vector<nc::Token>> tokens =
-      nc::tokensOf(words, [this](const nc::Expression& value) { return m_values.number(value); });
-  if (!tokens) {
-    return alarmOf(tokens.error());
-  }
+Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line) {
   nc::BlockWords block;
   block.line = line;
-  nc::Token frameToken;
-  frameToken.kind = nc::TokenKind::Name;
-  frameToken.text = frame;
-  if (!frame.empty()) {
-    m_executor.read(frameToken, block);
-  }
-  for (const nc::Token& token : *tokens) {
+  for (const nc::Token& token : words.tokens) {
     m_executor.read(token, block);
   }
   m_executor.execute(block);
-  if (block.rare && block.rare->macroCall) {
-    m_alarms.fault(1, {nc::FaultCode::UnknownGCode, "G65", {}});
-  }
-  if (m_executor.state().motion == nc::Motion::BSpline) {
-    m_alarms.fault(1, {nc::FaultCode::NotDefined, "BSPLINE", {}});
-  }
-  std::optional<PreparedMotion> motion = m_motions.take(m_executor.state());
+  Prepared prepared = m_motions.take(m_executor.state());
   if (std::optional<Alarm> alarm = m_alarms.take()) {
     return *std::move(alarm);
   }
-  return motion ? Prepared(*std::move(motion)) : PreparedNothing{};
+  return prepared;
 }
 
 }  // namespace rivulet::machine

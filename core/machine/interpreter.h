@@ -69,8 +69,7 @@ class Interpreter {
   };
 
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
-  [[nodiscard]] Prepared executeWords(const std::vector<nc::Word>& words, base::LineNumber line,
-                                      std::string_view frame = {});
+  [[nodiscard]] Prepared executeWords(const nc::Words& words, base::LineNumber line);
   [[nodiscard]] Prepared leave();
 
   Values m_values;

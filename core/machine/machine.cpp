@@ -15,7 +15,7 @@
 #include "machine/r_parameters.h"
 #include "machine/servo_model.h"
 #include "machine/sync_action.h"
-#include "nc/syntax/parser.h"
+#include "nc/syntax/programs.h"
 
 namespace rivulet::machine {
 
@@ -193,10 +193,9 @@ class Machine::Impl final : public MainRun {
     m_params.fill(0.0);
     m_timers.fill(-1.0);
     options.cacheUntilStopre = m_config.rRead == RRead::CachedUntilStopre;
-    m_prerun.start(std::make_unique<Interpreter>(
-                       std::make_shared<const nc::Tree>(nc::parseSinumerik(program->second)),
-                       m_parameters, options),
-                   m_now);
+    m_prerun.start(
+        std::make_unique<Interpreter>(nc::parseSinumerik(program->second), m_parameters, options),
+        m_now);
     return {};
   }
 
@@ -239,7 +238,7 @@ class Machine::Impl final : public MainRun {
     for (const char* ending : {"", ".SPF", ".MPF"}) {
       const auto found = m_programs.find(name + ending);
       if (found != m_programs.end()) {
-        return std::make_shared<const nc::Tree>(nc::parseSinumerik(found->second));
+        return nc::parseSinumerik(found->second);
       }
     }
     return nullptr;

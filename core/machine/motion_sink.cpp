@@ -3,7 +3,11 @@
 
 #include "machine/motion_sink.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "base/contract.h"
 
 namespace rivulet::machine {
 
@@ -56,19 +60,29 @@ void MotionSink::spaceArc(const nc::Position& from, const nc::SpaceArc& arc, bas
 
 void MotionSink::spline(const nc::Position& /*from*/, const nc::Spline& /*spline*/,
                         const nc::Move& /*move*/) {
-  m_alarms.raise({kNotDefined, "This machine makes no splines."});
+  RIVULET_ASSERT(!"no word of this machine begins a spline");
 }
 
-std::optional<PreparedMotion> MotionSink::take(const nc::ModalState& state) {
-  std::optional<PreparedMotion> motion = std::exchange(m_motion, std::nullopt);
-  if (motion) {
-    motion->end = m_stops ? BlockEnd::ExactStop : state.blockEnd;
-    motion->rounding = state.rounding;
-    motion->roundingMm =
-        state.rounding == RoundingKind::Distance ? state.roundingMm : m_options.roundingMm;
-    motion->dynamics = state.dynamics;
+void MotionSink::machineWord(nc::MachineWord kind, double value, base::LineNumber line) {
+  if (kind == nc::MachineWord::Dwell && !std::isnan(value)) {
+    m_dwell = PreparedDwell{line, base::fromSeconds(std::clamp(value, 0.0, 1e6))};
   }
-  return motion;
+}
+
+Prepared MotionSink::take(const nc::ModalState& state) {
+  if (const std::optional<PreparedDwell> dwell = std::exchange(m_dwell, std::nullopt)) {
+    return *dwell;
+  }
+  std::optional<PreparedMotion> motion = std::exchange(m_motion, std::nullopt);
+  if (!motion) {
+    return PreparedNothing{};
+  }
+  motion->end = m_stops ? BlockEnd::ExactStop : state.blockEnd;
+  motion->rounding = state.rounding;
+  motion->roundingMm =
+      state.rounding == RoundingKind::Distance ? state.roundingMm : m_options.roundingMm;
+  motion->dynamics = state.dynamics;
+  return *std::move(motion);
 }
 
 }  // namespace rivulet::machine

@@ -34,15 +34,17 @@ class MotionSink final : public nc::PathSink {
   void spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move) override;
   void unknownWay(const nc::Position& /*from*/, base::Vec3 /*targetMm*/,
                   const nc::Move& /*move*/) override {}
+  void machineWord(nc::MachineWord kind, double value, base::LineNumber line) override;
 
   /// What the block has moved. @param state  after the block
-  [[nodiscard]] std::optional<PreparedMotion> take(const nc::ModalState& state);
+  [[nodiscard]] Prepared take(const nc::ModalState& state);
 
  private:
   MotionSinkOptions m_options;
   AlarmSink& m_alarms;
   base::Vec3 m_endMm;  ///< of the last motion, workpiece frame
   std::optional<PreparedMotion> m_motion;
+  std::optional<PreparedDwell> m_dwell;
   bool m_stops = false;  ///< G9
 };
 

@@ -15,6 +15,7 @@
 #include "gcode_text.h"
 #include "nc/geometry/arc.h"
 #include "nc/geometry/spline.h"
+#include "nc/modal/frame.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

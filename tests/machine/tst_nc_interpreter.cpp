@@ -13,7 +13,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "machine/interpreter.h"
-#include "nc/syntax/parser.h"
+#include "nc/syntax/programs.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -56,12 +56,9 @@ Outcome runProgram(const std::string& text, const std::map<std::string, std::str
   options.roundingMm = 0.01;
   options.library = [&library](const std::string& name) -> std::shared_ptr<const nc::Tree> {
     const auto found = library.find(name);
-    return found == library.end()
-               ? nullptr
-               : std::make_shared<const nc::Tree>(nc::parseSinumerik(found->second));
+    return found == library.end() ? nullptr : nc::parseSinumerik(found->second);
   };
-  Interpreter interpreter(std::make_shared<const nc::Tree>(nc::parseSinumerik(text)),
-                          outcome.parameters, options);
+  Interpreter interpreter(nc::parseSinumerik(text), outcome.parameters, options);
   for (int block = 0; block < 20000; ++block) {
     const machine::Prepared prepared = interpreter.next();
     if (const auto* motion = std::get_if<PreparedMotion>(&prepared)) {
@@ -214,6 +211,11 @@ class TestNcInterpreter : public QObject {
     row("unknown name", "ABC=1\nM30", 12550);
     row("cycle", "G81 Z-5\nM30", 12470);
     row("macro", "G65 P100\nM30", 12470);
+    row("inches of ISO", "G20 X1\nM30", 12470);
+    row("millimetres of ISO", "G21\nM30", 12470);
+    row("tool length of ISO", "G0 G43 Z10 H1\nM30", 12470);
+    row("position of ISO", "G92 X5\nM30", 12470);
+    row("comment of ISO", "(ROUGHING)\nM30", 12080);
     row("transformation", "TRAORI\nM30", 12550);
     row("tool direction", "X1 A3=1\nM30", 12550);
     row("rounding by name", "X1 RND=5\nM30", 12550);

@@ -63,6 +63,9 @@ std::string tokens(std::string_view text) {
         case TokenKind::Tape:
           out += "tape" + at;
           break;
+        case TokenKind::Comment:
+          out += "comment" + at;
+          break;
         case TokenKind::UnexpectedCharacter:
           out += "unexpected<" + std::string(token.text) + ">" + at;
           break;

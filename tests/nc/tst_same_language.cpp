@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "gcode/program.h"
 #include "machine/interpreter.h"
-#include "nc/syntax/parser.h"
+#include "nc/syntax/programs.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -57,12 +57,9 @@ std::string executed(const std::string& text, const Programs& library) {
   options.feedMmPerS = 10.0;
   options.library = [&library](const std::string& name) -> std::shared_ptr<const nc::Tree> {
     const auto found = library.find(name);
-    return found == library.end()
-               ? nullptr
-               : std::make_shared<const nc::Tree>(nc::parseSinumerik(found->second));
+    return found == library.end() ? nullptr : nc::parseSinumerik(found->second);
   };
-  machine::Interpreter interpreter(std::make_shared<const nc::Tree>(nc::parseSinumerik(text)),
-                                   parameters, options);
+  machine::Interpreter interpreter(nc::parseSinumerik(text), parameters, options);
   std::string path;
   for (int block = 0; block < 5000; ++block) {
     const machine::Prepared prepared = interpreter.next();
@@ -152,6 +149,12 @@ class TestSameLanguage : public QObject {
     row("call by a text", "CALL \"SUBA\"\nX1", "0,2,0 1,2,0", "Y2\nRET");
     // Words.
     row("ac and ic", "X10 Y10\nX=IC(5) Y=AC(3)\nG91 X=AC(1) Y2\nG90", "10,10,0 15,3,0 1,5,0");
+    row("ic of a variable", "DEF REAL AB\nX1\nAB=IC(5)\nX=AB", "1,0,0 !");
+    row("function of another spindle", "R1=30\nM2=R1\nX1", "1,0,0");
+    row("exponent", "DEF REAL AB\nAB=1EX1\nX=AB", "10,0,0");
+    row("variable N in a loop", "DEF INT N\nFOR R1=1 TO 2\nN=R1\nN=N+1\nX=N\nENDFOR",
+        "2,0,0 3,0,0");
+    row("constant of N in a loop", "DEF INT N\nFOR R1=1 TO 2\nN=7\nX=N\nENDFOR", "7,0,0 7,0,0");
     row("inches", "G70 X1\nG71 X1", "25.4,0,0 1,0,0");
     row("frames", "TRANS X10\nX1 Y1\nATRANS Y5\nX1 Y1\nTRANS\nX1 Y1", "11,1,0 11,6,0 1,1,0");
     row("rotation", "TRANS X10\nAROT Z90\nX1 Y0\nAROT RPL=90\nX1 Y0\nROT", "10,1,0 9,0,0");

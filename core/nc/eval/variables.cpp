@@ -193,6 +193,11 @@ Expected<void> Variables::fill(Variable& variable, std::size_t first, const Init
 
 Expected<void> Variables::assign(const Assignment& assignment) {
   const Expression& target = assignment.target;
+  if (assignment.reference != Reference::Modal) {
+    // Only the coordinate of an axis counts from somewhere.
+    const bool isAbsolute = assignment.reference == Reference::Absolute;
+    return fail(FaultCode::NameUnknown, isAbsolute ? "AC" : "IC", target.place);
+  }
   if (target.op == Op::Variable && binding(target.name) != nullptr) {
     const Binding& bound = *binding(target.name);
     const Expected<std::size_t> element = elementOf(bound, target);

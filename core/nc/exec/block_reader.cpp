@@ -37,12 +37,11 @@ int argumentOf(char letter) {
 }  // namespace
 
 BlockReader::BlockReader(const Language& language, ModalState& state, Variables& variables,
-                         Calculations* calculations, Sinks to)
+                         Sinks to)
     : m_language(language),
       m_g(gTable(language.dialect)),
       m_state(state),
       m_variables(variables),
-      m_calculations(calculations),
       m_to(to) {
 }
 
@@ -84,6 +83,7 @@ void BlockReader::read(const Token& token, BlockWords& words) {
       break;
     case TokenKind::Label:
     case TokenKind::Tape:
+    case TokenKind::Comment:
       break;
     default:
       readUnreadable(token);
@@ -117,17 +117,19 @@ bool BlockReader::isVariable(const Token& token) const {
 }
 
 void BlockReader::assign(const Token& token) {
-  const Expected<Assignment>& assignment = m_calculations->assignment(token);
-  const Expected<void> done =
-      assignment ? m_variables.assign(*assignment) : fail(assignment.error());
+  const Expected<void> done = token.calculation == nullptr ? m_variables.assign(assignmentOf(token))
+                              : *token.calculation         ? m_variables.assign(**token.calculation)
+                                                           : fail(token.calculation->error());
   if (!done) {
     m_to.faults.fault(token.column, done.error());
   }
 }
 
-std::optional<double> BlockReader::numberOf(const Token& token,
-                                            const Expected<CalculatedValue>& value) {
-  const Expected<double> number = value ? m_variables.number(value->value) : fail(value.error());
+std::optional<double> BlockReader::numberOf(const Token& token) {
+  const Expression* const value = token.calculated();
+  const Expected<double> number = value != nullptr     ? m_variables.number(*value)
+                                  : *token.calculation ? fail(FaultCode::ListMalformed)
+                                                       : fail(token.calculation->error());
   if (!number) {
     m_to.faults.fault(token.column, number.error());
   }
@@ -135,15 +137,14 @@ std::optional<double> BlockReader::numberOf(const Token& token,
 }
 
 void BlockReader::readCalculated(const Token& token, BlockWords& words) {
-  const Expected<CalculatedValue>& value = m_calculations->value(token);
-  Token computed = token;
-  computed.kind = TokenKind::Word;
-  computed.hasPoint = true;
-  computed.reference = value ? value->reference : Reference::Modal;
-  const std::optional<double> result = numberOf(token, value);
+  const std::optional<double> result = numberOf(token);
   if (!result && axisOf(token.address) >= kProgrammedAxisCount) {
     return;
   }
+  Token computed = token;
+  computed.kind = TokenKind::Word;
+  computed.hasPoint = true;
+  computed.reference = *token.calculation ? (*token.calculation)->reference : Reference::Modal;
   // The block still moves; where to is not known.
   computed.value = result.value_or(std::nan(""));
   m_calculated.push_back(computed);
@@ -152,23 +153,17 @@ void BlockReader::readCalculated(const Token& token, BlockWords& words) {
 
 /// AX[variable]=..., where the variable of type AXIS holds the name of the axis.
 void BlockReader::readIndexedAxis(const Token& token, BlockWords& words) {
-  const std::size_t open = token.text.find('[');
-  const std::size_t close = token.text.find(']');
-  const std::size_t equals = token.text.find('=');
-  const std::string index =
-      open == std::string_view::npos || close == std::string_view::npos || close < open
-          ? std::string()
-          : base::toUpper(base::trim(token.text.substr(open + 1, close - open - 1)));
+  const bool hasIndex =
+      token.calculated() != nullptr && (*token.calculation)->target.operands.size() == 1;
+  const std::string index = hasIndex ? (*token.calculation)->target.operands.front().name : "";
   const Variable* const variable = m_variables.find(index);
   const std::string axis = variable == nullptr ? index : textOf(variable->values.front());
-  if (axis.size() != 1 || axisOf(axis[0]) >= kProgrammedAxisCount ||
-      equals == std::string_view::npos) {
+  if (axis.size() != 1 || axisOf(axis[0]) >= kProgrammedAxisCount) {
     m_to.faults.error(token, FaultCode::UnsupportedExpression);
     return;
   }
   Token named = token;
   named.address = axis[0];
-  named.text = token.text.substr(equals);
   readCalculated(named, words);
 }
 
@@ -190,11 +185,10 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
   if (!name.empty() && m_variables.find(name) == nullptr) {
     switch (nameEffect(m_language.dialect, name)) {
       case NameEffect::Address: {
-        const Expected<CalculatedValue>& parsed = m_calculations->value(token);
-        if (const std::optional<double> value = numberOf(token, parsed)) {
+        if (const std::optional<double> value = numberOf(token)) {
           Token computed = token;
           computed.value = *value;
-          computed.reference = parsed->reference;
+          computed.reference = (*token.calculation)->reference;
           m_calculated.push_back(computed);
           setNamed(name, m_calculated.back(), words);
         }
@@ -227,14 +221,12 @@ void BlockReader::readIndexed(const Token& token, BlockWords& words) {
     m_to.faults.ignore(token, std::string(token.text));
     return;
   }
-  const Expected<Assignment>& group = m_calculations->assignment(token);
-  if (!group || group->target.operands.size() != 1) {
+  if (token.calculated() == nullptr || (*token.calculation)->target.operands.size() != 1) {
     m_to.faults.error(token, FaultCode::UnknownWord);
     return;
   }
-  const Expected<double> index = m_variables.number(group->target.operands.front());
-  const Expected<double> number =
-      index ? m_variables.number(*group->initial.values.front()) : index;
+  const Expected<double> index = m_variables.number((*token.calculation)->target.operands.front());
+  const Expected<double> number = index ? m_variables.number(*token.calculated()) : index;
   if (!number) {
     m_to.faults.fault(token.column, number.error());
     return;

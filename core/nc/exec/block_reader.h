@@ -20,26 +20,10 @@
 
 namespace rivulet::nc {
 
-/// Value of a `TokenKind::Expression`, and what AC(), IC() and the like say of it.
-struct CalculatedValue {
-  Expression value;
-  Reference reference = Reference::Modal;
-};
-
-/// The calculations of a text, parsed.
-class Calculations {
- public:
-  virtual ~Calculations() = default;
-  /// @param token  `TokenKind::Expression`, or what else has a value that is calculated
-  [[nodiscard]] virtual const Expected<CalculatedValue>& value(const Token& token) = 0;
-  [[nodiscard]] virtual const Expected<Assignment>& assignment(const Token& token) = 0;
-};
-
 class BlockReader {
  public:
-  /// All outlive the reader. @param calculations  null if every token has its value
-  BlockReader(const Language& language, ModalState& state, Variables& variables,
-              Calculations* calculations, Sinks to);
+  /// All outlive the reader.
+  BlockReader(const Language& language, ModalState& state, Variables& variables, Sinks to);
 
   /// @param token  lives as long as `words`
   void read(const Token& token, BlockWords& words);
@@ -65,8 +49,7 @@ class BlockReader {
   void readAssignment(const Token& token, BlockWords& words);
   void assign(const Token& token);
   [[nodiscard]] bool isVariable(const Token& token) const;
-  [[nodiscard]] std::optional<double> numberOf(const Token& token,
-                                               const Expected<CalculatedValue>& value);
+  [[nodiscard]] std::optional<double> numberOf(const Token& token);
 
   // Letters.
   void reportRepetition(const Token& token);
@@ -109,7 +92,6 @@ class BlockReader {
   const GTable& m_g;
   ModalState& m_state;
   Variables& m_variables;
-  Calculations* m_calculations;
   Sinks m_to;
   std::deque<Token> m_calculated;  ///< of the present block
   bool m_moved = false;

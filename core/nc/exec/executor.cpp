@@ -16,11 +16,11 @@
 namespace rivulet::nc {
 
 Executor::Executor(const Language& language, const ExecutorOptions& options, Variables& variables,
-                   Calculations* calculations, Sinks to)
+                   Sinks to)
     : m_language(language),
       m_options(options),
       m_to(to),
-      m_reader(language, m_state, variables, calculations, to) {
+      m_reader(language, m_state, variables, to) {
 }
 
 std::optional<double> Executor::positionOf(char axis, bool inWorkpiece) const {

@@ -38,7 +38,7 @@ class Executor {
  public:
   /// All outlive the executor.
   Executor(const Language& language, const ExecutorOptions& options, Variables& variables,
-           Calculations* calculations, Sinks to);
+           Sinks to);
 
   /// Before the first block.
   [[nodiscard]] ModalState& state() { return m_state; }

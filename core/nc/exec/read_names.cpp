@@ -20,9 +20,8 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
     readKlartextCycle(token);
     return;
   }
-  if (m_calculations != nullptr && token.kind == TokenKind::NamedValue &&
-      m_variables.find(name) != nullptr) {
-    readAssignment(token, words);
+  if (token.kind == TokenKind::NamedValue && m_variables.find(name) != nullptr) {
+    assign(token);
     return;
   }
   switch (nameEffect(m_language.dialect, name)) {

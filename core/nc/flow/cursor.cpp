@@ -13,49 +13,6 @@
 
 namespace rivulet::nc {
 
-namespace {
-
-/// What follows the address: "=R1+2", "[#1+2]", "-#<depth>".
-Expected<CalculatedValue> parseValue(std::string_view word, const Notation& notation, Place place) {
-  std::size_t begin = 0;
-  while (begin < word.size() &&
-         (base::isNameLetter(word[begin]) || (begin > 0 && base::isDigit(word[begin])))) {
-    ++begin;
-  }
-  while (begin < word.size() && base::isBlank(word[begin])) {
-    ++begin;
-  }
-  begin =
-      begin < word.size() && word[begin] == '=' ? begin + 1 : std::min<std::size_t>(1, word.size());
-  place.column += static_cast<int>(begin);
-  struct Mode {
-    std::string_view word;
-    Reference reference;
-  };
-  static constexpr std::array kModes{
-      Mode{"AC", Reference::Absolute}, Mode{"DC", Reference::Absolute},
-      Mode{"ACP", Reference::Absolute}, Mode{"ACN", Reference::Absolute},
-      Mode{"IC", Reference::Incremental}};
-  CalculatedValue made;
-  Reader reader(word.substr(begin), notation, place);
-  const auto* const mode = std::find_if(kModes.begin(), kModes.end(), [&](const Mode& each) {
-    return notation.hasNames && reader.takeWord(each.word);
-  });
-  made.reference = mode == kModes.end() ? Reference::Modal : mode->reference;
-  Expected<Expression> value = reader.expression();
-  if (!value) {
-    return fail(std::move(value.error()));
-  }
-  if (!reader.isAtEnd()) {
-    return fail(FaultCode::RestNotUnderstood, std::string(base::trim(reader.rest())),
-                reader.place());
-  }
-  made.value = std::move(*value);
-  return made;
-}
-
-}  // namespace
-
 Cursor::Cursor(std::string_view text, Dialect dialect, Variables& variables,
                const CursorOptions& options)
     : m_language(languageOf(dialect)),
@@ -71,7 +28,6 @@ void Cursor::grow() {
   }
   Source& file = m_sources.front();
   file.programs = readPrograms(file.text, m_language.dialect, 0);
-  file.executed.assign(file.programs.lines.size(), 0);
   m_flow.emplace(file.programs.first, m_variables,
                  [this](const std::string& name) { return find(name); });
   // The words of the present block have been read.
@@ -107,7 +63,6 @@ std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
     loaded = m_loaded.emplace(name, m_sources.size() - 1).first;
     source.programs =
         readPrograms(source.text, m_language.dialect, static_cast<std::uint16_t>(loaded->second));
-    source.executed.assign(source.programs.lines.size(), 0);
   }
   // A file of its own begins with the subprogram of its name, or is all of it.
   const Source& source = m_sources[loaded->second];
@@ -117,11 +72,11 @@ std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
 
 std::size_t Cursor::fileLines() {
   if (m_flow) {
-    return m_sources.front().programs.lines.size();
+    return m_sources.front().programs.lines;
   }
   while (m_lexer.nextLine()) {
   }
-  return m_lexer.position().line;
+  return m_lexer.lines();
 }
 
 void Cursor::setPlace(const Place& place) {
@@ -134,32 +89,23 @@ void Cursor::setPlace(const Place& place) {
   }
 }
 
-/// A line executed for the second time keeps its tokens.
-void Cursor::readLine(Block& block) {
-  Source& source = m_sources[m_place.file];
-  const std::size_t line = m_place.line.value - 1;
-  if (const auto found = source.again.find(line); found != source.again.end()) {
-    block.tokens = found->second;
-  } else {
-    Lexer lexer(source.text, m_language.dialect);
-    lexer.seek(source.programs.lines[line]);
-    (void)lexer.next(block);
-    if (source.executed[line] != 0) {
-      source.again.emplace(line, block.tokens);
-    }
-    source.executed[line] = 1;
+bool Cursor::nextBehindEnd() {
+  m_words = &m_block;
+  if (m_flow || !m_lexer.next(m_block)) {
+    return false;
   }
-  block.line = m_line;
+  m_line = m_block.line;
+  return true;
 }
 
-Cursor::Step Cursor::next(Block& block) {
+Cursor::Step Cursor::next() {
   if (!m_flow) {
-    if (!m_lexer.next(block)) {
+    if (!m_lexer.next(m_block)) {
       return Step::End;
     }
     ++m_executed;
-    m_line = block.line;
-    m_place = {block.line, 0, 1};
+    m_line = m_block.line;
+    m_place = {m_block.line, 0, 1};
     return Step::Block;
   }
   for (;;) {
@@ -172,12 +118,12 @@ Cursor::Step Cursor::next(Block& block) {
     }
     m_flow->step();
     setPlace(statement->place);
-    if (++m_executed > m_sources.front().programs.lines.size() + m_options.repeatedLinesMax) {
+    if (++m_executed > m_sources.front().programs.lines + m_options.repeatedLinesMax) {
       m_endless = m_jumpedFrom;
       return Step::End;
     }
-    if (std::holds_alternative<Words>(statement->what)) {
-      readLine(block);
+    if (const auto* const words = std::get_if<Words>(&statement->what)) {
+      m_words = words;
       return Step::Block;
     }
     m_outcome = std::monostate{};
@@ -245,37 +191,6 @@ Outcome Cursor::execute(const Token& statement) {
   return Unsupported{word};
 }
 
-const Expected<CalculatedValue>& Cursor::value(const Token& token) {
-  if (!m_flow) {
-    m_values.clear();  // each is needed once
-  }
-  const auto found = m_values.find(token.text.data());
-  return found != m_values.end()
-             ? found->second
-             : m_values
-                   .emplace(token.text.data(),
-                            parseValue(token.text, m_language.notation,
-                                       {m_place.line, m_place.file, token.column}))
-                   .first->second;
-}
-
-const Expected<Assignment>& Cursor::assignment(const Token& token) {
-  if (!m_flow) {
-    m_assignments.clear();
-  }
-  const auto found = m_assignments.find(token.text.data());
-  if (found != m_assignments.end()) {
-    return found->second;
-  }
-  Reader reader(token.text, m_language.notation, {m_place.line, m_place.file, token.column});
-  Expected<Assignment> parsed = reader.assignment();
-  if (parsed && !reader.isAtEnd()) {
-    parsed =
-        fail(FaultCode::RestNotUnderstood, std::string(base::trim(reader.rest())), reader.place());
-  }
-  return m_assignments.emplace(token.text.data(), std::move(parsed)).first->second;
-}
-
 // --- calls --------------------------------------------------------------------------------------
 
 Outcome Cursor::call(Call call) {
@@ -287,17 +202,14 @@ Outcome Cursor::call(Call call) {
   return done ? Outcome() : outcomeOf(std::move(done.error()));
 }
 
-Outcome Cursor::call(std::string_view nameAndArguments, int column, int times) {
-  Reader reader(nameAndArguments, m_language.notation, {m_place.line, m_place.file, column});
-  Call made;
-  made.name = reader.name();
-  made.times = Expression::constant(times);
-  auto arguments = reader.arguments();
-  if (!arguments) {
-    return std::move(arguments.error());
+Outcome Cursor::call(const Token& token, int times) {
+  Expected<Call> made =
+      callOf(token, m_language.notation, {m_place.line, m_place.file, token.column});
+  if (!made) {
+    return std::move(made.error());
   }
-  made.arguments = std::move(*arguments);
-  return call(std::move(made));
+  made->times = Expression::constant(times);
+  return call(std::move(*made));
 }
 
 Outcome Cursor::callNumber(int number, int times,

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "nc/eval/variables.h"
-#include "nc/exec/block_reader.h"
 #include "nc/flow/flow.h"
 #include "nc/syntax/programs.h"
 
@@ -55,7 +54,7 @@ struct Unsupported {
 using Outcome =
     std::variant<std::monostate, Fault, SubprogramMissing, ModalCall, Ignored, Unsupported>;
 
-class Cursor final : public Calculations {
+class Cursor {
  public:
   enum class Step : std::uint8_t {
     Block,   ///< the words of a block are to be executed
@@ -67,26 +66,24 @@ class Cursor final : public Calculations {
   Cursor(std::string_view text, Dialect dialect, Variables& variables,
          const CursorOptions& options);
 
-  [[nodiscard]] Step next(Block& block);
+  [[nodiscard]] Step next();
+  /// Of the block that `next` gave; until it is called again.
+  [[nodiscard]] const Words& words() const { return *m_words; }
   [[nodiscard]] const Outcome& outcome() const { return m_outcome; }
   /// The next block of the program file after its end, to see what is not executed.
   /// @return false at the end, and where jumps or calls may have used what stands there
-  [[nodiscard]] bool nextBehindEnd(Block& block) { return !m_flow && m_lexer.next(block); }
+  [[nodiscard]] bool nextBehindEnd();
 
   /// Executes the statement of the block that `next` gave.
   [[nodiscard]] Outcome execute(const Token& statement);
-  /// A subprogram that a word of the block calls: "PART(1,,A)", "PART".
-  [[nodiscard]] Outcome call(std::string_view nameAndArguments, int column, int times);
+  /// A subprogram that a word of the block calls: PART(1,,A), PART, L123.
+  [[nodiscard]] Outcome call(const Token& token, int times);
   /// M98 shares the # variables of the caller; G65 has `numbers` as its own.
   [[nodiscard]] Outcome callNumber(int number, int times,
                                    const std::optional<std::map<int, double>>& numbers);
   /// M17, RET, M99. @return false in the main program
   [[nodiscard]] bool leaveSubprogram() { return m_flow && m_flow->leave(); }
   [[nodiscard]] bool isInSubprogram() const { return m_flow && m_flow->depth() > 1; }
-
-  /// Both are parsed once however often the block is executed.
-  [[nodiscard]] const Expected<CalculatedValue>& value(const Token& token) override;
-  [[nodiscard]] const Expected<Assignment>& assignment(const Token& token) override;
 
   /// Where the present block or statement stands.
   [[nodiscard]] Place place() const { return m_place; }
@@ -110,13 +107,10 @@ class Cursor final : public Calculations {
     std::string_view text;
     std::string fileName;
     Programs programs;
-    std::vector<char> executed;                       ///< by line: 1 once it was
-    std::map<std::size_t, std::vector<Token>> again;  ///< tokens of lines executed again
   };
 
   void grow();
   [[nodiscard]] std::shared_ptr<const Tree> find(const std::string& name);
-  void readLine(Block& block);
   void setPlace(const Place& place);
   [[nodiscard]] Outcome call(Call call);
   [[nodiscard]] static Outcome outcomeOf(Fault fault);
@@ -125,12 +119,12 @@ class Cursor final : public Calculations {
   Variables& m_variables;
   const CursorOptions& m_options;
   Lexer m_lexer;
+  Block m_block;  ///< of the text, as long as there is no tree
+  const Words* m_words = &m_block;
   std::deque<Source> m_sources;  ///< the program file first
   std::map<std::string, std::size_t, std::less<>> m_loaded;
   std::optional<Flow> m_flow;  ///< from the first statement on that needs it
   Outcome m_outcome;
-  std::map<const char*, Expected<CalculatedValue>> m_values;
-  std::map<const char*, Expected<Assignment>> m_assignments;
   Place m_place;
   base::LineNumber m_line;
   std::size_t m_executed = 0;

@@ -286,7 +286,7 @@ Reader::Result Reader::primary() {
   if (c == '\'') {
     return bits();
   }
-  if (c == '"' && m_notation.hasNames) {
+  if (c == '"') {
     return text();
   }
   if (!isNameLetter(c)) {
@@ -529,20 +529,6 @@ Reader::Result Reader::exists(Place at) {
   return node(Op::Exists, at, {std::move(*variable)});
 }
 
-Expected<Expression> Reader::literal() {
-  skipBlanks();
-  const bool isNegative = peek() == '-';
-  if (isNegative || peek() == '+') {
-    ++m_at;
-    skipBlanks();
-  }
-  Result made = isDigit(peek()) || peek() == '.' ? number() : fault(FaultCode::NumberMissing);
-  if (made && isNegative) {
-    made->number = -made->number;
-  }
-  return outcome(std::move(made));
-}
-
 // --- assignments and definitions ------------------------------------------------------------
 
 Expected<Expression> Reader::target() {
@@ -569,11 +555,48 @@ Expected<Assignment> Reader::assignment() {
     fault(FaultCode::EqualsMissing);
     return fail(*m_fault);
   }
-  std::optional<Initial> value = initial();
+  Reference reference = Reference::Modal;
+  std::optional<Initial> value =
+      target->op != Op::Variable || takeReference(reference) ? initial() : std::nullopt;
   if (!value) {
     return fail(*m_fault);
   }
-  return Assignment{std::move(*target), std::move(*value)};
+  return Assignment{std::move(*target), std::move(*value), reference};
+}
+
+/// AC(...), IC(...). @return false: see the fault
+bool Reader::takeReference(Reference& reference) {
+  struct Word {
+    std::string_view word;
+    Reference reference;
+  };
+  static constexpr std::array kWords{
+      Word{"AC", Reference::Absolute}, Word{"DC", Reference::Absolute},
+      Word{"ACP", Reference::Absolute}, Word{"ACN", Reference::Absolute},
+      Word{"IC", Reference::Incremental}};
+  const auto* const found = std::find_if(kWords.begin(), kWords.end(),
+                                         [this](const Word& each) { return takeWord(each.word); });
+  if (found == kWords.end()) {
+    return true;
+  }
+  reference = found->reference;
+  if (peek() != '(') {
+    fault(FaultCode::ArgumentsMissing, std::string(found->word));
+  }
+  return peek() == '(';
+}
+
+Expected<Assignment> Reader::address() {
+  skipBlanks();
+  Assignment made;
+  made.target = node(Op::Variable, place());
+  made.target.name = base::toUpper(m_text.substr(m_at++, 1));
+  Result value = take('=') ? level(0) : unary();
+  if (!value) {
+    return fail(*m_fault);
+  }
+  made.initial.values.emplace_back(std::move(value));
+  return made;
 }
 
 std::optional<Initial> Reader::initial() {

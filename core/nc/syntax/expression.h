@@ -128,9 +128,14 @@ struct Initial {
       values;  ///< nothing: left out, the element keeps its value
 };
 
+/// What a coordinate counts from: as G90 and G91 say, or AC() and IC().
+enum class Reference : std::uint8_t { Modal, Absolute, Incremental };
+
+/// R1=5, CR=R2, and the address of an axis with its value: X=AC(R1), X[#1+2].
 struct Assignment {
   Expression target;  ///< R, MainR, Variable, Hash or System
   Initial initial;
+  Reference reference = Reference::Modal;
 };
 
 enum class Type : std::uint8_t { Int, Real, Bool, Char, String, Axis, Frame };
@@ -156,10 +161,10 @@ class Reader {
   [[nodiscard]] Expected<Expression> expression();
   /// R5, DEPTH, FIELD[1,2], $AA_OFF[X], #5: what can precede '='.
   [[nodiscard]] Expected<Expression> target();
-  /// "R1=5", "FIELD[1,2]=SET(7,8)".
+  /// "R1=5", "FIELD[1,2]=SET(7,8)", "X=AC(R1)".
   [[nodiscard]] Expected<Assignment> assignment();
-  /// A number with its sign: what follows an address directly.
-  [[nodiscard]] Expected<Expression> literal();
+  /// "X=#1", "X#1", "X-[#1+2]" of the notation with #.
+  [[nodiscard]] Expected<Assignment> address();
   /// What follows DEF: "REAL A=5, B[3]=REP(0), C".
   [[nodiscard]] Expected<std::vector<Definition>> definitions();
   /// What follows PROC NAME: "(INT A, VAR REAL B[], STRING[8] C)", or nothing.
@@ -207,6 +212,7 @@ class Reader {
   Result function(const FunctionWord& word, Place place);
   Result exists(Place place);
   Result readTarget();
+  bool takeReference(Reference& reference);
   /// "[1,2]" after a name, into the operands. @return false: see the fault
   bool indices(Expression& node);
   std::optional<Initial> initial();

@@ -30,53 +30,38 @@ std::string takeTrailingDigits(std::string& word) {
   return digits;
 }
 
-Expression applied(Op op, std::vector<Expression> operands) {
-  Expression made;
-  made.op = op;
-  made.operands = std::move(operands);
-  return made;
-}
-
-Initial only(Expression value) {
-  Initial initial;
-  initial.values.emplace_back(std::move(value));
-  return initial;
-}
-
 /// Structures become branches; those with a number or name close by it.
-class HashParser final : public SteeringParser {
+class HashParser final : public BlockParser {
  public:
-  explicit HashParser(Tree& tree) : m_tree(tree) {}
+  using BlockParser::BlockParser;
 
-  void steer(std::string_view text, Place place) override {
+  std::string_view steer(std::string_view text, Place place) override {
     m_place = place;
-    m_beginsBlock = true;
     const std::size_t comment = text.find_first_of(";(");
     std::string_view rest = text.substr(0, comment);
     if (text.empty() || (text.front() != 'O' && text.front() != 'o')) {
       Reader reader(rest, hashNotation(), place);
       m_in = &reader;
       read(kWords, reader.name());
-      return;
+      return {};
     }
     const std::optional<std::string> id = takeOName(rest);
     if (!id) {
       fault(FaultCode::ONameMissing);
-      return;
+      return {};
     }
     m_id = *id;
     Reader reader(rest, hashNotation(), place);
     m_in = &reader;
     read(kOWords, reader.name());
+    return {};
   }
 
   void finish() override {
     for (Open& open : m_open) {
-      m_place = open.place;
-      m_beginsBlock = true;
       open.toEnd.push_back(open.branch);
-      patch(open.toEnd);
-      fault(FaultCode::NotClosed, open.word);
+      patchAll(open.toEnd);
+      BlockParser::fault(FaultCode::NotClosed, open.word, open.place);
     }
     m_open.clear();
   }
@@ -127,48 +112,15 @@ class HashParser final : public SteeringParser {
   /// As a message names the word: "O1 ENDIF".
   [[nodiscard]] std::string named() const { return fmt::format("{} {}", m_id, m_word); }
 
-  template <class What>
-  std::size_t emit(What what) {
-    Statement& made = m_tree.statements.emplace_back();
-    made.place = m_place;
-    made.beginsBlock = std::exchange(m_beginsBlock, false);
-    made.what = std::move(what);
-    return m_tree.statements.size() - 1;
-  }
-
-  [[nodiscard]] std::size_t here() const { return m_tree.statements.size(); }
-
-  void fault(Fault fault) { emit(Faulty{std::move(fault)}); }
+  using BlockParser::fault;
   void fault(FaultCode code, std::string argument = {}) {
-    fault(Fault{code, std::move(argument), m_place});
+    fault(code, std::move(argument), m_place);
   }
 
-  /// The branches lead to what comes next.
-  void patch(const std::vector<std::optional<std::size_t>>& branches) {
+  void patchAll(const std::vector<std::optional<std::size_t>>& branches) {
     for (const std::optional<std::size_t>& branch : branches) {
-      if (branch) {
-        std::get<Branch>(m_tree.statements[*branch].what).target = here();
-      }
+      patch(branch);
     }
-  }
-
-  std::optional<Expression> expression() {
-    Expected<Expression> read = m_in->expression();
-    if (!read) {
-      fault(std::move(read.error()));
-      return std::nullopt;
-    }
-    return std::move(*read);
-  }
-
-  std::string digits() {
-    m_in->skipBlanks();
-    std::string found;
-    while (isDigit(m_in->peek())) {
-      found += m_in->peek();
-      m_in->take(m_in->peek());
-    }
-    return found;
   }
 
   // --- ISO ------------------------------------------------------------------------------------
@@ -186,7 +138,7 @@ class HashParser final : public SteeringParser {
         return;
       }
     }
-    emit(std::move(made));
+    append(std::move(made));
   }
 
   /// IF [condition] GOTO n, IF [condition] THEN #1=5
@@ -197,14 +149,13 @@ class HashParser final : public SteeringParser {
     }
     std::string word = m_in->name();
     if (word == "THEN") {
-      Expected<Assignment> assignment = m_in->assignment();
+      std::optional<Assignment> assignment = got(m_in->assignment());
       if (!assignment) {
-        fault(std::move(assignment.error()));
         return;
       }
-      const std::size_t branch = emit(Branch{std::move(condition), 0});
-      emit(std::move(*assignment));
-      patch({branch});
+      const std::size_t branch = append(Branch{std::move(condition), 0});
+      append(std::move(*assignment));
+      patch(branch);
       return;
     }
     m_digits = takeTrailingDigits(word);
@@ -266,8 +217,8 @@ class HashParser final : public SteeringParser {
     }
     Open closed = *found;
     while (m_open.back().id != closed.id || m_open.back().kind != kind) {
-      patch({m_open.back().branch});
-      patch(m_open.back().toEnd);
+      patch(m_open.back().branch);
+      patchAll(m_open.back().toEnd);
       m_open.pop_back();
     }
     m_open.pop_back();
@@ -279,16 +230,16 @@ class HashParser final : public SteeringParser {
       open(Kind::While, here(), std::nullopt, true);
       return;
     }
-    const std::size_t begin = emit(Branch{std::move(condition), 0});
+    const std::size_t begin = append(Branch{std::move(condition), 0});
     open(Kind::While, begin, begin);
   }
 
   void closeWhile(Open& ended) {
     if (!ended.isFaulty) {
-      emit(Branch{std::nullopt, ended.begin});
+      append(Branch{std::nullopt, ended.begin});
     }
     ended.toEnd.push_back(ended.branch);
-    patch(ended.toEnd);
+    patchAll(ended.toEnd);
   }
 
   // --- O words of RS-274/NGC --------------------------------------------------------------------
@@ -297,7 +248,7 @@ class HashParser final : public SteeringParser {
     std::optional<Expression> condition = expression();
     const bool isFaulty = !condition;
     const std::optional<std::size_t> branch =
-        isFaulty ? std::nullopt : std::optional(emit(Branch{std::move(condition), 0}));
+        isFaulty ? std::nullopt : std::optional(append(Branch{std::move(condition), 0}));
     open(Kind::If, 0, branch, isFaulty);
   }
 
@@ -308,8 +259,8 @@ class HashParser final : public SteeringParser {
       fault(FaultCode::NoBeginning, named());
       return false;
     }
-    open->toEnd.emplace_back(emit(Branch{}));
-    patch({std::exchange(open->branch, std::nullopt)});
+    open->toEnd.emplace_back(append(Branch{}));
+    patch(std::exchange(open->branch, std::nullopt));
     return true;
   }
 
@@ -319,7 +270,7 @@ class HashParser final : public SteeringParser {
     }
     std::optional<Expression> condition = expression();
     if (condition) {
-      innermost(Kind::If)->branch = emit(Branch{std::move(condition), 0});
+      innermost(Kind::If)->branch = append(Branch{std::move(condition), 0});
     }
   }
 
@@ -328,7 +279,7 @@ class HashParser final : public SteeringParser {
   void oEndIf() {
     if (std::optional<Open> ended = close(Kind::If, named())) {
       ended->toEnd.push_back(ended->branch);
-      patch(ended->toEnd);
+      patchAll(ended->toEnd);
     }
   }
 
@@ -343,11 +294,14 @@ class HashParser final : public SteeringParser {
       return;
     }
     const std::optional<Open> ended = close(Kind::Do, named());
-    patch(ended->toContinue);
+    patchAll(ended->toContinue);
     if (condition) {
-      emit(Branch{applied(Op::Not, {std::move(*condition)}), ended->begin});
+      Expression leaves;
+      leaves.op = Op::Not;
+      leaves.operands.push_back(std::move(*condition));
+      append(Branch{std::move(leaves), ended->begin});
     }
-    patch(ended->toEnd);
+    patchAll(ended->toEnd);
   }
 
   void oEndWhile() {
@@ -361,24 +315,25 @@ class HashParser final : public SteeringParser {
     std::optional<Expression> times = expression();
     Definition left;
     left.name = fmt::format("REPEAT {}", here());
-    Expression counter;
-    counter.op = Op::Variable;
-    counter.name = left.name;
+    const Expression counter = variableNamed(left.name);
     if (times) {
       // What is left of a whole number by rounding still counts as one.
       constexpr double kRounding = 1e-9;
-      left.initial = only(applied(
-          Op::RoundDown, {applied(Op::Add, {std::move(*times), Expression::constant(kRounding)})}));
-      emit(std::move(left));
+      Expression whole;
+      whole.op = Op::RoundDown;
+      whole.operands.push_back(
+          applied(Op::Add, std::move(*times), Expression::constant(kRounding)));
+      left.initial = only(std::move(whole));
+      append(std::move(left));
     }
     const bool isFaulty = !times;
     const std::size_t begin = here();
     const std::optional<std::size_t> branch =
         isFaulty ? std::nullopt
                  : std::optional(
-                       emit(Branch{applied(Op::Greater, {counter, Expression::constant(0.0)}), 0}));
+                       append(Branch{applied(Op::Greater, counter, Expression::constant(0.0)), 0}));
     open(Kind::Times, begin, branch, isFaulty);
-    m_open.back().word = std::move(counter.name);
+    m_open.back().word = counter.name;
   }
 
   void oEndRepeat() {
@@ -386,12 +341,10 @@ class HashParser final : public SteeringParser {
     if (!ended) {
       return;
     }
-    patch(ended->toContinue);
+    patchAll(ended->toContinue);
     if (!ended->isFaulty) {
-      Expression counter;
-      counter.op = Op::Variable;
-      counter.name = ended->word;
-      emit(Assignment{counter, only(applied(Op::Subtract, {counter, Expression::constant(1.0)}))});
+      const Expression counter = variableNamed(ended->word);
+      append(Assignment{counter, only(applied(Op::Subtract, counter, Expression::constant(1.0)))});
     }
     closeWhile(*ended);
   }
@@ -409,20 +362,20 @@ class HashParser final : public SteeringParser {
 
   void oBreak() {
     if (Open* const left = loop()) {
-      left->toEnd.emplace_back(emit(Branch{}));
+      left->toEnd.emplace_back(append(Branch{}));
     }
   }
 
   void oContinue() {
     Open* const again = loop();
     if (again != nullptr && again->kind == Kind::While) {
-      emit(Branch{std::nullopt, again->begin});
+      append(Branch{std::nullopt, again->begin});
     } else if (again != nullptr) {
-      again->toContinue.emplace_back(emit(Branch{}));
+      again->toContinue.emplace_back(append(Branch{}));
     }
   }
 
-  void oReturn() { emit(Return{}); }
+  void oReturn() { append(Return{}); }
 
   void oCall() {
     Call made;
@@ -435,13 +388,9 @@ class HashParser final : public SteeringParser {
       }
       made.arguments.push_back(std::move(argument));
     }
-    emit(std::move(made));
+    append(std::move(made));
   }
 
-  Tree& m_tree;
-  Reader* m_in = nullptr;
-  Place m_place;
-  bool m_beginsBlock = true;
   std::string m_id;  ///< "O100", "O<NAME>", "DO1"
   std::string m_word;
   std::string m_digits;  ///< after the word: DO1, GOTO100
@@ -474,7 +423,7 @@ const std::array<HashParser::Word, 13> HashParser::kOWords{{
 
 }  // namespace
 
-std::unique_ptr<SteeringParser> hashSteering(Tree& tree) {
+std::unique_ptr<BlockParser> hashParser(Tree& tree, Detail /*detail*/) {
   return std::make_unique<HashParser>(tree);
 }
 

@@ -6,6 +6,7 @@
 /// dialect it is. What single words do is in nc/modal/vocabulary. @threadsafety pure.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -16,7 +17,8 @@
 
 namespace rivulet::nc {
 
-class SteeringParser;
+class BlockParser;
+enum class Detail : std::uint8_t;
 struct Tree;
 
 /// A statement that neither steers nor moves.
@@ -30,7 +32,7 @@ struct Language {
   Dialect dialect = Dialect::Iso;
   const Notation& notation;
   const Semantics& comparison;
-  std::unique_ptr<SteeringParser> (*steeringParser)(Tree& tree);
+  std::unique_ptr<BlockParser> (*blockParser)(Tree& tree, Detail detail);
   /// Words that jump, decide, repeat, define or call.
   std::span<const std::string_view> steering;
   std::span<const OtherStatement> otherStatements;

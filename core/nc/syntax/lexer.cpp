@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "base/text.h"
 #include "nc/syntax/klartext.h"
@@ -54,7 +55,6 @@ bool isOneOf(char c, std::string_view set) {
 /// What may not stand directly after a number: the word would mean something else than what was
 /// read, "X1,5" and "X10-R1" above all.
 constexpr std::string_view kSpoilsNumber = ".,+-*/^#[";
-constexpr std::string_view kOperators = "+-*/<>=[^";
 
 /// Names that start a statement of the control's language; the rest of the line belongs to it.
 constexpr std::array<std::string_view, 42> kStatements{
@@ -73,13 +73,6 @@ bool isOneOfWords(std::string_view name, const std::array<std::string_view, Coun
   });
 }
 
-bool isOperatorWord(std::string_view name) {
-  static constexpr std::array<std::string_view, 15> kWords{"MOD", "DIV",   "AND",  "OR",    "XOR",
-                                                           "NOT", "B_AND", "B_OR", "B_XOR", "EQ",
-                                                           "NE",  "GT",    "LT",   "GE",    "LE"};
-  return isOneOfWords(name, kWords);
-}
-
 bool isStatement(std::string_view name) {
   // DO1, END1 and GOTO100 of the ISO dialects.
   while (!name.empty() && classOf(name.back()) == kDigit) {
@@ -91,9 +84,14 @@ bool isStatement(std::string_view name) {
 /// Reads one line. Pointers instead of indices: this loop decides how fast a program loads.
 class LineReader {
  public:
-  LineReader(const char* begin, const char* end, const Language& language,
-             std::vector<Token>& tokens)
-      : m_begin(begin), m_end(end), m_at(begin), m_language(language), m_tokens(tokens) {}
+  LineReader(std::string_view text, const Language& language, Place place, Words& words)
+      : m_end(text.data() + text.size()),
+        m_at(text.data()),
+        m_column(m_at - (place.column - 1)),
+        m_place(place),
+        m_language(language),
+        m_words(words),
+        m_tokens(words.tokens) {}
 
   void read() {
     skipBlanks();
@@ -129,11 +127,13 @@ class LineReader {
 
   [[nodiscard]] char peek() const { return m_at == m_end ? '\0' : *m_at; }
 
+  [[nodiscard]] int columnOf(const char* at) const { return static_cast<int>(at - m_column) + 1; }
+
   Token& add(TokenKind kind, const char* from, const char* to, char address = 0,
              double value = 0.0) {
     return m_tokens.emplace_back(
-        Token{kind, address, m_hasPoint, Reference::Modal, static_cast<int>(from - m_begin) + 1,
-              value, std::string_view(from, static_cast<std::size_t>(to - from))});
+        Token{kind, address, m_hasPoint, Reference::Modal, columnOf(from), value,
+              std::string_view(from, static_cast<std::size_t>(to - from))});
   }
 
   /// The end of the block without the comment after ";", which may stand inside quotes.
@@ -155,79 +155,84 @@ class LineReader {
     m_at = end;
   }
 
-  /// True after a blank if the calculation continues with an operator that is a word.
-  [[nodiscard]] bool atOperatorWord() const {
-    const char* end = m_at;
-    while (end != m_end && classOf(*end) == kLetter) {
-      ++end;
+  /// True if no word can begin with what comes next: it belongs to the calculation before it.
+  [[nodiscard]] bool isInCalculation(const char* at) const {
+    while (at != m_end && classOf(*at) == kBlank) {
+      ++at;
     }
-    return isOperatorWord({m_at, static_cast<std::size_t>(end - m_at)});
+    return at != m_end && (classOf(*at) == kDigit || isOneOf(*at, "+-*/<>=^,.\"'"));
   }
 
-  [[nodiscard]] bool behindOperatorWord(const char* from, const char* at) const {
-    const char* begin = at;
-    while (begin != from && classOf(begin[-1]) == kLetter) {
-      --begin;
-    }
-    return isOperatorWord({begin, static_cast<std::size_t>(at - begin)});
-  }
-
-  /// A calculation in the place of one word's value ends at a blank outside of brackets.
-  void addCalculation(TokenKind kind, const char* from, char address) {
+  /// The end of what cannot be read: a blank outside of brackets and quotes, before a word.
+  [[nodiscard]] const char* endOfUnreadable(const char* at) const {
     int depth = 0;
     bool quoted = false;
-    while (m_at != m_end && (quoted || *m_at != ';')) {
-      const char c = *m_at;
-      const bool comment = c == '(' && depth == 0 && hasBracketComments();
-      if (c == '"') {
-        quoted = !quoted;
-      } else if (quoted) {
-      } else if (comment) {
-        break;
-      } else if (isOneOf(c, "([")) {
-        ++depth;
-      } else if (isOneOf(c, ")]")) {
-        --depth;
-      } else if (depth <= 0 && classOf(c) == kBlank) {
-        const char* const blank = m_at;
-        skipBlanks();
-        const bool goesOn = isOneOf(peek(), kOperators) || isOneOf(blank[-1], kOperators) ||
-                            atOperatorWord() || behindOperatorWord(from, blank);
-        if (m_at == m_end || !goesOn) {
-          m_at = blank;
+    for (; at != m_end && (quoted || *at != ';'); ++at) {
+      quoted ^= *at == '"';
+      if (!quoted) {
+        depth += isOneOf(*at, "([") ? 1 : (isOneOf(*at, ")]") ? -1 : 0);
+        if (depth <= 0 && classOf(*at) == kBlank && !isInCalculation(at)) {
           break;
         }
-        continue;
       }
-      ++m_at;
     }
-    add(kind, from, m_at, address);
+    return at;
   }
 
-  /// X[#1+2], X#1, X-#<depth>: the value ends where its brackets or its number do.
-  void addBracketValue(const char* from, char address) {
-    while (m_at != m_end && isOneOf(*m_at, "+-")) {
-      ++m_at;
+  /// A word with a value that is calculated, X=R1+2, X[#1], CR=R1, or a variable that is set, R1=5.
+  void addCalculation(TokenKind kind, const char* from, char address) {
+    const char* const valueFrom = m_at;
+    Reader reader({from, static_cast<std::size_t>(m_end - from)}, m_language.notation,
+                  {m_place.line, m_place.file, columnOf(from)});
+    const bool isHashAddress = address != 0 && !m_language.notation.hasNames;
+    Expected<Assignment> read = isHashAddress ? reader.address() : reader.assignment();
+    m_at = from + reader.length();
+    while (m_at != from && classOf(m_at[-1]) == kBlank) {
+      --m_at;
     }
-    while (m_at != m_end && *m_at == '#') {
-      ++m_at;
+    const bool ends = m_at == m_end || isOneOf(*m_at, " \t\v\f;(") || isOneOf(m_at[-1], ")]");
+    const bool goesOn = !ends || isInCalculation(m_at);
+    if (!read) {
+      m_at = endOfUnreadable(valueFrom);
+    } else if (goesOn && !isHashAddress) {
+      const char* const rest = std::exchange(m_at, endOfUnreadable(m_at));
+      read = fail(FaultCode::RestNotUnderstood,
+                  std::string(base::trim({rest, static_cast<std::size_t>(m_at - rest)})),
+                  {m_place.line, m_place.file, columnOf(rest)});
     }
-    if (m_at != m_end && isOneOf(*m_at, "[<")) {
-      int depth = 0;
-      while (m_at != m_end) {
-        depth += isOneOf(*m_at, "[<") ? 1 : (isOneOf(*m_at, "]>") ? -1 : 0);
-        ++m_at;
-        if (depth == 0) {
-          break;
-        }
+    Token& made = add(kind, from, m_at, address);
+    if (!read || !isConstant(*read, made)) {
+      if (kind == TokenKind::Word || kind == TokenKind::NamedValue) {
+        const bool isLetter = address != 0 && !isTextOf(read);  // T="MILL_"<<R1 names a tool
+        made.kind = isLetter ? TokenKind::Expression : TokenKind::Assignment;
       }
-    } else {
-      const std::uint8_t kind = classOf(peek());
-      while (m_at != m_end && (kind == kDigit || kind == kLetter) && classOf(*m_at) == kind) {
-        ++m_at;
-      }
+      made.calculation =
+          m_words.calculations
+              .emplace_back(std::make_shared<const Expected<Assignment>>(std::move(read)))
+              .get();
     }
-    add(TokenKind::Expression, from, m_at, address);
+  }
+
+  static bool isTextOf(const Expected<Assignment>& read) {
+    return read && read->initial.kind == Initial::Kind::One &&
+           read->initial.values.front()->op == Op::Concatenate;
+  }
+
+  /// X=(5) and X='HFF' are words like X5, T="MILL" has a text.
+  static bool isConstant(const Assignment& read, Token& token) {
+    const Expression* const value =
+        read.initial.kind == Initial::Kind::One ? &*read.initial.values.front() : nullptr;
+    const bool isText = value != nullptr && value->op == Op::Text;
+    const bool takesConstant = token.kind == TokenKind::Word ||
+                               token.kind == TokenKind::NamedValue ||
+                               (token.kind == TokenKind::IndexedWord && isText);
+    if (value == nullptr || !takesConstant || read.reference != Reference::Modal ||
+        (value->op != Op::Number && !isText)) {
+      return false;
+    }
+    token.kind = isText && token.kind != TokenKind::IndexedWord ? TokenKind::TextWord : token.kind;
+    token.value = value->number;
+    return true;
   }
 
   [[nodiscard]] bool hasBracketComments() const { return m_language.hasBracketComments; }
@@ -310,13 +315,12 @@ class LineReader {
       return;
     }
     if (isOneOf(c, "[#$<") && m_at != m_end) {
-      if (c == '[' && m_language.hasIndexedWords) {
-        // An index or, of any other letter, an array of that name.
-        addCalculation(isOneOf(address, "GMSTHD") ? TokenKind::IndexedWord : TokenKind::Assignment,
-                       from, address);
-      } else {
-        addBracketValue(from, address);
-      }
+      // An index or, of any other letter, an array of that name.
+      const bool isIndex = isOneOf(address, "GMSTHD");
+      addCalculation(!m_language.hasIndexedWords || c != '[' ? TokenKind::Expression
+                     : isIndex                               ? TokenKind::IndexedWord
+                                                             : TokenKind::Assignment,
+                     from, address);
       return;
     }
     const char* const numberFrom = m_at;
@@ -328,7 +332,7 @@ class LineReader {
       case NumberStatus::Missing:
         if (m_at != m_end && isOneOf(*m_at, "[#$")) {
           m_at = numberFrom;
-          addBracketValue(from, address);
+          addCalculation(TokenKind::Expression, from, address);
         } else {
           add(TokenKind::NumberMissing, from, from + 1, address);
         }
@@ -358,51 +362,35 @@ class LineReader {
     return hasNumber && at != m_end && classOf(*at) == kLetter;
   }
 
+  /// True if what was read is not the beginning of a calculation: at the end of the statement, and
+  /// before a word of one letter. Operators are signs or words of two letters at least.
+  [[nodiscard]] bool isAtWord() const {
+    const char* at = m_at;
+    while (at != m_end && classOf(*at) == kBlank) {
+      ++at;
+    }
+    return at == m_end || isOneOf(*at, ";(") ||
+           (classOf(*at) == kLetter && (at + 1 == m_end || classOf(at[1]) != kLetter));
+  }
+
   /// Behind the "=" of `X=`, `CR=` or `M1=`.
   void readAssignedValue(const char* from, char address, TokenKind kind) {
     skipBlanks();
-    if (peek() == '"') {
-      const char* const open = m_at++;
-      while (m_at != m_end && *m_at != '"') {
-        ++m_at;
-      }
-      if (m_at == m_end) {
-        add(TokenKind::NumberMalformed, open, m_end, address);
-        return;
-      }
-      const char* const end = ++m_at;
-      skipBlanks();
-      if (peek() == '<') {
-        // "A"<<R1: a text that is put together.
-        m_at = open;
-        addCalculation(TokenKind::Assignment, from, address);
-        return;
-      }
-      m_at = end;
-      add(kind == TokenKind::IndexedWord ? kind : TokenKind::TextWord, from, m_at, address);
-      return;
-    }
     const char* const valueFrom = m_at;
     double value = 0.0;
-    if (readNumber(value) == NumberStatus::Read) {
-      const char* const end = m_at;
-      skipBlanks();
-      if (m_at == m_end || (!isOneOf(*m_at, kOperators) && !atOperatorWord())) {
-        m_at = end;
-        add(kind, from, end, address, value);
-        return;
-      }
-    } else if (m_at != m_end && isOneOf(*m_at, ",.")) {
-      m_at = valueFrom;
-      addMalformed(valueFrom, address);
+    const NumberStatus status = readNumber(value);
+    if (status == NumberStatus::Read && isAtWord()) {
+      add(kind, from, m_at, address, value);
       return;
     }
+    const bool isMalformed = status != NumberStatus::Read && m_at != m_end && isOneOf(*m_at, ",.");
     m_at = valueFrom;
-    if (m_at == m_end || *m_at == ';') {
+    if (isMalformed) {
+      addMalformed(valueFrom, address);
+    } else if (m_at == m_end || *m_at == ';') {
       add(TokenKind::NumberMissing, from, m_at, address);
     } else {
-      addCalculation(kind == TokenKind::NamedValue ? TokenKind::Assignment : TokenKind::Expression,
-                     from, address);
+      addCalculation(kind, from, address);
     }
   }
 
@@ -531,6 +519,9 @@ class LineReader {
         ++depth;
       } else if (*m_at == ')' && --depth == 0) {
         ++m_at;
+        if (!m_language.hasBracketComments) {
+          add(TokenKind::Comment, from, m_at);
+        }
         return true;
       }
     }
@@ -538,11 +529,13 @@ class LineReader {
     return false;
   }
 
-  const char* m_begin;
   const char* m_end;
   const char* m_at;
+  const char* m_column;  ///< where the first column is
+  Place m_place;
   const Language& m_language;
   bool m_hasPoint = false;  ///< of the number read last
+  Words& m_words;
   std::vector<Token>& m_tokens;
 };
 
@@ -557,11 +550,32 @@ std::string_view tokenName(const Token& token) {
   return token.text.substr(0, length);
 }
 
+Assignment assignmentOf(const Token& token) {
+  Assignment made;
+  made.target.op = Op::Variable;
+  made.target.name = base::toUpper(tokenName(token));
+  Expression value = Expression::constant(token.value);
+  if (token.kind == TokenKind::TextWord) {
+    value.op = Op::Text;
+    const std::size_t open = token.text.find('"');
+    value.name = token.text.substr(open + 1, token.text.size() - open - 2);
+  }
+  made.initial.values.emplace_back(std::move(value));
+  return made;
+}
+
 std::string wordText(const Token& token) {
   return fmt::format("{}{}", token.address, token.value);
 }
 
-Lexer::Lexer(std::string_view text, Dialect dialect) : m_language(languageOf(dialect)) {
+Words readWords(std::string_view text, const Language& language, Place place) {
+  Words words;
+  LineReader(text, language, place, words).read();
+  return words;
+}
+
+Lexer::Lexer(std::string_view text, Dialect dialect, std::uint16_t file)
+    : m_language(languageOf(dialect)), m_file(file) {
   // A byte order mark and the end marks of old systems are not part of the program.
   if (text.substr(0, 3) == "\xEF\xBB\xBF") {
     text.remove_prefix(3);
@@ -584,18 +598,13 @@ bool Lexer::next(Block& block) {
   }
   block.line.value = m_line;
   block.tokens.clear();
+  block.calculations.clear();
   if (m_language.isKlartext) {
     readKlartext(*line, m_continues, block.tokens);
   } else {
-    LineReader(line->data(), line->data() + line->size(), m_language, block.tokens).read();
+    LineReader(*line, m_language, {block.line, m_file, 1}, block).read();
   }
   return true;
-}
-
-void Lexer::seek(Position position) {
-  m_position = position.at;
-  m_line = position.line;
-  m_lineFeed = nullptr;
 }
 
 std::optional<std::string_view> Lexer::nextLine() {

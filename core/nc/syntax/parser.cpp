@@ -18,8 +18,8 @@ namespace rivulet::nc {
 
 namespace {
 
+using base::isBlank;
 using base::isDigit;
-using base::isNameLetter;
 
 /// Control structures within each other.
 constexpr std::size_t kNestingMax = 16;
@@ -52,28 +52,6 @@ bool asksMainRun(const Expression& expression) {
   return asks;
 }
 
-Expression variable(std::string name) {
-  Expression made;
-  made.op = Op::Variable;
-  made.name = std::move(name);
-  return made;
-}
-
-Expression applied(Op op, Expression left, Expression right) {
-  Expression made;
-  made.op = op;
-  made.place = left.place;
-  made.operands.push_back(std::move(left));
-  made.operands.push_back(std::move(right));
-  return made;
-}
-
-Initial only(Expression value) {
-  Initial made;
-  made.values.emplace_back(std::move(value));
-  return made;
-}
-
 /// "/DIR/NAME.SPF" and "NAME" are the same program.
 std::string programName(std::string_view text) {
   text = base::trim(text);
@@ -87,66 +65,38 @@ std::string programName(std::string_view text) {
   return name.starts_with("_N_") ? name.substr(3) : name;
 }
 
-/// Reads one line after another; control structures are closed by back-patching. A function that
-/// returns false has added a `Faulty` statement, or the rest of the line is not to be read.
-class Parser final : public SteeringParser {
+/// Control structures are closed by back-patching. A function that returns false has added a
+/// `Faulty` statement, or the rest of the block is not to be read.
+class SinumerikParser final : public BlockParser {
  public:
-  Parser(Tree& tree, std::uint16_t file) : m_tree(tree), m_file(file) {}
+  SinumerikParser(Tree& tree, Detail detail)
+      : BlockParser(tree), m_splits(detail == Detail::Statements) {}
 
-  void steer(std::string_view text, Place place) override {
-    m_line = place.line;
-    m_file = place.file;
-    m_firstOfBlock = true;
-    m_words.words.clear();
-    m_text = withoutComment(text);
-    Reader reader(m_text, sinumerikNotation(), place);
-    m_in = &reader;
-    m_readsMainRun = false;
-    while (!reader.isAtEnd() && word()) {
+  void words(Words words, Place place) override {
+    if (m_splits) {
+      split(std::move(words), place);
+    } else {
+      BlockParser::words(std::move(words), place);
     }
   }
 
-  void line(std::string_view raw) {
-    ++m_line;
-    m_firstOfBlock = true;
-    m_ends = false;
-    m_returns = false;
-    m_dwells = false;
-    m_words.words.clear();
-    m_text = withoutComment(raw);
-    Reader reader(m_text, sinumerikNotation(), {m_line, m_file, 1});
+  std::string_view steer(std::string_view text, Place place) override {
+    m_place = place;
+    Reader reader(text, sinumerikNotation(), place);
     m_in = &reader;
-    reader.skipBlanks();
-    if (reader.peek() == '%') {
-      return;  // the header of a program in an archive
+    const std::string word = reader.name();
+    std::optional<bool> goesOn = structure(word);
+    goesOn = goesOn ? goesOn : statement(word);
+    if (!goesOn) {
+      goesOn = fault(FaultCode::NotDefined, word);
     }
-    prefix();
-    m_readsMainRun = false;
-    while (!reader.isAtEnd()) {
-      if (!word()) {
-        return;
-      }
-    }
-    if (!m_words.words.empty()) {
-      emit(std::move(m_words));
-      m_words = {};
-    }
-    if (m_ends) {
-      emit(End{});
-    } else if (m_returns) {
-      emit(Return{});
-    }
+    return *goesOn && !reader.isAtEnd() ? reader.rest() : std::string_view();
   }
 
   void finish() override {
     for (const Open& open : m_open) {
-      m_line = open.line;
-      m_firstOfBlock = true;
-      m_readsMainRun = false;
-      if (open.branch) {
-        patch(*open.branch);
-      }
-      emit(Faulty{{FaultCode::NotClosed, std::string(nameOf(open.kind)), {open.line, m_file, 1}}});
+      patch(open.branch);
+      BlockParser::fault(FaultCode::NotClosed, std::string(nameOf(open.kind)), open.place);
     }
   }
 
@@ -157,7 +107,7 @@ class Parser final : public SteeringParser {
     std::optional<std::size_t> branch;  ///< to be patched at the end
     std::size_t begin = 0;              ///< where the loop continues
     std::optional<Expression> counter;  ///< For
-    base::LineNumber line;
+    Place place;
     bool isFaulty = false;  ///< its condition could not be read: its body is not a loop
   };
 
@@ -166,95 +116,16 @@ class Parser final : public SteeringParser {
     return kNames[static_cast<std::size_t>(kind)];
   }
 
-  static std::string_view withoutComment(std::string_view raw) {
-    bool inString = false;
-    for (std::size_t i = 0; i < raw.size(); ++i) {
-      inString ^= raw[i] == '"';
-      if (raw[i] == ';' && !inString) {
-        return base::trim(raw.substr(0, i)).empty() ? std::string_view{} : raw.substr(0, i);
-      }
-    }
-    while (!raw.empty() && raw.back() == '\r') {
-      raw.remove_suffix(1);
-    }
-    return raw;
-  }
-
-  [[nodiscard]] char ahead(std::size_t by = 1) const {
-    const std::string_view rest = m_in->rest();
-    return by < rest.size() ? rest[by] : '\0';
-  }
-
-  std::string digits() {
-    std::string found;
-    while (isDigit(m_in->peek())) {
-      found += m_in->peek();
-      m_in->take(m_in->peek());
-    }
-    return found;
-  }
-
-  /// Block skip, block number and label before a block, in the orders that occur.
-  void prefix() {
-    for (int i = 0; i < 2; ++i) {
-      m_in->skipBlanks();
-      if (m_in->take('/')) {
-        digits();
-        m_in->skipBlanks();
-      }
-      const char c = m_in->peek();
-      if ((c == 'N' || c == 'n' || c == ':') && isDigit(ahead())) {
-        m_in->take(c);
-        m_tree.labels.push_back({"N" + digits(), m_tree.statements.size()});
-      }
-    }
-    const Reader before = *m_in;
-    std::string label = m_in->name();
-    if (label.size() >= 2 && isNameLetter(label[1]) && m_in->peek() == ':') {
-      m_in->take(':');
-      m_tree.labels.push_back({std::move(label), m_tree.statements.size()});
-    } else {
-      m_in->restore(before);
-    }
-  }
-
-  template <class What>
-  std::size_t emit(What what) {
-    Statement& made = m_tree.statements.emplace_back();
-    made.place = {m_line, m_file, m_wordColumn};
-    made.beginsBlock = std::exchange(m_firstOfBlock, false);
-    made.readsMainRun = std::exchange(m_readsMainRun, false);
-    made.what = std::move(what);
-    return m_tree.statements.size() - 1;
-  }
-
-  bool fault(Fault fault) {
-    emit(Faulty{std::move(fault)});
+  using BlockParser::fault;
+  bool fault(FaultCode code, std::string argument = {}) {
+    append(Faulty{{code, std::move(argument), m_in->place()}});
     return false;
   }
-  bool fault(FaultCode code, std::string argument = {}) {
-    return fault(Fault{code, std::move(argument), m_in->place()});
-  }
 
-  void patch(std::size_t branch) {
-    std::get<Branch>(m_tree.statements[branch].what).target = m_tree.statements.size();
+  [[nodiscard]] char ahead() const {
+    const std::string_view rest = m_in->rest();
+    return rest.size() > 1 ? rest[1] : '\0';
   }
-
-  /// Takes the value out, or adds the fault.
-  template <class T>
-  std::optional<T> got(Expected<T> read) {
-    if (!read) {
-      fault(std::move(read.error()));
-      return std::nullopt;
-    }
-    return std::move(*read);
-  }
-
-  std::optional<Expression> noted(std::optional<Expression> expression) {
-    m_readsMainRun = m_readsMainRun || (expression && asksMainRun(*expression));
-    return expression;
-  }
-  std::optional<Expression> expression() { return noted(got(m_in->expression())); }
 
   bool expect(char c) {
     return m_in->take(c) || fault(c == '=' ? FaultCode::EqualsMissing : FaultCode::SyntaxCharacter,
@@ -263,180 +134,171 @@ class Parser final : public SteeringParser {
 
   // --- words --------------------------------------------------------------------------------
 
-  /// @return false if the rest of the line is not to be read
-  bool word() {
-    m_wordColumn = m_in->place().column;
-    const Reader before = *m_in;
-    const char c = m_in->peek();
-    if (c == '$') {
-      return assignment();
+  /// For a control: what a block does besides its words becomes statements, in their order. The
+  /// words come after them, and the end of the program after all.
+  void split(Words words, Place place) {
+    Words left;
+    bool ends = false;
+    bool returns = false;
+    const std::vector<Token>& tokens = words.tokens;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      const Token& token = tokens[i];
+      m_place = {place.line, place.file, token.column};
+      if (token.kind == TokenKind::Name && tokenIs(token, "RET")) {
+        returns = true;
+        break;  // what follows is none of the program's
+      }
+      if (isAssignment(token)) {
+        const Expected<Assignment> made =
+            token.calculation != nullptr ? *token.calculation : assignmentOf(token);
+        if (!made) {
+          append(Faulty{made.error()});
+          return;
+        }
+        append(*made);
+      } else if (isCall(token, left.tokens.empty())) {
+        const bool isRepeated = i + 1 < tokens.size() && tokens[i + 1].address == 'P';
+        if (!call(token, isRepeated ? &tokens[++i] : nullptr)) {
+          return;
+        }
+      } else if (!isSilent(token) && !ownStatement(token)) {
+        if (const std::optional<Fault> refused = refusal(token)) {
+          append(Faulty{*refused});
+          return;
+        }
+        const auto m = token.kind == TokenKind::Word && token.address == 'M' ? token.value : -1.0;
+        ends = ends || m == 2.0 || m == 30.0;
+        returns = returns || m == 17.0;
+        left.tokens.push_back(token);
+      }
     }
-    std::string name = m_in->name();
-    if (name.empty()) {
-      return fault(FaultCode::SyntaxCharacter, std::string(1, c));
+    if (!left.tokens.empty()) {
+      left.calculations = std::move(words.calculations);
+      m_place = {place.line, place.file, left.tokens.front().column};
+      append(std::move(left));
     }
-    const bool isR = name[0] == 'R' && std::all_of(name.begin() + 1, name.end(), isDigit);
-    if (isR || m_defined.contains(name)) {
-      m_in->restore(before);
-      return assignment();
+    if (ends) {
+      append(End{});
+    } else if (returns) {
+      append(Return{});
     }
-    if (name.size() > 1 && !isDigit(name[1])) {
-      return keyword(std::move(name), before);
-    }
-    m_in->restore(before);
-    m_in->take(c);
-    return address(base::toUpper(std::string_view(&c, 1)));
   }
 
-  /// A letter with its value. The reader is after the letter.
-  bool address(std::string letter) {
-    Word made;
-    made.address = std::move(letter);
-    made.place = {m_line, m_file, m_wordColumn};
-    const char c = made.address[0];
-    if (c == 'L') {
-      return call("L" + digits(), false);
+  static bool tokenIs(const Token& token, std::string_view upper) {
+    return base::toUpper(tokenName(token)) == upper;
+  }
+
+  static bool isSilent(const Token& token) {
+    return token.kind == TokenKind::Label || token.kind == TokenKind::BlockSkip ||
+           token.kind == TokenKind::Tape || (token.kind == TokenKind::Word && token.address == 'N');
+  }
+
+  static bool isNamed(const Token& token) {
+    return token.kind == TokenKind::Name || token.kind == TokenKind::Call;
+  }
+
+  static NameEffect effectOf(const Token& token) {
+    return nameEffect(Dialect::Sinumerik, base::toUpper(tokenName(token)));
+  }
+
+  /// What is none of the language's own words is the name of a program. @param isFirst  alone, it
+  /// can only be at the beginning of a block
+  static bool isCall(const Token& token, bool isFirst) {
+    if (token.kind == TokenKind::Word && token.address == 'L') {
+      return true;
     }
-    // M1=3, M[n]=3 and I1=5: a number before '='.
-    const Reader before = *m_in;
-    const std::string number = digits();
-    m_in->skipBlanks();
-    const bool hasExtension = std::string_view("GMSHTDF").find(c) != std::string_view::npos;
-    if (!number.empty() && m_in->peek() == '=') {
-      if (hasExtension) {
-        made.extension = Expression::constant(base::parseNumber(number).value_or(0.0));
-      } else {
-        made.address += number;
-      }
-    } else {
-      m_in->restore(before);
-      if (hasExtension && m_in->take('[')) {
-        made.extension = expression();
-        if (!made.extension || !expect(']')) {
-          return false;
-        }
-      }
-    }
-    if (!wordValue(made)) {
+    if (!isNamed(token) || (token.kind == TokenKind::Name && !isFirst) ||
+        tokenIs(token, "STOPRE") || tokenIs(token, "MSG")) {
       return false;
     }
-    return add(std::move(made));
+    const NameEffect effect = effectOf(token);
+    return effect == NameEffect::Unknown || effect == NameEffect::Cycle;
   }
 
-  bool wordValue(Word& made) {
-    m_in->skipBlanks();
-    if (!m_in->take('=')) {
-      made.value = got(m_in->literal());
-      return made.value.has_value();
+  /// A variable, be it one that is not defined: then its assignment is the fault.
+  [[nodiscard]] bool isAssignment(const Token& token) const {
+    const std::string name = base::toUpper(tokenName(token));
+    if (token.kind == TokenKind::Word || token.kind == TokenKind::Expression) {
+      const std::size_t equals = token.text.find('=');
+      return equals != std::string_view::npos && token.address != 0 &&
+             m_defined.contains(std::string_view(&token.address, 1));
     }
-    const Reader before = *m_in;
-    static constexpr std::array<std::pair<std::string_view, Word::Reference>, 5> kReferences{
-        {{"AC", Word::Reference::Absolute},
-         {"IC", Word::Reference::Incremental},
-         {"DC", Word::Reference::Absolute},
-         {"ACP", Word::Reference::Absolute},
-         {"ACN", Word::Reference::Absolute}}};
-    const std::string name = m_in->name();
-    for (const auto& [word, reference] : kReferences) {
-      if (name == word) {
-        if (m_in->peek() != '(') {
-          return fault(FaultCode::ArgumentsMissing, name);
-        }
-        made.reference = reference;
-        made.value = expression();
-        return made.value.has_value();
-      }
+    if (token.kind == TokenKind::Assignment) {
+      return m_defined.contains(name) ||
+             (name != "AX" && token.address != 'T' && effectOf(token) == NameEffect::Unknown);
     }
-    m_in->restore(before);
-    made.value = expression();
-    return made.value.has_value();
+    const bool hasValue = token.kind == TokenKind::NamedValue ||
+                          (token.kind == TokenKind::TextWord && token.address == 0);
+    return hasValue && (m_defined.contains(name) || effectOf(token) == NameEffect::Unknown);
   }
 
-  bool add(Word made) {
-    const bool isNumber = made.value && made.value->op == Op::Number;
-    if (made.address == "G" && isNumber && made.value->number == 4.0) {
-      m_dwells = true;
+  /// STOPRE and MSG("text").
+  bool ownStatement(const Token& token) {
+    if (isNamed(token) && tokenIs(token, "STOPRE")) {
+      append(PreprocessingStop{});
       return true;
     }
-    if (made.address == "F" && m_dwells) {
-      m_dwells = false;
-      emit(Dwell{std::move(*made.value)});
-      return true;
+    if (!isNamed(token) || !tokenIs(token, "MSG")) {
+      return false;
     }
-    if (made.address == "M" && isNumber && !made.extension) {
-      // The end comes after whatever else is in the block.
-      const double number = made.value->number;
-      m_ends = m_ends || number == 2.0 || number == 30.0;
-      m_returns = m_returns || number == 17.0;
-    }
-    m_words.words.push_back(std::move(made));
+    Reader reader(token.text, sinumerikNotation(), m_place);
+    m_in = &reader;
+    static_cast<void>(reader.name());
+    static_cast<void>(message());
     return true;
   }
 
-  bool assignment() {
-    std::optional<Assignment> made = got(m_in->assignment());
+  /// What a control refuses in its own language, and what this machine alone does not make.
+  [[nodiscard]] std::optional<Fault> refusal(const Token& token) const {
+    if (token.kind == TokenKind::Comment) {
+      return Fault{FaultCode::SyntaxCharacter, "(", m_place};
+    }
+    if (token.kind == TokenKind::Word && token.address == 'R') {
+      return Fault{FaultCode::EqualsMissing, {}, m_place};
+    }
+    // Of the ISO dialects: a control knows these after G291 only.
+    static constexpr std::array kForeign{20.0, 21.0, 43.0, 44.0, 49.0, 65.0, 92.0, 92.1};
+    if (token.kind == TokenKind::Word && token.address == 'G' &&
+        std::find(kForeign.begin(), kForeign.end(), token.value) != kForeign.end()) {
+      return Fault{FaultCode::UnknownGCode, wordText(token), m_place};
+    }
+    if (!isNamed(token)) {
+      return std::nullopt;
+    }
+    // What a query writes to its variables, and where a transformation moves the axes, only a
+    // control knows.
+    static constexpr std::array kRefused{NameEffect::Query, NameEffect::Transformation,
+                                         NameEffect::Spline, NameEffect::Unknown,
+                                         NameEffect::Cycle};
+    const bool isRefused =
+        std::find(kRefused.begin(), kRefused.end(), effectOf(token)) != kRefused.end();
+    return isRefused ? std::optional(
+                           Fault{FaultCode::NotDefined, base::toUpper(tokenName(token)), m_place})
+                     : std::nullopt;
+  }
+
+  bool call(const Token& token, const Token* times) {
+    std::optional<Call> made = got(callOf(token, sinumerikNotation(), m_place));
     if (!made) {
       return false;
     }
-    m_readsMainRun = m_readsMainRun || made->target.op == Op::MainR;
-    for (const Expression& index : made->target.operands) {
-      m_readsMainRun = m_readsMainRun || asksMainRun(index);
+    if (times != nullptr && times->calculated() != nullptr) {
+      made->times = *times->calculated();
+    } else if (times != nullptr) {
+      made->times = Expression::constant(times->value);
     }
-    for (const std::optional<Expression>& value : made->initial.values) {
-      m_readsMainRun = m_readsMainRun || (value && asksMainRun(*value));
-    }
-    emit(std::move(*made));
+    append(std::move(*made));
     return true;
   }
 
-  /// A name of two letters or more. @param before  what precedes it
-  bool keyword(std::string name, const Reader& before) {
-    if (const std::optional<bool> done = structure(name)) {
-      return *done;
-    }
-    if (const std::optional<bool> done = statement(name)) {
-      return *done;
-    }
-    Word made;
-    made.address = name;
-    made.place = {m_line, m_file, m_wordColumn};
-    const NameEffect effect = nameEffect(Dialect::Sinumerik, name);
-    m_in->skipBlanks();
-    if (effect != NameEffect::Unknown && effect != NameEffect::Cycle && m_in->peek() != '[') {
-      // A mode, an address, or what says something of the program: FGROUP(X,Y).
-      if (effect == NameEffect::Address || m_in->peek() == '=') {
-        return wordValue(made) && add(std::move(made));
-      }
-      return got(m_in->arguments()) && add(std::move(made));
-    }
-    if (m_in->peek() == '=' || m_in->peek() == '[') {
-      m_in->restore(before);
-      return assignment();  // of what is not defined in this text
-    }
-    // What is none of the language's own words is the name of a program.
-    if (m_in->peek() == '(' || (m_firstOfBlock && m_words.words.empty())) {
-      return call(std::move(name), true);
-    }
-    return fault(FaultCode::NotDefined, std::move(name));
-  }
+  // --- statements ---------------------------------------------------------------------------
 
   std::optional<bool> statement(const std::string& name) {
     if (const std::optional<JumpDirection> direction = jumpDirection(name)) {
       return jump(std::nullopt, *direction);
     }
-    if (name == "STOPRE") {
-      emit(PreprocessingStop{});
-      return true;
-    }
-    if (name == "MSG") {
-      return message();
-    }
     if (name == "DEF") {
       return definition();
-    }
-    if (name == "RET") {
-      m_returns = true;
-      return restIsIgnored();
     }
     if (name == "PROC") {
       return procedure();
@@ -449,15 +311,14 @@ class Parser final : public SteeringParser {
     }
     if (name == "PCALL") {
       std::string program = m_in->name();
-      return program.empty() ? fault(FaultCode::NameMissing) : call(std::move(program), false);
+      Call made;
+      made.name = std::move(program);
+      return made.name.empty() ? fault(FaultCode::NameMissing) : finish(std::move(made));
     }
     if (name == "CANCEL") {
       std::optional<Expression> id;
       return expect('(') && (id = expression()) && expect(')') &&
-             (emit(Cancel{std::move(*id)}), true);
-    }
-    if (nameEffect(Dialect::Sinumerik, name) == NameEffect::Frame) {
-      return frame(name);
+             (append(Cancel{std::move(*id)}), true);
     }
     static constexpr std::array<std::string_view, 7> kActions{"ID",   "IDS",   "WHEN", "WHENEVER",
                                                               "FROM", "EVERY", "DO"};
@@ -480,13 +341,13 @@ class Parser final : public SteeringParser {
     if (m_open.size() == kNestingMax) {
       return fault(FaultCode::StructuresTooDeep);
     }
-    m_open.push_back({kind, branch, begin, std::move(counter), m_line, false});
+    m_open.push_back({kind, branch, begin, std::move(counter), m_place, false});
     return true;
   }
 
   /// What closes a structure must find it, also where its condition cannot be read.
   bool openFaulty(Structure kind) {
-    m_open.push_back({kind, std::nullopt, 0, std::nullopt, m_line, true});
+    m_open.push_back({kind, std::nullopt, 0, std::nullopt, m_place, true});
     return false;
   }
 
@@ -501,8 +362,6 @@ class Parser final : public SteeringParser {
     return open;
   }
 
-  [[nodiscard]] std::size_t here() const { return m_tree.statements.size(); }
-
   std::optional<bool> structure(const std::string& word) {
     if (word == "IF") {
       return ifWord();
@@ -512,17 +371,13 @@ class Parser final : public SteeringParser {
       if (!ended) {
         return false;
       }
-      const std::size_t jump = emit(Branch{});
-      if (ended->branch) {
-        patch(*ended->branch);
-      }
+      const std::size_t jump = append(Branch{});
+      patch(ended->branch);
       return open(Structure::If, jump, 0);
     }
     if (word == "ENDIF") {
       const std::optional<Open> ended = close(Structure::If, word);
-      if (ended && ended->branch) {
-        patch(*ended->branch);
-      }
+      patch(ended ? ended->branch : std::nullopt);
       return ended.has_value();
     }
     if (word == "WHILE") {
@@ -530,7 +385,7 @@ class Parser final : public SteeringParser {
       if (!condition) {
         return openFaulty(Structure::While);
       }
-      const std::size_t begin = emit(Branch{std::move(condition), 0});
+      const std::size_t begin = append(Branch{std::move(condition), 0});
       return open(Structure::While, begin, begin);
     }
     if (word == "LOOP") {
@@ -551,13 +406,11 @@ class Parser final : public SteeringParser {
         return true;
       }
       if (ended->counter) {
-        emit(Assignment{*ended->counter,
-                        only(applied(Op::Add, *ended->counter, Expression::constant(1.0)))});
+        append(Assignment{*ended->counter,
+                          only(applied(Op::Add, *ended->counter, Expression::constant(1.0)))});
       }
-      emit(Branch{std::nullopt, ended->begin});
-      if (ended->branch) {
-        patch(*ended->branch);
-      }
+      append(Branch{std::nullopt, ended->begin});
+      patch(ended->branch);
       return true;
     }
     if (word == "REPEAT" || word == "REPEATB") {
@@ -566,7 +419,7 @@ class Parser final : public SteeringParser {
     if (word == "UNTIL") {
       const std::optional<Open> ended = close(Structure::Repeat, word);
       std::optional<Expression> condition = ended ? expression() : std::nullopt;
-      return condition && (emit(Branch{std::move(condition), ended->begin}), true);
+      return condition && (append(Branch{std::move(condition), ended->begin}), true);
     }
     if (word == "CASE") {
       return caseWord();
@@ -587,7 +440,7 @@ class Parser final : public SteeringParser {
     if (!word.empty() || !m_in->isAtEnd()) {
       return fault(FaultCode::IfMalformed);
     }
-    const std::size_t branch = emit(Branch{std::move(condition), 0});
+    const std::size_t branch = append(Branch{std::move(condition), 0});
     return open(Structure::If, branch, 0);
   }
 
@@ -612,10 +465,10 @@ class Parser final : public SteeringParser {
     Definition limit;
     limit.name = fmt::format("FOR {}", here());
     limit.initial = only(std::move(*last));
-    const Expression hidden = variable(limit.name);
-    emit(Assignment{*counter, only(std::move(*first))});
-    emit(std::move(limit));
-    const std::size_t begin = emit(Branch{applied(Op::LessEqual, *counter, hidden), 0});
+    const Expression hidden = variableNamed(limit.name);
+    append(Assignment{*counter, only(std::move(*first))});
+    append(std::move(limit));
+    const std::size_t begin = append(Branch{applied(Op::LessEqual, *counter, hidden), 0});
     return open(Structure::For, begin, begin, std::move(counter));
   }
 
@@ -635,7 +488,7 @@ class Parser final : public SteeringParser {
       if (isTimes) {
         m_in->restore(before);
         m_in->skipBlanks();
-        return times(made.times) && (emit(std::move(made)), true);
+        return times(made.times) && (append(std::move(made)), true);
       }
       if (word.empty() || !made.endLabel.empty() || isBlockOnly) {
         m_in->restore(before);
@@ -646,14 +499,15 @@ class Parser final : public SteeringParser {
     if (made.label.empty()) {
       return fault(FaultCode::NoTarget);
     }
-    emit(std::move(made));
+    append(std::move(made));
     return true;
   }
 
   /// P5, P=R1. The reader is before P.
   bool times(std::optional<Expression>& made) {
     m_in->take(m_in->peek());
-    made = m_in->take('=') ? expression() : got(m_in->literal());
+    static_cast<void>(m_in->take('='));
+    made = expression();
     return made.has_value();
   }
 
@@ -666,7 +520,7 @@ class Parser final : public SteeringParser {
     if (!m_in->takeWord("OF")) {
       return fault(FaultCode::CaseMalformed);
     }
-    while (!m_in->isAtEnd()) {
+    for (bool isFirst = true; !m_in->isAtEnd(); isFirst = false) {
       std::optional<Expression> condition;
       if (!m_in->takeWord("DEFAULT")) {
         std::optional<Expression> constant = expression();
@@ -682,6 +536,8 @@ class Parser final : public SteeringParser {
       if (!jump(std::move(condition), *direction)) {
         return false;
       }
+      // One stop before the first comparison is enough for all.
+      m_tree.statements.back().readsMainRun &= isFirst;
     }
     return true;
   }
@@ -697,7 +553,7 @@ class Parser final : public SteeringParser {
       }
       m_in->take(':');
     }
-    emit(Jump{std::move(condition), direction, std::move(label), std::nullopt});
+    append(Jump{std::move(condition), direction, std::move(label), std::nullopt});
     return true;
   }
 
@@ -710,12 +566,7 @@ class Parser final : public SteeringParser {
     }
     for (Definition& made : *all) {
       m_defined.insert(made.name);
-      if (made.initial) {
-        for (const std::optional<Expression>& value : made.initial->values) {
-          m_readsMainRun = m_readsMainRun || (value && asksMainRun(*value));
-        }
-      }
-      emit(std::move(made));
+      append(std::move(made));
     }
     return true;
   }
@@ -734,28 +585,18 @@ class Parser final : public SteeringParser {
   }
 
   /// Behind the name: arguments, then how often.
-  bool call(std::string name, bool isPlainName) {
-    Call made;
-    made.name = std::move(name);
-    made.isPlainName = isPlainName;
-    return finish(std::move(made));
-  }
-
   bool finish(Call made) {
     auto arguments = got(m_in->arguments());
     if (!arguments) {
       return false;
     }
     made.arguments = std::move(*arguments);
-    for (const std::optional<Expression>& argument : made.arguments) {
-      noted(argument);
-    }
     m_in->skipBlanks();
     const char c = m_in->peek();
     if ((c == 'P' || c == 'p') && (isDigit(ahead()) || ahead() == '=') && !times(made.times)) {
       return false;
     }
-    emit(std::move(made));
+    append(std::move(made));
     return true;
   }
 
@@ -774,35 +615,7 @@ class Parser final : public SteeringParser {
     return finish(std::move(made));
   }
 
-  // --- frames, messages, synchronized actions -----------------------------------------------
-
-  bool frame(const std::string& name) {
-    FrameStatement made;
-    made.name = name;
-    while (!m_in->isAtEnd()) {
-      Word word;
-      word.place = m_in->place();
-      if (m_in->takeWord("RPL")) {
-        word.address = "RPL";
-      } else {
-        const char c = m_in->peek();
-        if (!isNameLetter(c)) {
-          return fault(FaultCode::SyntaxCharacter, std::string(1, c));
-        }
-        m_in->take(c);
-        word.address = base::toUpper(std::string_view(&c, 1));
-        if (std::string_view("XYZABCUVW").find(word.address) == std::string_view::npos) {
-          return fault(FaultCode::UnknownWord, word.address);
-        }
-      }
-      if (!wordValue(word)) {
-        return false;
-      }
-      made.words.push_back(std::move(word));
-    }
-    emit(std::move(made));
-    return true;
-  }
+  // --- messages, synchronized actions -----------------------------------------------
 
   bool message() {
     if (!expect('(')) {
@@ -821,7 +634,7 @@ class Parser final : public SteeringParser {
         return false;
       }
     }
-    emit(std::move(made));
+    append(std::move(made));
     return true;
   }
 
@@ -871,42 +684,88 @@ class Parser final : public SteeringParser {
     if (made.assignments.empty()) {
       return fault(FaultCode::ActionMalformed);
     }
-    emit(std::move(made));
+    append(std::move(made));
     return true;
   }
 
-  Tree& m_tree;
-  std::uint16_t m_file;
-  base::LineNumber m_line;
-  std::string_view m_text;
-  Reader* m_in = nullptr;
-  int m_wordColumn = 1;
-  bool m_firstOfBlock = true;
-  bool m_readsMainRun = false;
-  bool m_dwells = false;
-  bool m_ends = false;
-  bool m_returns = false;
-  Words m_words;
+  bool m_splits;
   std::vector<Open> m_open;
   std::set<std::string, std::less<>> m_defined;
 };
 
 }  // namespace
 
-Tree parseSinumerik(std::string_view text, std::uint16_t file) {
-  Tree tree;
-  Parser parser(tree, file);
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    parser.line(text.substr(0, end));
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+void BlockParser::patch(std::optional<std::size_t> branch) {
+  if (branch) {
+    std::get<Branch>(m_tree.statements[*branch].what).target = here();
   }
-  parser.finish();
-  return tree;
 }
 
-std::unique_ptr<SteeringParser> sinumerikSteering(Tree& tree) {
-  return std::make_unique<Parser>(tree, std::uint16_t{0});
+std::string BlockParser::digits() {
+  m_in->skipBlanks();
+  std::string found;
+  while (isDigit(m_in->peek())) {
+    found += m_in->peek();
+    m_in->take(m_in->peek());
+  }
+  return found;
+}
+
+std::size_t BlockParser::add(Statement made) {
+  const Place before = here() == 0 ? Place{} : m_tree.statements.back().place;
+  made.beginsBlock = before.line != made.place.line;
+  const auto* const assignment = std::get_if<Assignment>(&made.what);
+  made.readsMainRun = assignment != nullptr && assignment->target.op == Op::MainR;
+  forEachExpression(made, [&made](const Expression& expression) {
+    made.readsMainRun = made.readsMainRun || asksMainRun(expression);
+  });
+  m_tree.statements.push_back(std::move(made));
+  return here() - 1;
+}
+
+std::unique_ptr<BlockParser> sinumerikParser(Tree& tree, Detail detail) {
+  return std::make_unique<SinumerikParser>(tree, detail);
+}
+
+Expected<Call> callOf(const Token& token, const Notation& notation, Place place) {
+  Call made;
+  if (token.address == 'L') {
+    for (const char c : token.text) {
+      made.name += isBlank(c) ? "" : base::toUpper(std::string_view(&c, 1));
+    }
+    return made;
+  }
+  Reader reader(token.text, notation, place);
+  made.name = reader.name();
+  made.isPlainName = true;
+  auto arguments = reader.arguments();
+  if (!arguments) {
+    return fail(std::move(arguments.error()));
+  }
+  made.arguments = std::move(*arguments);
+  return made;
+}
+
+Expression variableNamed(std::string name) {
+  Expression made;
+  made.op = Op::Variable;
+  made.name = std::move(name);
+  return made;
+}
+
+Expression applied(Op op, Expression left, Expression right) {
+  Expression made;
+  made.op = op;
+  made.place = left.place;
+  made.operands.push_back(std::move(left));
+  made.operands.push_back(std::move(right));
+  return made;
+}
+
+Initial only(Expression value) {
+  Initial made;
+  made.values.emplace_back(std::move(value));
+  return made;
 }
 
 }  // namespace rivulet::nc

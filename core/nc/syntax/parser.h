@@ -2,34 +2,96 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The text of a SINUMERIK program as a tree. @threadsafety pure.
+/// Makes statements of what the lexer reads. How words are written is the lexer's; here is what
+/// steers a program: jumps, conditions, loops, definitions and calls. @threadsafety one object, one
+/// thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
+#include "nc/syntax/language.h"
 #include "nc/syntax/tree.h"
 
 namespace rivulet::nc {
 
-/// Never fails: see tree.h. @param file  number of the text, for the places in it
-[[nodiscard]] Tree parseSinumerik(std::string_view text, std::uint16_t file = 0);
-
-/// Reads what steers a program, for a reader that takes the words of a block itself.
-class SteeringParser {
- public:
-  virtual ~SteeringParser() = default;
-  /// Adds the statements of one jump, condition, loop, definition or call.
-  /// @param text  from its first word on
-  virtual void steer(std::string_view text, Place place) = 0;
-  /// Complains about what was not closed.
-  virtual void finish() = 0;
+/// What the statements of a tree are.
+enum class Detail : std::uint8_t {
+  Blocks,      ///< all words of a block are one, for a reader that executes them in their order
+  Statements,  ///< assignments, calls, messages and stops of a block are statements of their own
 };
 
-/// @param tree  outlives the parser
-[[nodiscard]] std::unique_ptr<SteeringParser> sinumerikSteering(Tree& tree);
+/// Adds the statements of one program to its tree.
+class BlockParser {
+ public:
+  /// @param tree  outlives the parser
+  explicit BlockParser(Tree& tree) : m_tree(tree) {}
+  BlockParser(const BlockParser&) = delete;
+  BlockParser& operator=(const BlockParser&) = delete;
+  virtual ~BlockParser() = default;
+
+  /// What a block does besides steering.
+  virtual void words(Words words, Place place) {
+    m_place = place;
+    append(std::move(words));
+  }
+  /// One jump, condition, loop, definition or call. @param text  from its first word on
+  /// @return what follows it in the block
+  virtual std::string_view steer(std::string_view text, Place place) = 0;
+  /// Complains about what was not closed.
+  virtual void finish() = 0;
+  void fault(FaultCode code, std::string argument, Place place) {
+    m_place = place;
+    append(Faulty{{code, std::move(argument), place}});
+  }
+
+ protected:
+  /// @return the index of the statement
+  template <class What>
+  std::size_t append(What what) {
+    Statement made;
+    made.place = m_place;
+    made.what = std::move(what);
+    return add(std::move(made));
+  }
+  [[nodiscard]] std::size_t here() const { return m_tree.statements.size(); }
+  /// The branch leads to what comes next; nothing: there is none.
+  void patch(std::optional<std::size_t> branch);
+  /// Takes the value out, or adds the fault.
+  template <class T>
+  std::optional<T> got(Expected<T> read) {
+    if (!read) {
+      append(Faulty{std::move(read.error())});
+      return std::nullopt;
+    }
+    return std::move(*read);
+  }
+  std::optional<Expression> expression() { return got(m_in->expression()); }
+  [[nodiscard]] std::string digits();
+
+  Tree& m_tree;
+  Place m_place;           ///< of the statement in progress
+  Reader* m_in = nullptr;  ///< of its text
+
+ private:
+  std::size_t add(Statement made);
+};
+
+[[nodiscard]] std::unique_ptr<BlockParser> sinumerikParser(Tree& tree, Detail detail);
 /// IF, WHILE ... DO and GOTO of the ISO dialects, O words of RS-274/NGC.
-[[nodiscard]] std::unique_ptr<SteeringParser> hashSteering(Tree& tree);
+[[nodiscard]] std::unique_ptr<BlockParser> hashParser(Tree& tree, Detail detail);
+
+/// The call of a `Call` or `Name` token, or of a word L123.
+[[nodiscard]] Expected<Call> callOf(const Token& token, const Notation& notation, Place place);
+
+[[nodiscard]] Expression variableNamed(std::string name);
+[[nodiscard]] Expression applied(Op op, Expression left, Expression right);
+/// What follows '=', where it is one value.
+[[nodiscard]] Initial only(Expression value);
 
 }  // namespace rivulet::nc

@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "nc/syntax/parser.h"
+#include "nc/modal/vocabulary.h"
+#include "nc/syntax/lexer.h"
 
 namespace rivulet::nc {
 
@@ -27,26 +28,36 @@ std::string firstName(std::string_view text) {
   return base::toUpper(text.substr(0, end));
 }
 
+/// N=5 sets a variable N.
+bool isBlockNumber(const Token& token) {
+  return token.kind == TokenKind::Word && token.address == 'N' &&
+         token.text.find('=') == std::string_view::npos;
+}
+
 /// Distributes the lines of a text over its programs.
 class Splitter {
  public:
-  Splitter(std::string_view text, Dialect dialect, std::uint16_t file)
-      : m_lexer(text, dialect), m_language(languageOf(dialect)), m_file(file) {
+  Splitter(std::string_view text, Dialect dialect, std::uint16_t file, Detail detail)
+      : m_lexer(text, dialect, file),
+        m_language(languageOf(dialect)),
+        m_file(file),
+        m_detail(detail) {
     begin();
     m_programs.first = m_parts.back().tree;
   }
 
   Programs split() {
     Block block;
-    for (Lexer::Position at = m_lexer.position(); m_lexer.next(block); at = m_lexer.position()) {
-      m_programs.lines.push_back(at);
-      line(block, {at.at, static_cast<std::size_t>(m_lexer.position().at - at.at)});
+    while (m_lexer.next(block)) {
+      line(block);
     }
+    m_programs.lines = m_lexer.lines();
     while (m_parts.size() > 1) {
       // A SUB without its ENDSUB.
-      const Part part = std::move(m_parts.back());
+      const std::string name = m_parts.back().name;
+      const Place place = m_parts.back().place;
       end();
-      add(part.place, Faulty{{FaultCode::NotClosed, part.name, part.place}});
+      m_parts.back().parser->fault(FaultCode::NotClosed, name, place);
     }
     end();
     return std::move(m_programs);
@@ -55,7 +66,7 @@ class Splitter {
  private:
   struct Part {
     std::shared_ptr<Tree> tree;
-    std::unique_ptr<SteeringParser> parser;
+    std::unique_ptr<BlockParser> parser;
     std::string name;  ///< of an O SUB
     Place place;
   };
@@ -63,15 +74,13 @@ class Splitter {
   void begin(std::string name = {}, Place place = {}) {
     Part& part = m_parts.emplace_back();
     part.tree = std::make_shared<Tree>();
-    part.parser = m_language.steeringParser(*part.tree);
+    part.parser = m_language.blockParser(*part.tree, m_detail);
     part.name = std::move(name);
     part.place = place;
   }
 
   void end() {
-    if (m_parts.back().parser) {
-      m_parts.back().parser->finish();
-    }
+    m_parts.back().parser->finish();
     m_parts.pop_back();
   }
 
@@ -84,19 +93,11 @@ class Splitter {
     m_programs.named.emplace(std::move(name), m_parts.back().tree);
   }
 
-  template <class What>
-  void add(Place place, What what) {
-    Statement& made = m_parts.back().tree->statements.emplace_back();
-    made.place = place;
-    made.what = std::move(what);
-  }
-
-  void line(const Block& block, std::string_view text) {
+  void line(Block& block) {
     if (block.tokens.empty()) {
       return;
     }
     const Token& front = block.tokens.front();
-    const Place place{block.line, m_file, front.column};
     if (front.kind == TokenKind::Tape && front.text.starts_with("%_N_")) {
       // The header of a program in an archive: %_N_NAME_SPF.
       const std::string name = base::toUpper(base::trim(front.text.substr(4)));
@@ -108,31 +109,61 @@ class Splitter {
         front.kind == TokenKind::Word &&
         (front.address == 'O' || (front.address == 'N' && front.text.front() == ':'));
     if (m_language.hasOWords && isNumber) {
-      text = base::trim(text);
+      std::string_view text = front.text;
       if (std::optional<std::string> name = takeOName(text)) {
         beginNamed(std::move(*name));
       }
     }
+    Words words = std::move(static_cast<Words&>(block));
+    std::string_view rest = take(std::move(words), block.line);
+    while (!rest.empty()) {
+      const Place place{block.line, m_file, m_column};
+      Words more = readWords(rest, m_language, place);
+      const Token first = more.tokens.empty() ? Token() : more.tokens.front();
+      const std::string name = base::toUpper(tokenName(first));
+      // A program can be called at the beginning of a block only.
+      const bool isCall = (first.kind == TokenKind::Name || first.kind == TokenKind::Call) &&
+                          nameEffect(m_language.dialect, name) == NameEffect::Unknown;
+      if (isCall || first.kind == TokenKind::UnexpectedCharacter) {
+        m_parts.back().parser->fault(isCall ? FaultCode::NotDefined : FaultCode::SyntaxCharacter,
+                                     isCall ? name : std::string(first.text), place);
+        return;
+      }
+      rest = take(std::move(more), block.line);
+    }
+  }
+
+  /// @return what follows a statement that steers; its column is in `m_column`
+  std::string_view take(Words words, base::LineNumber line) {
     std::vector<Label>& labels = m_parts.back().tree->labels;
-    const Token* statement = nullptr;
+    const std::size_t next = m_parts.back().tree->statements.size();
+    std::optional<Token> statement;
     bool hasWords = false;
-    for (const Token& token : block.tokens) {
-      if (token.kind == TokenKind::Statement && isSteering(token.text, m_language)) {
-        statement = &token;
+    for (const Token& token : words.tokens) {
+      if (token.kind == TokenKind::Statement &&
+          (m_detail == Detail::Statements || isSteering(token.text, m_language))) {
+        statement = token;
       } else if (token.kind == TokenKind::Label) {
-        labels.push_back({base::toUpper(tokenName(token)), m_parts.back().tree->statements.size()});
-      } else if (token.kind == TokenKind::Word && token.address == 'N') {
-        labels.push_back({numberLabel(token), m_parts.back().tree->statements.size()});
+        labels.push_back({base::toUpper(tokenName(token)), next});
+      } else if (isBlockNumber(token)) {
+        labels.push_back({numberLabel(token), next});
       } else {
-        hasWords = true;
+        hasWords = hasWords || token.kind != TokenKind::Comment || m_detail == Detail::Statements;
       }
     }
+    if (statement) {
+      words.tokens.pop_back();  // a statement is the rest of its block
+    }
     if (hasWords) {
-      add(place, Words{});
+      const Place place{line, m_file, words.tokens.front().column};
+      m_parts.back().parser->words(std::move(words), place);
     }
-    if (statement != nullptr) {
-      steer(*statement, {block.line, m_file, statement->column});
+    if (!statement) {
+      return {};
     }
+    const std::string_view rest = steer(statement->text, {line, m_file, statement->column});
+    m_column = statement->column + static_cast<int>(rest.data() - statement->text.data());
+    return rest;
   }
 
   [[nodiscard]] std::string numberLabel(const Token& token) const {
@@ -145,56 +176,56 @@ class Splitter {
                : fmt::format("N{}", base::parseInteger(digits).value_or(-1));
   }
 
-  void steer(const Token& statement, Place place) {
-    std::string_view rest = statement.text;
+  std::string_view steer(std::string_view statement, Place place) {
+    std::string_view rest = statement;
     if (m_language.namesAreCalls && firstName(rest) == "PROC") {
       rest.remove_prefix(4);
-      beginNamed(firstNameWithDigits(base::trim(rest)));
+      beginNamed(base::toUpper(tokenName({.text = base::trim(rest)})));
     } else if (std::optional<std::string> name =
                    m_language.hasOWords ? takeOName(rest) : std::nullopt) {
       const std::string word = firstName(base::trim(rest));
       if (word == "SUB") {
         if (m_parts.size() > 1) {
-          Part& outer = m_parts.front();
-          Statement& made = outer.tree->statements.emplace_back();
-          made.place = m_parts.back().place;
-          made.what = Faulty{{FaultCode::SubprogramInside, m_parts.back().name, made.place}};
+          m_parts.front().parser->fault(FaultCode::SubprogramInside, m_parts.back().name,
+                                        m_parts.back().place);
         }
         begin(*name, place);
         m_programs.named.emplace(std::move(*name), m_parts.back().tree);
-        return;
+        return {};
       }
       if (word == "ENDSUB") {
         if (m_parts.size() == 1) {
-          add(place, Faulty{{FaultCode::NotCalled, *name + " " + word, place}});
+          m_parts.back().parser->fault(FaultCode::NotCalled, *name + " " + word, place);
         } else {
           end();
         }
-        return;
+        return {};
       }
     }
-    m_parts.back().parser->steer(statement.text, place);
-  }
-
-  static std::string firstNameWithDigits(std::string_view text) {
-    std::size_t end = 0;
-    while (end < text.size() && (base::isNameLetter(text[end]) || isDigit(text[end]))) {
-      ++end;
-    }
-    return base::toUpper(text.substr(0, end));
+    return m_parts.back().parser->steer(statement, place);
   }
 
   Lexer m_lexer;
   const Language& m_language;
   std::uint16_t m_file;
+  Detail m_detail;
+  int m_column = 1;
   Programs m_programs;
   std::vector<Part> m_parts;  ///< the innermost SUB last
 };
 
 }  // namespace
 
-Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file) {
-  return Splitter(text, dialect, file).split();
+Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file, Detail detail) {
+  return Splitter(text, dialect, file, detail).split();
+}
+
+std::shared_ptr<const Tree> parseSinumerik(std::string text) {
+  const auto owned = std::make_shared<const std::string>(std::move(text));
+  const Programs programs = readPrograms(*owned, Dialect::Sinumerik, 0, Detail::Statements);
+  auto tree = std::make_shared<Tree>(*programs.first);
+  tree->text = owned;
+  return tree;
 }
 
 bool isSteering(std::string_view statement, const Language& language) {

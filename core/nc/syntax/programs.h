@@ -2,22 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The programs of one text, for a reader that takes the words of blocks from the lexer: a block of
-/// words is a `Words` statement that holds none, and its line says where to read them. What steers
-/// is parsed. @threadsafety pure.
+/// The programs of one text. @threadsafety pure.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "nc/syntax/dialect.h"
 #include "nc/syntax/language.h"
-#include "nc/syntax/lexer.h"
+#include "nc/syntax/parser.h"
 #include "nc/syntax/tree.h"
 
 namespace rivulet::nc {
@@ -26,11 +24,15 @@ struct Programs {
   std::shared_ptr<const Tree> first;  ///< begins with the text
   /// Those that others call: %_N_NAME_SPF, PROC NAME, O1234, O<NAME> SUB. Upper case.
   std::map<std::string, std::shared_ptr<const Tree>, std::less<>> named;
-  std::vector<Lexer::Position> lines;  ///< where each line begins
+  std::size_t lines = 0;
 };
 
-/// @param file  number of the text, for the places in it
-[[nodiscard]] Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file);
+/// Never fails: see tree.h. @param text  outlives the trees @param file  its number, for the places
+/// in it
+[[nodiscard]] Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file,
+                                    Detail detail = Detail::Blocks);
+/// The first program of a SINUMERIK's text, in all detail. The tree owns the text.
+[[nodiscard]] std::shared_ptr<const Tree> parseSinumerik(std::string text);
 
 /// True if a `TokenKind::Statement` jumps, decides, repeats, defines or calls. Others are messages
 /// to the control: modal calls, synchronized actions.

@@ -49,17 +49,17 @@ void each(const std::optional<Expression>& expression, const Visit& visit) {
   }
 }
 
-void each(const std::vector<Word>& words, const Visit& visit) {
-  for (const Word& word : words) {
-    each(word.extension, visit);
-    each(word.value, visit);
-  }
-}
-
 void each(const Initial& initial, const Visit& visit) {
   for (const std::optional<Expression>& value : initial.values) {
     each(value, visit);
   }
+}
+
+void each(const Assignment& assignment, const Visit& visit) {
+  for (const Expression& index : assignment.target.operands) {
+    visit(index);
+  }
+  each(assignment.initial, visit);
 }
 
 }  // namespace
@@ -68,13 +68,14 @@ void forEachExpression(const Statement& statement, const Visit& visit) {
   std::visit(
       [&visit](const auto& what) {
         using What = std::decay_t<decltype(what)>;
-        if constexpr (std::is_same_v<What, Words> || std::is_same_v<What, FrameStatement>) {
-          each(what.words, visit);
-        } else if constexpr (std::is_same_v<What, Assignment>) {
-          for (const Expression& index : what.target.operands) {
-            visit(index);
+        if constexpr (std::is_same_v<What, Words>) {
+          for (const Token& token : what.tokens) {
+            if (token.calculation != nullptr && *token.calculation) {
+              each(**token.calculation, visit);
+            }
           }
-          each(what.initial, visit);
+        } else if constexpr (std::is_same_v<What, Assignment>) {
+          each(what, visit);
         } else if constexpr (std::is_same_v<What, Definition>) {
           for (const std::optional<Expression>& size : what.sizes) {
             each(size, visit);
@@ -82,8 +83,6 @@ void forEachExpression(const Statement& statement, const Visit& visit) {
           if (what.initial) {
             each(*what.initial, visit);
           }
-        } else if constexpr (std::is_same_v<What, Dwell>) {
-          visit(what.seconds);
         } else if constexpr (std::is_same_v<What, Message>) {
           each(what.text, visit);
         } else if constexpr (std::is_same_v<What, Jump> || std::is_same_v<What, Branch>) {

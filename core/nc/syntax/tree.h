@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,29 +24,6 @@
 
 namespace rivulet::nc {
 
-/// X5, X=AC(R1), CR=12, G1, M1=3, SOFT, T="MILL".
-struct Word {
-  using Reference = nc::Reference;
-  std::string address;                  ///< upper case; one letter, or a name
-  std::optional<Expression> extension;  ///< 1 of M1=3, n of M[n]=3
-  std::optional<Expression> value;      ///< nothing: a name alone
-  Reference reference = Reference::Modal;
-  Place place;
-};
-
-/// Addresses, G and M functions and modal names of one block.
-struct Words {
-  std::vector<Word> words;
-};
-/// TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR with their axes.
-struct FrameStatement {
-  std::string name;
-  std::vector<Word> words;
-};
-/// G4 F.
-struct Dwell {
-  Expression seconds;
-};
 struct PreprocessingStop {};
 struct Message {
   std::optional<Expression> text;
@@ -115,9 +93,8 @@ struct Faulty {
 };
 
 struct Statement {
-  using What =
-      std::variant<Words, Assignment, Definition, FrameStatement, Dwell, PreprocessingStop, Message,
-                   Jump, Branch, RepeatLabel, Call, Synchronized, Cancel, Return, End, Faulty>;
+  using What = std::variant<Words, Assignment, Definition, PreprocessingStop, Message, Jump, Branch,
+                            RepeatLabel, Call, Synchronized, Cancel, Return, End, Faulty>;
   Place place;
   What what;
   /// False for the second and later statements of one block.
@@ -132,6 +109,7 @@ struct Label {
 };
 
 struct Tree {
+  std::shared_ptr<const std::string> text;  ///< that tokens point into; null: it is the reader's
   std::vector<Statement> statements;
   std::vector<Label> labels;           ///< in the order of the text
   std::vector<Definition> parameters;  ///< of PROC

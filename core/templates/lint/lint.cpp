@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <set>
 #include <span>
 #include <string_view>
@@ -22,8 +23,7 @@
 #include "machine/motion_sink.h"
 #include "nc/eval/evaluate.h"
 #include "nc/exec/block_reader.h"
-#include "nc/exec/tree_words.h"
-#include "nc/syntax/parser.h"
+#include "nc/syntax/programs.h"
 #include "templates/generator.h"
 #include "templates/lint/flow.h"
 
@@ -60,11 +60,12 @@ class CorrectionProbe final : public nc::ValueSource {
   double m_others;
 };
 
-/// The value of an address of the block; null if it is not programmed.
-const nc::Expression* valueOf(const Words& words, std::string_view address) {
-  const auto found = std::find_if(words.words.begin(), words.words.end(),
-                                  [address](const nc::Word& w) { return w.address == address; });
-  return found != words.words.end() && found->value ? &*found->value : nullptr;
+/// The value of F, whatever it is made of.
+nc::Expression feedOf(const Words& words) {
+  const auto found = std::find_if(words.tokens.begin(), words.tokens.end(),
+                                  [](const nc::Token& token) { return token.address == 'F'; });
+  const nc::Expression* const value = found == words.tokens.end() ? nullptr : found->calculated();
+  return value != nullptr ? *value : nc::Expression::constant(found->value);
 }
 
 /// What a block says whatever its values are.
@@ -73,27 +74,29 @@ struct BlockSummary {
   std::optional<bool> rapid;            ///< of the motion it names
   std::optional<bool> relative;         ///< G90, G91
   bool namesFeed = false;
+  bool dwells = false;
   bool moves = false;  ///< names an axis, also a rotary one the machine has not
 };
 
 BlockSummary summaryOf(const Words& words) {
   BlockSummary made;
-  const auto tokens = nc::tokensOf(words.words, [](const nc::Expression& value) {
-    return nc::Expected<double>(value.op == nc::Op::Number ? value.number : 1.0);
-  });
-  if (!tokens) {
-    made.alarm = machine::alarmOf(tokens.error());
-    return made;
-  }
   machine::AlarmSink alarms;
   machine::MotionSink path({}, alarms);
   nc::WordObserver observer;
   nc::ModalState state;
   nc::Variables variables(nc::sinumerikSemantics());
-  nc::BlockReader reader(nc::languageOf(nc::Dialect::Sinumerik), state, variables, nullptr,
+  nc::BlockReader reader(nc::languageOf(nc::Dialect::Sinumerik), state, variables,
                          {path, alarms, observer});
   nc::BlockWords block;
-  for (const nc::Token& token : *tokens) {
+  std::vector<nc::Token> tokens = words.tokens;
+  for (nc::Token& token : tokens) {
+    const bool isWord =
+        token.kind == nc::TokenKind::Expression || token.kind == nc::TokenKind::Assignment;
+    if (isWord && token.calculated() != nullptr) {
+      token.kind = token.address != 0 ? nc::TokenKind::Word : nc::TokenKind::NamedValue;
+      token.value = 1.0;
+      token.reference = (*token.calculation)->reference;
+    }
     reader.read(token, block);
   }
   made.alarm = alarms.take();
@@ -103,11 +106,12 @@ BlockSummary summaryOf(const Words& words) {
   if (block.distanceKey >= 0) {
     made.relative = state.relative;
   }
-  made.namesFeed = block.feed != nullptr;
+  made.namesFeed = block.feed != nullptr && !block.dwell;
+  made.dwells = block.dwell;
   const auto firstFurther = block.axes.given.begin() + nc::kFirstFurther;
-  made.moves =
-      !made.alarm && (block.hasAnyCentre() ||
-                      std::find(block.axes.given.begin(), firstFurther, true) != firstFurther);
+  made.moves = !made.alarm && !block.dwell &&
+               (block.hasAnyCentre() ||
+                std::find(block.axes.given.begin(), firstFurther, true) != firstFurther);
   return made;
 }
 
@@ -570,7 +574,7 @@ class Linter {
     state.mayRelative = block.relative.value_or(state.mayRelative);
     if (block.namesFeed) {
       state.mustFeed = true;
-      const Evaluation feed = evaluate(*valueOf(words, "F"), state.values);
+      const Evaluation feed = evaluate(feedOf(words), state.values);
       m_usesClientFeed = m_usesClientFeed || feed.asks(m_cells.feed);
     }
     if (!block.moves) {
@@ -828,7 +832,7 @@ class Linter {
     bool asksMainRun = false;
     bool counts = false;
     for (const std::size_t at : cycle) {
-      if (std::holds_alternative<Words>(m_statements[at].what)) {
+      if (std::holds_alternative<Words>(m_statements[at].what) && !dwells(at)) {
         return false;
       }
       const std::vector<std::size_t> next = nextOf(at);
@@ -842,13 +846,18 @@ class Linter {
     return m_cells.corrects() && asksMainRun && counts;
   }
 
+  [[nodiscard]] bool dwells(std::size_t at) const {
+    const auto* const words = std::get_if<Words>(&m_statements[at].what);
+    return words != nullptr && summaryOf(*words).dwells;
+  }
+
   /// A loop that does not wait and ends by what it computes needs no question for a stop.
   [[nodiscard]] bool lasts(const std::vector<std::size_t>& cycle) const {
     bool leaves = false;
     for (const std::size_t at : cycle) {
       const auto& what = m_statements[at].what;
-      if (std::holds_alternative<nc::Dwell>(what) ||
-          std::holds_alternative<nc::PreprocessingStop>(what) || !conditionReads(at).empty()) {
+      if (dwells(at) || std::holds_alternative<nc::PreprocessingStop>(what) ||
+          !conditionReads(at).empty()) {
         return true;
       }
       for (const std::size_t next : nextOf(at)) {
@@ -963,8 +972,8 @@ base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
   if (!cells) {
     return base::fail(cells.error());
   }
-  const nc::Tree program = nc::parseSinumerik(text);
-  return Linter(program, parameters, *cells).run();
+  const std::shared_ptr<const nc::Tree> program = nc::parseSinumerik(std::string(text));
+  return Linter(*program, parameters, *cells).run();
 }
 
 const LintFinding* firstError(const std::vector<LintFinding>& findings) {
