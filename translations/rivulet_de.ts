@@ -442,6 +442,25 @@
     </message>
 </context>
 <context>
+    <name>ConnectionTexts</name>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Connecting …</source>
+        <translation>Verbindet …</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -1164,20 +1183,12 @@ GPL-3.0-or-later</translation>
         <translation>Rivulet</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
         <source>&amp;Open program …</source>
         <translation>Programm &amp;öffnen …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -1212,36 +1223,20 @@ GPL-3.0-or-later</translation>
         <translation>Ein Lauf ist aktiv. Stopp drücken, das Ende des Laufs abwarten, dann schließen.</translation>
     </message>
     <message>
-        <source>Not connected</source>
-        <translation>Nicht verbunden</translation>
-    </message>
-    <message>
-        <source>Connecting …</source>
-        <translation>Verbinden …</translation>
-    </message>
-    <message>
-        <source>Virtual machine</source>
-        <translation>Virtuelle Maschine</translation>
-    </message>
-    <message>
-        <source>Connected</source>
-        <translation>Verbunden</translation>
-    </message>
-    <message>
-        <source>Connection lost</source>
-        <translation>Verbindung verloren</translation>
-    </message>
-    <message>
-        <source>Connection and state of the machine</source>
-        <translation>Verbindung und Zustand der Maschine</translation>
-    </message>
-    <message>
-        <source>Set-up</source>
-        <translation>Einrichten</translation>
-    </message>
-    <message>
         <source>Method, feed and verdict</source>
         <translation>Verfahren, Vorschub und Urteil</translation>
+    </message>
+    <message>
+        <source>&amp;Set-up</source>
+        <translation>&amp;Einrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Menu</source>
+        <translation>&amp;Menü</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
     </message>
 </context>
 <context>
@@ -1837,22 +1832,6 @@ GPL-3.0-or-later</translation>
         <translation>Meldung</translation>
     </message>
     <message>
-        <source>Disconnected</source>
-        <translation>Nicht verbunden</translation>
-    </message>
-    <message>
-        <source>Connecting …</source>
-        <translation>Verbindung wird aufgebaut …</translation>
-    </message>
-    <message>
-        <source>Connected</source>
-        <translation>Verbunden</translation>
-    </message>
-    <message>
-        <source>Connection lost</source>
-        <translation>Verbindung verloren</translation>
-    </message>
-    <message>
         <source>Connect</source>
         <translation>Verbinden</translation>
     </message>
@@ -2188,6 +2167,21 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::HelpPage</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::HistogramChart</name>
     <message>
         <source>Duration, ms</source>
@@ -2343,6 +2337,25 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 messages</source>
         <translation>%1 Meldungen</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachineButton</name>
+    <message>
+        <source>Virtual machine</source>
+        <translation>Virtuelle Maschine</translation>
+    </message>
+    <message>
+        <source>%1, silent for %2 s</source>
+        <translation>%1, seit %2 s keine Antwort</translation>
+    </message>
+    <message>
+        <source>Connection and state of the machine</source>
+        <translation>Verbindung und Zustand der Maschine</translation>
     </message>
 </context>
 <context>
@@ -3596,6 +3609,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1, layout number %2</source>
         <translation>%1, Layoutnummer %2</translation>
+    </message>
+    <message>
+        <source>Flexible program</source>
+        <translation>Flexibles Programm</translation>
     </message>
 </context>
 <context>

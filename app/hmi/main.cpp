@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   const QCommandLineOption languageOption(QStringLiteral("language"), QStringLiteral("en or de."),
                                           QStringLiteral("LANGUAGE"));
   const QCommandLineOption themeOption(
-      QStringLiteral("theme"), QStringLiteral("light, dark or system."), QStringLiteral("THEME"));
+      QStringLiteral("theme"), QStringLiteral("light, dark, contrast or system."), QStringLiteral("THEME"));
   const QCommandLineOption logOption(
       QStringLiteral("log-level"),
       QStringLiteral("What is logged on standard error (default: warning) and in the log file "
@@ -84,10 +84,7 @@ int main(int argc, char** argv) {
     settings.language = parser.value(languageOption);
   }
   if (parser.isSet(themeOption)) {
-    const QString theme = parser.value(themeOption);
-    settings.theme = theme == QLatin1String("light")  ? rivulet::widgets::Theme::Light
-                     : theme == QLatin1String("dark") ? rivulet::widgets::Theme::Dark
-                                                      : rivulet::widgets::Theme::System;
+    settings.theme = rivulet::widgets::themeFromName(parser.value(themeOption));
   }
   rivulet::hmi::MainWindow window(settings, !isDemo);
   window.show();

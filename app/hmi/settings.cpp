@@ -15,25 +15,6 @@ namespace rivulet::hmi {
 
 namespace {
 
-QString themeName(widgets::Theme theme) {
-  switch (theme) {
-    case widgets::Theme::Light:
-      return QStringLiteral("light");
-    case widgets::Theme::Dark:
-      return QStringLiteral("dark");
-    case widgets::Theme::System:
-      break;
-  }
-  return QStringLiteral("system");
-}
-
-widgets::Theme themeFromName(const QString& name) {
-  if (name == QLatin1String("light")) {
-    return widgets::Theme::Light;
-  }
-  return name == QLatin1String("dark") ? widgets::Theme::Dark : widgets::Theme::System;
-}
-
 QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
@@ -70,7 +51,7 @@ Settings loadSettings() {
   settings.endpoint = store.value(QStringLiteral("endpoint"), settings.endpoint).toString();
   settings.recentFiles = store.value(QStringLiteral("recentFiles")).toStringList();
   settings.language = store.value(QStringLiteral("language")).toString();
-  settings.theme = themeFromName(store.value(QStringLiteral("theme")).toString());
+  settings.theme = widgets::themeFromName(store.value(QStringLiteral("theme")).toString());
   settings.geometry = store.value(QStringLiteral("geometry")).toByteArray();
   widgets::StreamSettings& stream = settings.stream;
   stream.feedMmPerS = base::mmPerSFromMmPerMin(2000.0);
@@ -109,7 +90,7 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("endpoint"), settings.endpoint);
   store.setValue(QStringLiteral("recentFiles"), settings.recentFiles);
   store.setValue(QStringLiteral("language"), settings.language);
-  store.setValue(QStringLiteral("theme"), themeName(settings.theme));
+  store.setValue(QStringLiteral("theme"), widgets::themeName(settings.theme));
   store.setValue(QStringLiteral("geometry"), settings.geometry);
   const widgets::StreamSettings& stream = settings.stream;
   store.setValue(QStringLiteral("stream/method"), text(base::methodName(stream.parameters.method)));

@@ -241,6 +241,8 @@ void AlarmPage::showSelected() {
 void AlarmPage::retranslate() {
   m_tabs->setTabText(0, tr("Alarms (%1)").arg(m_model->rowCount()));
   m_tabs->setTabText(1, tr("History"));
+  m_table->setAccessibleName(m_tabs->tabText(0));
+  m_history->setAccessibleName(m_tabs->tabText(1));
   m_causeTitle->setText(tr("Cause"));
   m_remedyTitle->setText(tr("What to do"));
   m_acknowledge->setText(tr("Acknowledge"));

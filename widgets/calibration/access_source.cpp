@@ -93,7 +93,7 @@ QString serverText(const opcua::ServerIdentity& server) {
 
 QString dateText(const std::string& utc) {
   const QDateTime at = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
-  return at.isValid() ? QLocale().toString(at.toLocalTime(), QLocale::ShortFormat)
+  return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
                       : QString::fromStdString(utc);
 }
 

@@ -82,6 +82,10 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   m_budget->setRange(0, kMinutesMax);
   m_budget->setValue(kMinutes);
   m_arrays->setChecked(true);
+  m_cellsName->setBuddy(m_firstCell);
+  m_to->setBuddy(m_lastCell);
+  m_shotsName->setBuddy(m_shots);
+  m_budgetName->setBuddy(m_budget);
   m_progress->setRange(0, 1000);
   m_hint->setWordWrap(true);
   m_state->setWordWrap(true);
@@ -250,6 +254,8 @@ void CalibrationPage::retranslate() {
   }
   m_tabs->setTabText(0, tr("Lines"));
   m_tabs->setTabText(1, tr("Spread (times in ms)"));
+  m_fitTable->setAccessibleName(tr("Lines"));
+  m_seriesTable->setAccessibleName(tr("Spread (times in ms)"));
   m_fits->refresh();
   m_series->refresh();
   m_lines->retranslate();

@@ -252,6 +252,7 @@ void LogView::retranslate() {
   m_search->setPlaceholderText(tr("Search"));
   m_search->setAccessibleName(tr("Search"));
   m_wrap->setText(tr("Wrap lines"));
+  m_table->setAccessibleName(tr("Messages"));
   m_copy->setText(tr("Copy"));
   m_save->setText(tr("Save…"));
   m_model->refresh();

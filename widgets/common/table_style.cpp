@@ -5,9 +5,11 @@
 
 #include <QApplication>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QTableView>
+#include <QToolTip>
 
 #include "widgets/common/diagnostic_text.h"
 #include "widgets/common/icons.h"
@@ -37,6 +39,18 @@ class PaddedDelegate final : public QStyledItemDelegate {
     QStyleOptionViewItem padded = option;
     padded.rect.adjust(kPaddingPx, 0, -kPaddingPx, 0);
     return QStyledItemDelegate::sizeHint(padded, index) + QSize(2 * kPaddingPx, 6);
+  }
+
+  /// What does not fit its cell is told when one points at it.
+  bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                 const QModelIndex& index) override {
+    const QString text = index.data(Qt::DisplayRole).toString();
+    if (event->type() == QEvent::ToolTip && index.data(Qt::ToolTipRole).toString().isEmpty() &&
+        sizeHint(option, index).width() > option.rect.width()) {
+      QToolTip::showText(event->globalPos(), text, view);
+      return true;
+    }
+    return QStyledItemDelegate::helpEvent(event, view, option, index);
   }
 
  private:

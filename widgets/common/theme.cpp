@@ -5,15 +5,18 @@
 
 #include <QApplication>
 #include <QFont>
-#include <QStyle>
-#include <QStyleFactory>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/operator_style.h"
+
 namespace rivulet::widgets {
 
 namespace {
+
+/// By `Theme`.
+constexpr std::array<const char*, 4> kThemeNames{"light", "dark", "contrast", "system"};
 
 ThemeColors lightColors() {
   ThemeColors colors;
@@ -24,15 +27,16 @@ ThemeColors lightColors() {
   colors.text = QColor(0x1b, 0x1f, 0x23);
   colors.mutedText = QColor(0x4d, 0x55, 0x5d);
   colors.line = QColor(0x9a, 0xa2, 0xaa);
+  colors.outline = QColor(0x73, 0x7b, 0x83);
   colors.grid = QColor(0xdd, 0xe0, 0xe3);
   colors.accent = QColor(0x1a, 0x5c, 0x97);
-  colors.attention = QColor(0x86, 0x49, 0x00);
-  colors.fault = QColor(0xad, 0x1f, 0x18);
+  colors.attention = QColor(0x8f, 0x5a, 0x00);
+  colors.fault = QColor(0x96, 0x0c, 0x14);
   colors.path = QColor(0x7d, 0x86, 0x8f);
   colors.rapid = QColor(0x9a, 0x7b, 0x3c);
   colors.trace = QColor(0x2f, 0x4b, 0x66);
-  colors.equations = {QColor(0x1a, 0x5c, 0x97), QColor(0x7a, 0x3f, 0x98), QColor(0x1f, 0x6b, 0x5c),
-                      QColor(0x8a, 0x4b, 0x1f), QColor(0x1a, 0x5c, 0x97)};
+  colors.equations = {QColor(0x1a, 0x5c, 0x97), QColor(0x56, 0x10, 0x52), QColor(0x34, 0x57, 0x4a),
+                      QColor(0x95, 0x57, 0x31), QColor(0x1a, 0x5c, 0x97)};
   colors.feasibleFill = QColor(0x5b, 0x7d, 0x9b, 46);
   colors.safetyFill = QColor(0xd0, 0x94, 0x2b, 60);
   colors.pauseFill = QColor(0x6b, 0x74, 0x7d, 70);
@@ -48,6 +52,7 @@ ThemeColors darkColors() {
   colors.text = QColor(0xe6, 0xe9, 0xec);
   colors.mutedText = QColor(0xae, 0xb6, 0xbe);
   colors.line = QColor(0x6a, 0x73, 0x7c);
+  colors.outline = QColor(0x8a, 0x93, 0x9c);
   colors.grid = QColor(0x34, 0x39, 0x3e);
   colors.accent = QColor(0x74, 0xb5, 0xee);
   colors.attention = QColor(0xff, 0xb8, 0x4d);
@@ -55,12 +60,51 @@ ThemeColors darkColors() {
   colors.path = QColor(0x86, 0x90, 0x9a);
   colors.rapid = QColor(0xa8, 0x8c, 0x55);
   colors.trace = QColor(0xa9, 0xc4, 0xdd);
-  colors.equations = {QColor(0x74, 0xb5, 0xee), QColor(0xcf, 0x9b, 0xea), QColor(0x77, 0xcb, 0xb6),
-                      QColor(0xe3, 0xa7, 0x7a), QColor(0x74, 0xb5, 0xee)};
+  colors.equations = {QColor(0x74, 0xb5, 0xee), QColor(0xc0, 0x8f, 0xb8), QColor(0xb4, 0xf0, 0xdc),
+                      QColor(0xe9, 0xa0, 0x4d), QColor(0x74, 0xb5, 0xee)};
   colors.feasibleFill = QColor(0x74, 0xa5, 0xd0, 48);
   colors.safetyFill = QColor(0xe0, 0xa4, 0x3b, 56);
   colors.pauseFill = QColor(0xa0, 0xa9, 0xb2, 64);
   return colors;
+}
+
+ThemeColors contrastColors() {
+  ThemeColors colors;
+  colors.isDark = true;
+  colors.isContrast = true;
+  colors.window = Qt::black;
+  colors.surface = Qt::black;
+  colors.button = Qt::black;
+  colors.text = Qt::white;
+  colors.mutedText = QColor(0xe6, 0xe6, 0xe6);
+  colors.line = QColor(0xb0, 0xb0, 0xb0);
+  colors.outline = Qt::white;
+  colors.grid = QColor(0x40, 0x40, 0x40);
+  colors.accent = QColor(0x4c, 0xc9, 0xff);
+  colors.attention = QColor(0xff, 0xd4, 0x00);
+  colors.fault = QColor(0xff, 0x9a, 0x90);
+  colors.path = QColor(0xc8, 0xc8, 0xc8);
+  colors.rapid = QColor(0xd0, 0xb0, 0x70);
+  colors.trace = QColor(0xb8, 0xe0, 0xff);
+  colors.equations = {QColor(0x4c, 0xc9, 0xff), QColor(0xc9, 0x4b, 0xee), QColor(0x86, 0xb0, 0x9c),
+                      QColor(0xff, 0xb2, 0x5e), QColor(0x4c, 0xc9, 0xff)};
+  colors.feasibleFill = QColor(0x4c, 0xc9, 0xff, 60);
+  colors.safetyFill = QColor(0xff, 0xd4, 0x00, 70);
+  colors.pauseFill = QColor(0xff, 0xff, 0xff, 80);
+  return colors;
+}
+
+ThemeColors colorsOf(Theme theme) {
+  switch (theme) {
+    case Theme::Dark:
+      return darkColors();
+    case Theme::Contrast:
+      return contrastColors();
+    case Theme::Light:
+    case Theme::System:
+      break;
+  }
+  return lightColors();
 }
 
 bool isDark(const QPalette& palette) {
@@ -78,20 +122,38 @@ double luminance(const QColor& color) {
 
 }  // namespace
 
+QString themeName(Theme theme) {
+  return QLatin1String(kThemeNames[static_cast<std::size_t>(theme)]);
+}
+
+Theme themeFromName(const QString& name) {
+  for (std::size_t i = 0; i < kThemeNames.size(); ++i) {
+    if (name == QLatin1String(kThemeNames[i])) {
+      return static_cast<Theme>(i);
+    }
+  }
+  return Theme::System;
+}
+
 const ThemeColors& themeColors(const QPalette& palette) {
   static const ThemeColors light = lightColors();
   static const ThemeColors dark = darkColors();
+  static const ThemeColors contrast = contrastColors();
+  if (palette.color(QPalette::Window) == contrast.window) {
+    return contrast;  // no other theme is black
+  }
   return isDark(palette) ? dark : light;
 }
 
 QPalette themePalette(Theme theme) {
-  const ThemeColors colors = theme == Theme::Dark ? darkColors() : lightColors();
+  const ThemeColors colors = colorsOf(theme);
   QPalette palette;
   palette.setColor(QPalette::Window, colors.window);
   palette.setColor(QPalette::WindowText, colors.text);
   palette.setColor(QPalette::Base, colors.surface);
-  palette.setColor(QPalette::AlternateBase,
-                   colors.isDark ? QColor(0x22, 0x26, 0x2a) : QColor(0xf1, 0xf2, 0xf4));
+  palette.setColor(QPalette::AlternateBase, colors.isContrast ? QColor(0x1c, 0x1c, 0x1c)
+                                            : colors.isDark   ? QColor(0x22, 0x26, 0x2a)
+                                                              : QColor(0xf1, 0xf2, 0xf4));
   palette.setColor(QPalette::Text, colors.text);
   palette.setColor(QPalette::PlaceholderText, colors.mutedText);
   palette.setColor(QPalette::Button, colors.button);
@@ -99,17 +161,24 @@ QPalette themePalette(Theme theme) {
   palette.setColor(QPalette::BrightText, colors.fault);
   palette.setColor(QPalette::ToolTipBase, colors.surface);
   palette.setColor(QPalette::ToolTipText, colors.text);
-  palette.setColor(QPalette::Highlight, QColor(0x1a, 0x5c, 0x97));
-  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Highlight,
+                   colors.isContrast ? colors.attention : QColor(0x1a, 0x5c, 0x97));
+  palette.setColor(QPalette::HighlightedText, colors.isContrast ? Qt::black : Qt::white);
   palette.setColor(QPalette::Link, colors.accent);
   palette.setColor(QPalette::LinkVisited, colors.accent);
-  palette.setColor(QPalette::Light, colors.button.lighter(colors.isDark ? 130 : 104));
-  palette.setColor(QPalette::Midlight, colors.button.lighter(colors.isDark ? 115 : 102));
+  palette.setColor(QPalette::Light, colors.isContrast
+                                        ? QColor(0x38, 0x38, 0x38)
+                                        : colors.button.lighter(colors.isDark ? 130 : 104));
+  palette.setColor(QPalette::Midlight, colors.isContrast
+                                           ? QColor(0x28, 0x28, 0x28)
+                                           : colors.button.lighter(colors.isDark ? 115 : 102));
   palette.setColor(QPalette::Mid, colors.line);
   palette.setColor(QPalette::Dark,
                    colors.isDark ? QColor(0x14, 0x16, 0x18) : QColor(0x8a, 0x92, 0x9a));
   palette.setColor(QPalette::Shadow, colors.isDark ? Qt::black : QColor(0x5a, 0x60, 0x66));
-  const QColor disabled = colors.isDark ? QColor(0x8a, 0x92, 0x9a) : QColor(0x6a, 0x72, 0x7a);
+  const QColor disabled = colors.isContrast ? colors.line
+                          : colors.isDark   ? QColor(0x8a, 0x92, 0x9a)
+                                            : QColor(0x6a, 0x72, 0x7a);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     palette.setColor(QPalette::Disabled, role, disabled);
   }
@@ -118,8 +187,8 @@ QPalette themePalette(Theme theme) {
 }
 
 void applyTheme(Theme theme) {
-  if (QApplication::style()->name().compare(QStringLiteral("fusion"), Qt::CaseInsensitive) != 0) {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (qobject_cast<OperatorStyle*>(QApplication::style()) == nullptr) {
+    QApplication::setStyle(new OperatorStyle);
   }
   if (theme == Theme::System) {
     QApplication::setPalette(QPalette());  // back to what the desktop says

@@ -11,6 +11,7 @@
 
 #include <QColor>
 #include <QPalette>
+#include <QString>
 #include <array>
 
 namespace rivulet::widgets {
@@ -18,19 +19,27 @@ namespace rivulet::widgets {
 enum class Theme {
   Light,
   Dark,
-  System,  ///< light or dark, as the desktop's own palette is
+  Contrast,  ///< black and white, with lines around everything that can be operated
+  System,    ///< light or dark, as the desktop's own palette is
 };
+
+/// "light", "dark", "contrast", "system": as settings and command lines name a theme.
+[[nodiscard]] QString themeName(Theme theme);
+/// @return System for an unknown name
+[[nodiscard]] Theme themeFromName(const QString& name);
 
 /// Everything that is painted by hand or by a chart. Text colours have a contrast of at least
 /// 4.5:1 on `window` and on `surface`.
 struct ThemeColors {
   bool isDark = false;
+  bool isContrast = false;
   QColor window;
   QColor surface;  ///< behind lists, charts and the path
   QColor button;
   QColor text;
   QColor mutedText;
-  QColor line;  ///< frames and axes
+  QColor line;     ///< frames and axes
+  QColor outline;  ///< border of what can be operated: at least 3:1 on all grounds
   QColor grid;
   QColor accent;     ///< the current thing: state, executed path, tool
   QColor attention;  ///< text and icons of warnings
@@ -47,10 +56,10 @@ struct ThemeColors {
 /// The colours that belong to a palette made by `applyTheme` (or to any other: light or dark).
 [[nodiscard]] const ThemeColors& themeColors(const QPalette& palette);
 
-/// The palette of a theme. @param theme Light or Dark
+/// The palette of a theme. @param theme  not System
 [[nodiscard]] QPalette themePalette(Theme theme);
 
-/// Fusion style, palette and touch-friendly font for the whole application. Reaches every open
+/// `OperatorStyle`, palette and touch-friendly font for the whole application. Reaches every open
 /// window at once.
 void applyTheme(Theme theme);
 

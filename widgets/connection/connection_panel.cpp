@@ -14,6 +14,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
+#include "widgets/connection/connection_state.h"
 
 namespace rivulet::widgets {
 
@@ -63,7 +64,6 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
 }
 
 void ConnectionPanel::buildConnection() {
-  m_endpoint->setMinimumHeight(36);
   m_endpoint->setText(QStringLiteral("opc.tcp://127.0.0.1:4840"));
   m_endpointLabel->setBuddy(m_endpoint);
   m_connectionStatus->setEmphasis(11.0, true);
@@ -143,29 +143,11 @@ void ConnectionPanel::restyle() {
 }
 
 void ConnectionPanel::showConnection() {
-  Status status = Status::Unknown;
-  QString text;
-  switch (m_state) {
-    case ConnectionState::Disconnected:
-      text = tr("Disconnected");
-      break;
-    case ConnectionState::Connecting:
-      status = Status::Busy;
-      text = tr("Connecting …");
-      break;
-    case ConnectionState::Connected:
-      status = Status::Good;
-      text = tr("Connected");
-      break;
-    case ConnectionState::Lost:
-      status = Status::Fault;
-      text = tr("Connection lost");
-      break;
-  }
+  QString text = connectionText(m_state);
   if (!m_detail.isEmpty()) {
     text += QStringLiteral(": ") + m_detail;
   }
-  m_connectionStatus->setStatus(status, text);
+  m_connectionStatus->setStatus(connectionStatus(m_state), text);
   const bool connects =
       m_state == ConnectionState::Disconnected || m_state == ConnectionState::Lost;
   m_connect->setText(connects ? tr("Connect") : tr("Disconnect"));

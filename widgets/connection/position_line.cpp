@@ -19,9 +19,12 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr double kFontPtMin = 9.0;
-constexpr double kFontPtMax = 30.0;
-constexpr int kHeightPx = 52;
-constexpr int kGapPx = 10;
+constexpr double kFontPtMax = 40.0;
+constexpr int kHeightPxMin = 52;
+constexpr int kHeightPxMax = 88;
+constexpr int kGapPx = 8;        ///< between a name and its value
+constexpr int kGroupGapPx = 12;  ///< on both sides of the line between two readouts
+constexpr int kMarginPx = 12;
 /// The longest values that are to fit.
 const QString kLongestAxis = QStringLiteral("\u22120000.000");
 const QString kLongestFeed = QStringLiteral("00000 mm/min");
@@ -37,30 +40,36 @@ QFont sized(QFont font, double pointSize) {
 PositionLine::PositionLine(QWidget* parent)
     : Page(parent), m_freshness(new StatusLabel(this, StatusLabel::Elided{2})) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 0, 12, 0);
-  layout->setSpacing(kGapPx);
+  layout->setContentsMargins(kMarginPx, 0, kMarginPx, 0);
+  layout->setSpacing(0);
   layout->setSizeConstraint(QLayout::SetNoConstraint);  // the digits adapt instead
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     Readout& readout = m_readouts[i];
-    readout = {new QLabel(this), makeValueLabel(this)};
+    readout = {nullptr, new QLabel(this), makeValueLabel(this)};
     if (i < kAxisReadouts) {
       readout.name->setText(QString(
           QLatin1Char(i < base::kAxisCount ? base::kAxisNames[i]
                                            : base::kRotaryAxisNames[i - base::kAxisCount])));
     }
     readout.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    layout->addWidget(readout.name);
-    layout->addWidget(readout.value, 1);
+    readout.group = new QWidget(this);
+    auto* pair = new QHBoxLayout(readout.group);
+    pair->setContentsMargins(i == 0 ? 0 : kGroupGapPx, 0, kGroupGapPx, 0);
+    pair->setSpacing(kGapPx);
+    pair->addWidget(readout.name);
+    pair->addWidget(readout.value);
+    layout->addWidget(readout.group);
   }
-  layout->addWidget(m_freshness, 2);
-  setFixedHeight(kHeightPx);
+  layout->addSpacing(kGroupGapPx);
+  layout->addWidget(m_freshness, 1);
+  setFixedHeight(kHeightPxMin);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   retranslate();
   restyle();
 }
 
 QSize PositionLine::minimumSizeHint() const {
-  return {0, kHeightPx};
+  return {0, height()};
 }
 
 void PositionLine::setMachineState(const MachineView& machine) {
@@ -111,8 +120,7 @@ void PositionLine::showAll() {
     const QString text = numberText(m_machine.rotaryDeg ? (*m_machine.rotaryDeg)[axis] : nan, 3);
     show(readout, text == noValue() ? text : text + QStringLiteral("°"),
          !isFresh(m_machine.positionAgeS));
-    m_readouts[readout].name->setVisible(m_machine.rotaryAxes[axis]);
-    m_readouts[readout].value->setVisible(m_machine.rotaryAxes[axis]);
+    m_readouts[readout].group->setVisible(m_machine.rotaryAxes[axis]);
   }
   show(kFeed,
        m_machine.feedMmPerS
@@ -144,28 +152,40 @@ void PositionLine::fitFonts() {
   constexpr double kProbePt = 10.0;
   const QFontMetrics metrics(sized(font(), kProbePt));
   double atProbe = 0.0;
-  double fixed = 2.0 * 12.0;
+  double fixed = 2.0 * kMarginPx + kGroupGapPx;
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     if (i >= base::kAxisCount && i < kAxisReadouts && !m_machine.rotaryAxes[i - base::kAxisCount]) {
       continue;
     }
     atProbe += metrics.horizontalAdvance(m_readouts[i].name->text()) +
                metrics.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis);
-    fixed += 2.0 * kGapPx;
+    fixed += 2.0 * kGroupGapPx + kGapPx;
   }
-  // A quarter of the line says how old it is.
-  const double room = 0.75 * width() - fixed;
-  const double pointSize = std::clamp(kProbePt * room / atProbe, kFontPtMin, kFontPtMax);
-  for (const Readout& readout : m_readouts) {
-    QFont value = sized(font(), pointSize);
+  // A fifth of the line says how old it is.
+  const double room = 0.8 * width() - fixed;
+  const double byHeight = kProbePt * 0.62 * height() / metrics.height();
+  const double pointSize =
+      std::clamp(std::min(kProbePt * room / atProbe, byHeight), kFontPtMin, kFontPtMax);
+  const QFont fitting = sized(font(), pointSize);
+  for (std::size_t i = 0; i < m_readouts.size(); ++i) {
+    const Readout& readout = m_readouts[i];
+    QFont value = fitting;
     value.setStrikeOut(readout.value->font().strikeOut());
     readout.value->setFont(value);
-    readout.name->setFont(sized(font(), pointSize));
+    // The same width whatever the value is: digits that move cannot be read.
+    readout.value->setFixedWidth(
+        QFontMetrics(fitting).horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
+    readout.name->setFont(fitting);
   }
 }
 
 void PositionLine::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
+  constexpr int kWidthPerHeight = 22;
+  constexpr int kWindowPerHeight = 10;
+  setFixedHeight(
+      std::clamp(std::min(width() / kWidthPerHeight, window()->height() / kWindowPerHeight),
+                 kHeightPxMin, kHeightPxMax));
   fitFonts();
 }
 
@@ -175,6 +195,12 @@ void PositionLine::paintEvent(QPaintEvent* /*event*/) {
   painter.fillRect(rect(), colors.surface);
   painter.setPen(colors.line);
   painter.drawLine(0, height() - 1, width(), height() - 1);
+  for (const Readout& readout : m_readouts) {
+    if (readout.group->isVisible()) {
+      const int x = readout.group->geometry().right();
+      painter.drawLine(x, height() / 4, x, height() - height() / 4);
+    }
+  }
 }
 
 }  // namespace rivulet::widgets

@@ -36,6 +36,7 @@ class PositionLine final : public Page {
 
  private:
   struct Readout {
+    QWidget* group;
     QLabel* name;
     QLabel* value;
   };

@@ -3,6 +3,7 @@
 
 #include "widgets/program/program_panel.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -58,7 +59,10 @@ QString boundsText(double minMm, double maxMm) {
 
 /// A line number to click on. @param lines  what is shown
 QString linkTo(base::LineNumber line, const QString& lines) {
-  return QStringLiteral("<a href=\"%1\">%2</a>").arg(line.value).arg(lines);
+  // With its colour in the text: otherwise it keeps that of the theme it was first shown in.
+  return QStringLiteral("<a href=\"%1\" style=\"color:%2\">%3</a>")
+      .arg(QString::number(line.value), QApplication::palette().color(QPalette::Link).name(),
+           lines);
 }
 
 }  // namespace
@@ -317,6 +321,7 @@ void ProgramPanel::restyle() {
   for (QLabel* name : m_figureNames) {
     setMuted(name, palette());
   }
+  showDistances();  // links have the colour they were made with
 }
 
 void ProgramPanel::showProgram() {

@@ -24,7 +24,6 @@ namespace rivulet::widgets {
 
 namespace {
 
-constexpr int kFieldHeightPx = 36;
 constexpr double kStepsPerMm = 1000.0;
 
 int stepsOf(double valueMm) {
@@ -76,7 +75,6 @@ QLayout* CorrectionPanel::makeAxes() {
             new QSlider(Qt::Horizontal, this), new NumberField(this), makeValueLabel(this)};
     axis.slider->setMinimumHeight(kTouchHeightPx);
     axis.slider->setTickPosition(QSlider::TicksBelow);  // the ends and zero
-    axis.field->setMinimumHeight(kFieldHeightPx);
     axis.field->setDecimals(3);
     axis.field->setSingleStep(0.001);
     axis.field->setKeyboardTracking(false);  // half a number is not a value
@@ -116,11 +114,11 @@ QLayout* CorrectionPanel::makeSource() {
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setHorizontalSpacing(16);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   const auto addRow = [this, form](QLabel* label, QWidget* field) {
-    field->setMinimumHeight(kFieldHeightPx);
     field->setFocusPolicy(Qt::StrongFocus);
     field->installEventFilter(this);
-    label->setMinimumHeight(kFieldHeightPx);
+    label->setMinimumHeight(kTouchHeightPx);
     label->setBuddy(field);
     form->addRow(label, field);
   };

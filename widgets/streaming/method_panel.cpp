@@ -28,7 +28,6 @@ using streaming::AccessPreference;
 
 namespace {
 
-constexpr int kFieldHeightPx = 36;
 constexpr double kFeedMmPerMinMin = 0.1;
 
 /// Smallest δ to be suggested: just above the limit, rounded up to 0.001 mm.
@@ -159,10 +158,10 @@ void MethodPanel::buildSettings() {
   auto* form = new QFormLayout(m_settingsGroup);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setHorizontalSpacing(16);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   const auto addRow = [form](QLabel* label, QWidget* field) {
-    field->setMinimumHeight(kFieldHeightPx);
-    label->setMinimumHeight(kFieldHeightPx);
+    label->setMinimumHeight(kTouchHeightPx);
     label->setBuddy(field);
     form->addRow(label, field);
   };
@@ -173,8 +172,7 @@ void MethodPanel::buildSettings() {
   addRow(m_layoutLabel, m_layout);
   addRow(m_correctionLabel, m_correction);
   addRow(m_accessLabel, m_access);
-  m_transferLabel->setBuddy(m_byHand);
-  form->addRow(m_transferLabel, m_byHand);  // rarely touched: no row as high as a finger
+  addRow(m_transferLabel, m_byHand);
 }
 
 void MethodPanel::buildVerdict() {
@@ -183,6 +181,7 @@ void MethodPanel::buildVerdict() {
   auto* pauses = new QFormLayout(m_pausesGroup);
   pauses->setLabelAlignment(Qt::AlignLeft);
   pauses->setHorizontalSpacing(16);
+  pauses->setRowWrapPolicy(QFormLayout::WrapLongRows);
   pauses->addRow(m_plannedLabel, m_planned);
   pauses->addRow(m_costLabel, m_cost);
 
@@ -190,10 +189,12 @@ void MethodPanel::buildVerdict() {
   m_reason->setWordWrap(true);
   m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_place->setWordWrap(true);
+  m_limit->setWordWrap(true);
   m_margin->setWordWrap(true);
   auto* figures = new QFormLayout;
   figures->setLabelAlignment(Qt::AlignLeft);
   figures->setHorizontalSpacing(16);
+  figures->setRowWrapPolicy(QFormLayout::WrapLongRows);
   figures->addRow(m_marginLabel, m_margin);
   figures->addRow(m_limitLabel, m_limit);
   figures->addRow(m_placeLabel, m_place);

@@ -484,6 +484,13 @@ void RunPanel::showEvent(QShowEvent* event) {
   fitFigures();
 }
 
+void RunPanel::changeEvent(QEvent* event) {
+  Page::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+    fitFigures();
+  }
+}
+
 void RunPanel::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setPen(themeColors(palette()).line);

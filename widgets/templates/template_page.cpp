@@ -99,6 +99,8 @@ void TemplatePage::retranslate() {
   m_copy->setText(tr("Copy"));
   m_save->setText(tr("Save…"));
   m_cellsGroup->setTitle(tr("Cells"));
+  m_table->setAccessibleName(tr("Cells"));
+  m_text->setAccessibleName(tr("Flexible program"));
   m_cells->refresh();
   showState();
 }

@@ -61,8 +61,8 @@ TracePage::TracePage(QWidget* parent)
   m_table->setModel(m_pauses);
   styleTable(m_table);
   m_table->horizontalHeader()->setStretchLastSection(true);
-  m_table->setColumnWidth(PauseModel::Start, 92);
-  m_table->setColumnWidth(PauseModel::Duration, 84);
+  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_table->horizontalHeader()->setResizeContentsPrecision(50);  // not all of a long run
   auto* pauses = new QVBoxLayout(m_pausesGroup);
   auto* summary = new QGridLayout;
   summary->setHorizontalSpacing(16);
@@ -189,6 +189,7 @@ void TracePage::retranslate() {
   m_all->setText(tr("Show all"));
   m_all->setToolTip(tr("Wheel: zoom. Drag: move."));
   m_pausesGroup->setTitle(tr("Pauses (STOPRE)"));
+  m_table->setAccessibleName(tr("Pauses (STOPRE)"));
   m_summaryNames[0]->setText(tr("Number"));
   m_summaryNames[1]->setText(tr("Mean"));
   m_summaryNames[2]->setText(tr("Total"));

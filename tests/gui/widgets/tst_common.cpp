@@ -11,6 +11,9 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "gcode/error.h"
@@ -33,6 +36,70 @@ using namespace rivulet::widgets;
 namespace {
 
 const QChar kSpace(0x00A0);
+
+/// How an eye sees a colour: linear RGB, multiplied by this. Machado, Oliveira, Fernandes, "A
+/// physiologically-based model for simulation of color vision deficiency", 2009, severity 1.
+struct Vision {
+  const char* name;
+  std::array<std::array<double, 3>, 3> matrix;
+};
+constexpr std::array<Vision, 4> kVisions{{
+    {"all colours", {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}}},
+    {"protanopia",
+     {{{0.152286, 1.052583, -0.204868},
+       {0.114503, 0.786281, 0.099216},
+       {-0.003882, -0.048116, 1.051998}}}},
+    {"deuteranopia",
+     {{{0.367322, 0.860646, -0.227968},
+       {0.280085, 0.672501, 0.047413},
+       {-0.011820, 0.042940, 0.968881}}}},
+    {"tritanopia",
+     {{{1.255528, -0.076749, -0.178779},
+       {-0.078411, 0.930809, 0.147602},
+       {0.004733, 0.691367, 0.303900}}}},
+}};
+
+using Triple = std::array<double, 3>;
+
+Triple multiplied(const std::array<Triple, 3>& matrix, const Triple& value) {
+  Triple result{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      result[row] += matrix[row][column] * value[column];
+    }
+  }
+  return result;
+}
+
+/// Linear RGB as the eye gets it.
+Triple seenBy(const Vision& eye, const QColor& color) {
+  const auto linear = [](double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+  };
+  Triple seen =
+      multiplied(eye.matrix, {linear(color.redF()), linear(color.greenF()), linear(color.blueF())});
+  for (double& channel : seen) {
+    channel = std::clamp(channel, 0.0, 1.0);
+  }
+  return seen;
+}
+
+/// Distance in CIE L*a*b* (1976), white point D65.
+double colourDifference(const Triple& first, const Triple& second) {
+  const auto lab = [](const Triple& rgb) {
+    Triple xyz = multiplied(
+        {{{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}}}, rgb);
+    const Triple white{0.95047, 1.0, 1.08883};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double share = xyz[i] / white[i];
+      xyz[i] = share > 0.008856 ? std::cbrt(share) : 7.787 * share + 16.0 / 116.0;
+    }
+    return Triple{116.0 * xyz[1] - 16.0, 500.0 * (xyz[0] - xyz[1]), 200.0 * (xyz[1] - xyz[2])};
+  };
+  const Triple a = lab(first);
+  const Triple b = lab(second);
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 }  // namespace
 
@@ -61,12 +128,14 @@ class TestCommon : public QObject {
     QTest::addColumn<int>("theme");
     QTest::newRow("light") << static_cast<int>(Theme::Light);
     QTest::newRow("dark") << static_cast<int>(Theme::Dark);
+    QTest::newRow("contrast") << static_cast<int>(Theme::Contrast);
   }
   void themesAreReadable() {
     QFETCH(int, theme);
     const QPalette palette = themePalette(static_cast<Theme>(theme));
     const ThemeColors& colors = themeColors(palette);
-    QCOMPARE(colors.isDark, static_cast<Theme>(theme) == Theme::Dark);
+    QCOMPARE(colors.isDark, static_cast<Theme>(theme) != Theme::Light);
+    QCOMPARE(colors.isContrast, static_cast<Theme>(theme) == Theme::Contrast);
     for (const QColor& text :
          {colors.text, colors.mutedText, colors.attention, colors.fault, colors.accent,
           colors.equations[0], colors.equations[1], colors.equations[2], colors.equations[3]}) {
@@ -77,8 +146,48 @@ class TestCommon : public QObject {
     QVERIFY(contrastRatio(palette.color(QPalette::HighlightedText),
                           palette.color(QPalette::Highlight)) >= 4.5);
     // Lines and shapes need 3:1.
+    for (const QColor& ground : {colors.window, colors.surface, colors.button}) {
+      QVERIFY2(contrastRatio(colors.outline, ground) >= 3.0, qPrintable(ground.name()));
+      QVERIFY2(contrastRatio(colors.accent, ground) >= 3.0, qPrintable(ground.name()));  // focus
+    }
     for (const QColor& line : {colors.path, colors.rapid, colors.trace}) {
       QVERIFY2(contrastRatio(line, colors.surface) >= 3.0, qPrintable(line.name()));
+    }
+  }
+
+  /// States, kinds of move and borders of the region: told apart by everybody, also by those who
+  /// see two of the three primary colours only. (The states have a shape and a word as well.)
+  void coloursAreToldApart_data() {
+    QTest::addColumn<int>("theme");
+    QTest::addColumn<int>("vision");
+    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Contrast}) {
+      for (std::size_t vision = 0; vision < kVisions.size(); ++vision) {
+        QTest::addRow("%s, %s", qPrintable(themeName(theme)), kVisions[vision].name)
+            << static_cast<int>(theme) << static_cast<int>(vision);
+      }
+    }
+  }
+  void coloursAreToldApart() {
+    QFETCH(int, theme);
+    QFETCH(int, vision);
+    // A difference of 1 is just seen side by side, one of 10 at a glance.
+    constexpr double kDifferenceMin = 12.0;
+    const ThemeColors& colors = themeColors(themePalette(static_cast<Theme>(theme)));
+    const std::vector<std::vector<QColor>> groups{
+        {colors.text, colors.attention, colors.fault},
+        {colors.accent, colors.path, colors.rapid},
+        {colors.equations[0], colors.equations[1], colors.equations[2], colors.equations[3]}};
+    for (const std::vector<QColor>& group : groups) {
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const auto& eye = kVisions[static_cast<std::size_t>(vision)];
+          const double difference = colourDifference(seenBy(eye, group[i]), seenBy(eye, group[j]));
+          QVERIFY2(difference >= kDifferenceMin,
+                   qPrintable(QStringLiteral("%1 and %2: %3")
+                                  .arg(group[i].name(), group[j].name())
+                                  .arg(difference)));
+        }
+      }
     }
   }
 

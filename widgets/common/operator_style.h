@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// How controls are drawn and how large they are, for the whole application: Qt's Fusion with
+/// borders that can be seen in every theme, and with room for a finger. A page need not ask for
+/// either.
+/// @threadsafety GUI thread.
+#pragma once
+
+#include <QProxyStyle>
+
+namespace rivulet::widgets {
+
+class OperatorStyle final : public QProxyStyle {
+  Q_OBJECT
+
+ public:
+  OperatorStyle();
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override;
+  [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                                const QWidget* widget) const override;
+  [[nodiscard]] QSize sizeFromContents(ContentsType type, const QStyleOption* option,
+                                       const QSize& contents, const QWidget* widget) const override;
+};
+
+}  // namespace rivulet::widgets

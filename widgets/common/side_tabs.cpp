@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/side_tabs.h"
+
+#include <QCursor>
+#include <QPainter>
+#include <QTabBar>
+#include <algorithm>
+
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kMarkPx = 5;  ///< bar at the left of the present page
+constexpr int kPaddingPx = 10;
+/// In a low window. It is one on a screen scaled to 200 %, where this is more than enough.
+constexpr int kHeightPxMin = 34;
+
+class SideTabBar final : public QTabBar {
+ public:
+  explicit SideTabBar(QWidget* parent) : QTabBar(parent) {
+    setMouseTracking(true);
+    setDrawBase(false);
+    setUsesScrollButtons(true);
+  }
+
+ protected:
+  [[nodiscard]] QSize tabSizeHint(int /*index*/) const override {
+    QFont bold = font();
+    bold.setBold(true);  // as the present one is drawn
+    const QFontMetrics metrics(bold);
+    int width = 0;
+    for (int i = 0; i < count(); ++i) {
+      width = std::max(width, metrics.horizontalAdvance(tabText(i)));
+    }
+    const int room = parentWidget()->height() / std::max(1, count());
+    return {width + kMarkPx + 2 * kPaddingPx, std::clamp(room, kHeightPxMin, kTouchHeightPx)};
+  }
+
+  [[nodiscard]] QSize minimumTabSizeHint(int index) const override { return tabSizeHint(index); }
+
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    const ThemeColors& colors = themeColors(palette());
+    for (int i = 0; i < count(); ++i) {
+      const QRect place = tabRect(i);
+      const bool isCurrent = i == currentIndex();
+      QFont textFont = font();
+      if (isCurrent) {
+        painter.fillRect(place, colors.surface);
+        painter.fillRect(QRect(place.topLeft(), QSize(kMarkPx, place.height())), colors.accent);
+        textFont.setBold(true);
+      } else if (place.contains(mapFromGlobal(QCursor::pos()))) {
+        painter.fillRect(place, colors.button);
+      }
+      painter.setPen(colors.line);
+      painter.drawLine(place.bottomLeft(), place.bottomRight());
+      painter.setFont(textFont);
+      painter.setPen(colors.text);
+      painter.drawText(place.adjusted(kMarkPx + kPaddingPx, 0, 0, 0),
+                       Qt::AlignLeft | Qt::AlignVCenter, tabText(i));
+    }
+  }
+};
+
+}  // namespace
+
+SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
+  setTabBar(new SideTabBar(this));
+  setTabPosition(West);
+  setDocumentMode(true);
+}
+
+void SideTabs::resizeEvent(QResizeEvent* event) {
+  tabBar()->setElideMode(Qt::ElideNone);  // asks for the sizes of the tabs again
+  QTabWidget::resizeEvent(event);
+}
+
+}  // namespace rivulet::widgets
