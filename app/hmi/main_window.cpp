@@ -8,14 +8,16 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QMenuBar>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <initializer_list>
 
 #include "hmi/input_guard.h"
@@ -23,10 +25,11 @@
 #include "widgets/alarms/alarm_page.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/blocked_text.h"
+#include "widgets/common/focus_frame.h"
 #include "widgets/common/folding_columns.h"
-#include "widgets/common/icons.h"
+#include "widgets/common/help_page.h"
 #include "widgets/common/number_field.h"
-#include "widgets/common/status_label.h"
+#include "widgets/common/side_tabs.h"
 #include "widgets/common/theme.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
@@ -37,35 +40,6 @@ namespace rivulet::hmi {
 namespace {
 
 constexpr int kHeaderHeightPx = 48;
-
-QString linkText(const session::LinkChanged& link) {
-  switch (link.state) {
-    case session::LinkState::Disconnected:
-      return MainWindow::tr("Not connected");
-    case session::LinkState::Connecting:
-      return MainWindow::tr("Connecting …");
-    case session::LinkState::Connected:
-      return link.isVirtualMachine ? MainWindow::tr("Virtual machine")
-                                   : MainWindow::tr("Connected");
-    case session::LinkState::Lost:
-      return MainWindow::tr("Connection lost");
-  }
-  return {};
-}
-
-widgets::Status linkStatus(const session::LinkChanged& link) {
-  switch (link.state) {
-    case session::LinkState::Disconnected:
-      return widgets::Status::Unknown;
-    case session::LinkState::Connecting:
-      return widgets::Status::Busy;
-    case session::LinkState::Connected:
-      return link.isVirtualMachine ? widgets::Status::Simulated : widgets::Status::Good;
-    case session::LinkState::Lost:
-      return widgets::Status::Fault;
-  }
-  return widgets::Status::Unknown;
-}
 
 }  // namespace
 
@@ -95,14 +69,15 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
         }
       },
       [this] { m_users.noticeInput(); }, this);
+  new widgets::FocusFrame(this);
   watchOperator();
   buildPages();
-  buildMenus();
+  buildMenu();
   showLock();
   connect(&m_runs, &RunController::started, this, [this] { m_isStopRequested = false; });
   connect(&m_document, &Document::programLoaded, this, &MainWindow::retranslate);
   connect(&m_runs, &RunController::permissionsChanged, this,
-          [this] { m_openAction->setEnabled(!isRunning()); });
+          [this] { m_openAction->setEnabled(!isRunning() && !m_users.isLocked()); });
   connect(&m_runs, &RunController::started, this, &MainWindow::runStarted);
   connect(&m_runs, &RunController::finished, this, &MainWindow::runFinished);
   connect(&m_alarms, &Alarms::listRequested, this, &MainWindow::showAlarms);
@@ -132,27 +107,37 @@ void MainWindow::buildPages() {
   rows->addWidget(makeFileBanner(models, central));
 
   m_centre = new QStackedWidget(central);
-  m_tabs = new QTabWidget(m_centre);
+  m_tabs = new widgets::SideTabs(m_centre);
   for (const PageEntry& entry : pageEntries()) {
     m_tabs->addTab(widgets::makeScrolling(entry.make(models, nullptr)), QString());
   }
   m_centre->addWidget(m_tabs);
   m_centre->addWidget(widgets::makeColumn(makePreflightSheet(models, nullptr)));
+  m_help = new widgets::HelpPage(QStringLiteral(":/rivulet/docs"));
+  m_centre->addWidget(m_help);
+  connect(m_help, &widgets::HelpPage::closeRequested, this, &MainWindow::showCentre);
   auto* setUp = new QWidget;
   auto* setUpRows = new QVBoxLayout(setUp);
   setUpRows->setContentsMargins(0, 0, 0, 0);
   setUpRows->setSpacing(0);
   setUpRows->addWidget(makeCorrectionPanel(models));
   setUpRows->addWidget(makeMethodPanel(models), 1);
-  m_columns = new widgets::FoldingColumns(makeConnectionPanel(models), m_centre, setUp, central);
+  m_columns = new widgets::FoldingColumns(m_centre, makeConnectionPanel(models), setUp, central);
   rows->addWidget(m_columns, 1);
-  connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showHeader);
-  connect(&m_preflight, &Preflight::openChanged, this, [this] {
-    m_centre->setCurrentIndex(m_preflight.isOpen() ? 1 : 0);
-    if (m_preflight.isOpen()) {
+  for (int i = 0; i < std::min(m_tabs->count(), 9); ++i) {
+    auto* key = new QShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(i + 1)), this);
+    connect(key, &QShortcut::activated, this, [this, i] {
+      if (m_users.isLocked()) {
+        return;
+      }
+      m_preflight.close();
+      showCentre();
       m_columns->uncover();
-    }
-  });
+      m_tabs->setCurrentIndex(i);
+    });
+  }
+  connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showColumns);
+  connect(&m_preflight, &Preflight::openChanged, this, &MainWindow::showCentre);
 
   m_resumeBar = makeResumeBar(models, central);
   rows->addWidget(m_resumeBar);
@@ -170,54 +155,59 @@ QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
   header->setFixedHeight(kHeaderHeightPx);
   auto* row = new QHBoxLayout(header);
   row->setContentsMargins(4, 0, 4, 0);
-  m_machineButton = new QToolButton(header);
+  m_machineButton = makeMachineButton(models, header);
   m_setUpButton = new QToolButton(header);
-  const auto add = [this](QToolButton* button, widgets::FoldingColumns::Side side) {
-    button->setCheckable(true);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setMinimumHeight(widgets::kTouchHeightPx);
-    connect(button, &QToolButton::clicked, this, [this, side](bool open) {
+  m_setUpButton->setCheckable(true);
+  m_menuButton = new QToolButton(header);
+  m_menuButton->setPopupMode(QToolButton::InstantPopup);
+  for (const auto& [button, side] : {std::pair(m_machineButton, widgets::FoldingColumns::First),
+                                     std::pair(m_setUpButton, widgets::FoldingColumns::Second)}) {
+    connect(button, &QToolButton::clicked, this, [this, side = side](bool open) {
       m_columns->setOpen(side, open);
-      showHeader();
+      showColumns();
     });
-  };
-  add(m_machineButton, widgets::FoldingColumns::Left);
-  add(m_setUpButton, widgets::FoldingColumns::Right);
+  }
   row->addWidget(m_machineButton);
   row->addWidget(makeAlarmLine(models, header), 1);
   row->addStretch();
   row->addWidget(makeUserButton(models, header));
   row->addWidget(m_setUpButton);
-  connect(&m_machine, &MachineModel::linkChanged, this, &MainWindow::showHeader);
+  row->addWidget(m_menuButton);
   return header;
 }
 
-void MainWindow::showHeader() {
-  const session::LinkChanged& link = m_machine.link();
-  const widgets::Status status = linkStatus(link);
-  m_machineButton->setText(linkText(link));
-  m_machineButton->setIcon(widgets::themedIcon(widgets::statusIconName(status),
-                                               widgets::statusColor(status, palette())));
-  m_machineButton->setToolTip(tr("Connection and state of the machine"));
-  m_setUpButton->setText(tr("Set-up"));
-  m_setUpButton->setToolTip(tr("Method, feed and verdict"));
-  if (m_columns != nullptr) {
-    m_machineButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::Left));
-    m_setUpButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::Right));
+void MainWindow::showColumns() {
+  m_machineButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::First));
+  m_setUpButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::Second));
+}
+
+void MainWindow::showCentre() {
+  m_centre->setCurrentIndex(m_preflight.isOpen() ? 1 : 0);
+  if (m_preflight.isOpen()) {
+    m_columns->uncover();
   }
 }
 
-void MainWindow::buildMenus() {
-  m_fileMenu = menuBar()->addMenu(QString());
-  m_openAction =
-      m_fileMenu->addAction(QString(), this, [this] { programPage()->panel()->chooseFile(); });
-  m_openAction->setShortcut(QKeySequence::Open);
-  m_fileMenu->addSeparator();
-  m_quitAction = m_fileMenu->addAction(QString(), this, &MainWindow::close);
-  m_quitAction->setShortcut(QKeySequence::Quit);
+void MainWindow::toggleHelp() {
+  if (m_centre->currentWidget() == m_help) {
+    showCentre();
+    return;
+  }
+  const auto page = static_cast<std::size_t>(m_tabs->currentIndex());
+  const char* heading = m_preflight.isOpen() ? "Running" : pageEntries()[page].help;
+  m_columns->uncover();
+  m_centre->setCurrentWidget(m_help);
+  m_help->open(QStringLiteral("hmi.md"), QString::fromLatin1(heading));
+}
 
-  m_viewMenu = menuBar()->addMenu(QString());
-  m_languageMenu = m_viewMenu->addMenu(QString());
+void MainWindow::buildMenu() {
+  auto* menu = new QMenu(m_menuButton);
+  m_menuButton->setMenu(menu);
+  m_openAction = menu->addAction(QString(), this, [this] { programPage()->panel()->chooseFile(); });
+  m_openAction->setShortcut(QKeySequence::Open);
+  addAction(m_openAction);  // so that its key works while the menu is closed
+  menu->addSeparator();
+  m_languageMenu = menu->addMenu(QString());
   m_languages = new QActionGroup(this);
   const auto addLanguage = [this](const QString& name, const QString& code) {
     // A language is named in itself, so that everybody finds the own one.
@@ -228,24 +218,31 @@ void MainWindow::buildMenus() {
   };
   addLanguage(QStringLiteral("English"), QStringLiteral("en"));
   addLanguage(QStringLiteral("Deutsch"), QStringLiteral("de"));
-  m_themeMenu = m_viewMenu->addMenu(QString());
+  m_themeMenu = menu->addMenu(QString());
   m_themes = new QActionGroup(this);
-  for (const widgets::Theme theme :
-       {widgets::Theme::Light, widgets::Theme::Dark, widgets::Theme::System}) {
+  for (const widgets::Theme theme : {widgets::Theme::Light, widgets::Theme::Dark,
+                                     widgets::Theme::Contrast, widgets::Theme::System}) {
     QAction* action = m_themeMenu->addAction(QString(), this, [this, theme] { setTheme(theme); });
     action->setCheckable(true);
     action->setChecked(m_settings.theme == theme);
     m_themes->addAction(action);
   }
 
-  m_helpMenu = menuBar()->addMenu(QString());
-  m_aboutAction = m_helpMenu->addAction(QString(), this, [this] {
+  menu->addSeparator();
+  m_helpAction = menu->addAction(QString(), this, &MainWindow::toggleHelp);
+  m_helpAction->setShortcut(QKeySequence(Qt::Key_F1));
+  addAction(m_helpAction);
+  m_aboutAction = menu->addAction(QString(), this, [this] {
     QMessageBox::about(this, tr("About Rivulet"),
                        tr("Rivulet %1\nStreams a tool path to a CNC machine over OPC UA while the "
                           "machine moves.\n\nStop ends the program at the end of its loop. It is "
                           "not an emergency stop.\n\nGPL-3.0-or-later")
                            .arg(QStringLiteral(RIVULET_VERSION)));
   });
+  menu->addSeparator();
+  m_quitAction = menu->addAction(QString(), this, &MainWindow::close);
+  m_quitAction->setShortcut(QKeySequence::Quit);
+  addAction(m_quitAction);
 }
 
 void MainWindow::retranslate() {
@@ -254,28 +251,28 @@ void MainWindow::retranslate() {
                          : tr("Rivulet"));
   for (int i = 0; i < m_tabs->count(); ++i) {
     m_tabs->setTabText(i, pageTitle(pageEntries()[static_cast<std::size_t>(i)]));
+    m_tabs->setTabToolTip(i, QStringLiteral("Alt+%1").arg(i + 1));
   }
-  m_fileMenu->setTitle(tr("&File"));
+  m_setUpButton->setText(tr("&Set-up"));
+  m_setUpButton->setToolTip(tr("Method, feed and verdict"));
+  m_menuButton->setText(tr("&Menu"));
   m_openAction->setText(tr("&Open program …"));
   m_quitAction->setText(tr("&Quit"));
-  m_viewMenu->setTitle(tr("&View"));
   m_languageMenu->setTitle(tr("&Language"));
   m_themeMenu->setTitle(tr("&Theme"));
   const QList<QAction*> themes = m_themes->actions();
   themes[0]->setText(tr("Light"));
   themes[1]->setText(tr("Dark"));
-  themes[2]->setText(tr("As the system"));
-  m_helpMenu->setTitle(tr("&Help"));
+  themes[2]->setText(tr("High contrast"));
+  themes[3]->setText(tr("As the system"));
+  m_helpAction->setText(tr("&Help"));
   m_aboutAction->setText(tr("&About Rivulet"));
-  showHeader();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange && m_aboutAction != nullptr) {
     retranslate();
     m_document.judge();
-  } else if (event->type() == QEvent::PaletteChange && m_aboutAction != nullptr) {
-    showHeader();
   }
   QMainWindow::changeEvent(event);
 }
@@ -354,9 +351,10 @@ void MainWindow::showLock() {
   m_alarms.setUser(m_users.name().toStdString());
   const bool isOpen = !m_users.isLocked();
   for (QWidget* part : std::initializer_list<QWidget*>{m_columns, m_machineButton, m_setUpButton,
-                                                       m_resumeBar, menuBar()}) {
+                                                       m_resumeBar, m_menuButton}) {
     part->setEnabled(isOpen);
   }
+  m_quitAction->setEnabled(isOpen);
   setAcceptDrops(isOpen);
   Q_EMIT m_runs.permissionsChanged();
 }
@@ -367,6 +365,8 @@ void MainWindow::showAlarms() {
   for (int i = 0; i < m_tabs->count(); ++i) {
     if (m_tabs->widget(i)->isAncestorOf(page)) {
       m_preflight.close();
+      showCentre();
+      m_columns->uncover();
       m_tabs->setCurrentIndex(i);
     }
   }

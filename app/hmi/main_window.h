@@ -33,6 +33,7 @@ class QToolButton;
 namespace rivulet::widgets {
 class CalibrationPage;
 class FoldingColumns;
+class HelpPage;
 class ProgramPage;
 class TracePage;
 }  // namespace rivulet::widgets
@@ -64,6 +65,9 @@ class MainWindow final : public QMainWindow {
   void stop() { m_runs.stop(); }
   /// Shows what a start would do; nothing moves.
   void showPreflight() { m_preflight.open(); }
+  /// Shows the manual at what is on the screen, or closes it.
+  void toggleHelp();
+  void closePreflight() { m_preflight.close(); }
   void askResume() { m_runs.askResume(); }
   bool resume() { return m_runs.resume(); }
 
@@ -104,9 +108,10 @@ class MainWindow final : public QMainWindow {
 
  private:
   void buildPages();
-  void buildMenus();
+  void buildMenu();
   [[nodiscard]] QWidget* makeHeader(const Models& models, QWidget* parent);
-  void showHeader();
+  void showColumns();
+  void showCentre();
   void showAlarms();
   /// Connects what the operator does with permissions and with the audit trail.
   void watchOperator();
@@ -134,15 +139,15 @@ class MainWindow final : public QMainWindow {
   QToolButton* m_setUpButton = nullptr;
   QWidget* m_resumeBar = nullptr;
   widgets::FoldingColumns* m_columns = nullptr;
-  QStackedWidget* m_centre = nullptr;  ///< the pages, or the preflight
+  QStackedWidget* m_centre = nullptr;  ///< the pages, the preflight or the manual
+  widgets::HelpPage* m_help = nullptr;
   QTabWidget* m_tabs = nullptr;
-  QMenu* m_fileMenu = nullptr;
-  QMenu* m_viewMenu = nullptr;
+  QToolButton* m_menuButton = nullptr;
   QMenu* m_languageMenu = nullptr;
   QMenu* m_themeMenu = nullptr;
-  QMenu* m_helpMenu = nullptr;
   QAction* m_openAction = nullptr;
   QAction* m_quitAction = nullptr;
+  QAction* m_helpAction = nullptr;
   QAction* m_aboutAction = nullptr;
   QActionGroup* m_languages = nullptr;
   QActionGroup* m_themes = nullptr;

@@ -13,10 +13,10 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr int kColumnPx = 380;
-constexpr int kPagePx = 560;  ///< least width of a page beside a column
+constexpr int kPagePx = 840;  ///< least width of the pages with their names, beside a column
 
 /// A layout that squeezes wrapped texts does so without a word: the page gets its height first.
-class Column final : public QScrollArea {
+class ScrollingColumn final : public QScrollArea {
  public:
   using QScrollArea::QScrollArea;
 
@@ -52,20 +52,20 @@ QScrollArea* makeScrolling(QWidget* page, QWidget* parent) {
 }
 
 QScrollArea* makeColumn(QWidget* page, QWidget* parent) {
-  return scrolling(new Column(parent), page);
+  return scrolling(new ScrollingColumn(parent), page);
 }
 
-FoldingColumns::FoldingColumns(QWidget* left, QWidget* centre, QWidget* right, QWidget* parent)
+FoldingColumns::FoldingColumns(QWidget* centre, QWidget* first, QWidget* second, QWidget* parent)
     : QWidget(parent),
-      m_columns{makeColumn(left, this), makeColumn(right, this)},
+      m_columns{makeColumn(first, this), makeColumn(second, this)},
       m_centre(centre) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->setSizeConstraint(QLayout::SetNoConstraint);
-  layout->addWidget(m_columns[Left]);
   layout->addWidget(m_centre, 1);
-  layout->addWidget(m_columns[Right]);
+  layout->addWidget(m_columns[First]);
+  layout->addWidget(m_columns[Second]);
   show();
 }
 
@@ -77,12 +77,12 @@ FoldingColumns::Room FoldingColumns::room() const {
 }
 
 bool FoldingColumns::coversCentre() const {
-  return m_room == Room::Page && (m_isOpen[Left] || m_isOpen[Right]);
+  return m_room == Room::Page && (m_isOpen[First] || m_isOpen[Second]);
 }
 
 void FoldingColumns::uncover() {
   if (coversCentre()) {
-    m_isOpen[Left] = m_isOpen[Right] = false;
+    m_isOpen[First] = m_isOpen[Second] = false;
     show();
   }
 }
@@ -91,13 +91,13 @@ QSize FoldingColumns::minimumSizeHint() const {
   return {0, 0};
 }
 
-void FoldingColumns::setOpen(Side side, bool open) {
-  if (open == m_isOpen[side]) {
+void FoldingColumns::setOpen(Column column, bool open) {
+  if (open == m_isOpen[column]) {
     return;
   }
-  m_isOpen[side] = open;
+  m_isOpen[column] = open;
   if (open && m_room != Room::BothColumns) {
-    m_isOpen[side == Left ? Right : Left] = false;
+    m_isOpen[column == First ? Second : First] = false;
   }
   show();
 }
@@ -105,11 +105,11 @@ void FoldingColumns::setOpen(Side side, bool open) {
 void FoldingColumns::show() {
   const bool covers = coversCentre();
   const int scrollBar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  for (const Side side : {Left, Right}) {
-    QScrollArea* column = m_columns[side];
-    column->setMinimumWidth(covers ? 0 : kColumnPx + scrollBar);
-    column->setMaximumWidth(covers ? QWIDGETSIZE_MAX : kColumnPx + scrollBar);
-    column->setVisible(m_isOpen[side]);
+  for (const Column column : {First, Second}) {
+    QScrollArea* area = m_columns[column];
+    area->setMinimumWidth(covers ? 0 : kColumnPx + scrollBar);
+    area->setMaximumWidth(covers ? QWIDGETSIZE_MAX : kColumnPx + scrollBar);
+    area->setVisible(m_isOpen[column]);
   }
   m_centre->setVisible(!covers);
   Q_EMIT changed();
@@ -119,8 +119,8 @@ void FoldingColumns::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (const Room now = room(); now != m_room) {
     m_room = now;
-    m_isOpen[Left] = now == Room::BothColumns;
-    m_isOpen[Right] = now != Room::Page;
+    m_isOpen[First] = now == Room::BothColumns;
+    m_isOpen[Second] = now != Room::Page;
     show();
   }
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A page between two side columns. Where there is room, the columns stand beside the page; where
-/// there is not, they are folded away, and one that is opened takes the place of the page. Nothing
-/// in it makes the window wider or higher: what does not fit scrolls.
+/// A page with two columns at its right. Where there is room, the columns stand beside the page;
+/// where there is not, they are folded away, and one that is opened takes the place of the page.
+/// Nothing in it makes the window wider or higher: what does not fit scrolls.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -23,13 +23,13 @@ class FoldingColumns final : public QWidget {
   Q_OBJECT
 
  public:
-  enum Side { Left, Right };
+  enum Column { First, Second };
 
   /// Takes the three parts.
-  FoldingColumns(QWidget* left, QWidget* centre, QWidget* right, QWidget* parent = nullptr);
+  FoldingColumns(QWidget* centre, QWidget* first, QWidget* second, QWidget* parent = nullptr);
 
-  void setOpen(Side side, bool open);
-  [[nodiscard]] bool isOpen(Side side) const { return m_isOpen[side]; }
+  void setOpen(Column column, bool open);
+  [[nodiscard]] bool isOpen(Column column) const { return m_isOpen[column]; }
   /// An open column leaves no room for the page.
   [[nodiscard]] bool coversCentre() const;
   /// Closes what covers the page.

@@ -9,6 +9,7 @@
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/connection/connection_panel.h"
+#include "widgets/connection/machine_button.h"
 #include "widgets/connection/position_line.h"
 #include "widgets/templates/template_page.h"
 
@@ -56,6 +57,17 @@ QWidget* makeConnectionPanel(const Models& models) {
     panel->setDisconnectEnabled(!runs->isRunning() && !runs->isCalibrating());
   });
   return panel;
+}
+
+QToolButton* makeMachineButton(const Models& models, QWidget* parent) {
+  auto* button = new widgets::MachineButton(parent);
+  const MachineModel* machine = &models.machine;
+  QObject::connect(machine, &MachineModel::linkChanged, button, [button, machine] {
+    button->setConnectionState(connectionState(machine->link().state));
+  });
+  QObject::connect(machine, &MachineModel::viewChanged, button,
+                   [button, machine] { button->setMachineState(machine->view()); });
+  return button;
 }
 
 QWidget* makePositionLine(const Models& models, QWidget* parent) {

@@ -18,16 +18,16 @@ struct Pages {
 };
 
 constexpr std::array<PageEntry, 10> kEntries{{
-    {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage},
-    {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage},
-    {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage},
-    {QT_TRANSLATE_NOOP("Pages", "Template"), makeTemplatePage},
-    {QT_TRANSLATE_NOOP("Pages", "Calibration"), makeCalibrationPage},
-    {QT_TRANSLATE_NOOP("Pages", "Report"), makeReportPage},
-    {QT_TRANSLATE_NOOP("Pages", "Alarms"), makeAlarmPage},
-    {QT_TRANSLATE_NOOP("Pages", "Messages"), makeLogPage},
-    {QT_TRANSLATE_NOOP("Pages", "Audit"), makeAuditPage},
-    {QT_TRANSLATE_NOOP("Pages", "Users"), makeUsersPage},
+    {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage, "The program"},
+    {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage, "Feasibility"},
+    {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage, "Traces"},
+    {QT_TRANSLATE_NOOP("Pages", "Template"), makeTemplatePage, "Template"},
+    {QT_TRANSLATE_NOOP("Pages", "Calibration"), makeCalibrationPage, "Calibration"},
+    {QT_TRANSLATE_NOOP("Pages", "Report"), makeReportPage, "Report"},
+    {QT_TRANSLATE_NOOP("Pages", "Alarms"), makeAlarmPage, "Alarms"},
+    {QT_TRANSLATE_NOOP("Pages", "Messages"), makeLogPage, "Messages"},
+    {QT_TRANSLATE_NOOP("Pages", "Audit"), makeAuditPage, "Audit"},
+    {QT_TRANSLATE_NOOP("Pages", "Users"), makeUsersPage, "Users"},
 }};
 
 }  // namespace

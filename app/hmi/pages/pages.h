@@ -18,6 +18,7 @@
 #include "hmi/settings.h"
 #include "hmi/users.h"
 
+class QToolButton;
 class QWidget;
 
 namespace rivulet::widgets {
@@ -43,6 +44,7 @@ struct Models {
 struct PageEntry {
   const char* title;  ///< to be translated in the context `Pages`
   QWidget* (*make)(const Models& models, QWidget* parent);
+  const char* help = "The window";  ///< heading in docs/hmi.md
 };
 /// In the order of the tabs.
 [[nodiscard]] std::span<const PageEntry> pageEntries();
@@ -60,6 +62,7 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeLogPage(const Models& models, QWidget* parent);
 
 /// Beside, above and below the tabs.
+[[nodiscard]] QToolButton* makeMachineButton(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeUserButton(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAlarmLine(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLoadBar(const Models& models, QWidget* parent);
