@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// How the real window looks: every page at the sizes, themes and languages it is used in, with the
+/// checks of look_check. ctest takes a part of them; scripts/pictures takes all and keeps the
+/// pictures, to be looked at.
+
+#include <QDir>
+#include <QPointer>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTranslator>
+#include <QtTest>
+#include <array>
+
+#include "base/units.h"
+#include "gui/look_check.h"
+#include "hmi/main_window.h"
+#include "support/simulated_control.h"
+#include "support/test_program.h"
+#include "widgets/common/focus_frame.h"
+#include "widgets/common/help_page.h"
+#include "widgets/trace/trace_page.h"
+
+using namespace rivulet;
+using hmi::MainWindow;
+using widgets::Theme;
+
+namespace {
+
+constexpr int kSoonMs = 20000;
+constexpr int kRunMs = 300000;
+constexpr double kInteractivePace = 8.0;
+
+const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
+const QString kPseudo = QStringLiteral("pseudo");
+
+struct Look {
+  QSize size;  ///< of the window, in the units of the layout
+  Theme theme;
+  QString language;
+};
+
+/// Where scripts/pictures wants all of them; empty in ctest.
+QString pictureFolder() {
+  return qEnvironmentVariable("RIVULET_PICTURE_FOLDER");
+}
+
+std::vector<Look> looks() {
+  const std::array<QString, 3> languages{QStringLiteral("en"), QStringLiteral("de"), kPseudo};
+  if (pictureFolder().isEmpty()) {
+    // Each size, theme and language at least once; 960x540 is FullHD at 200 %.
+    return {{{1024, 768}, Theme::Dark, languages[0]},     {{1024, 768}, Theme::Contrast, kPseudo},
+            {{960, 540}, Theme::Light, languages[1]},     {{960, 540}, Theme::Contrast, kPseudo},
+            {{1280, 720}, Theme::Light, kPseudo},         {{1440, 900}, Theme::Dark, languages[1]},
+            {{1920, 1080}, Theme::Contrast, languages[0]}};
+  }
+  // The script sets the scale of the screen; at 150 and 200 % only FullHD is asked for.
+  const double scale = std::max(1.0, qEnvironmentVariable("QT_SCALE_FACTOR").toDouble());
+  std::vector<QSize> sizes{{1920, 1080}};
+  if (scale == 1.0) {
+    sizes = {{1024, 768}, {1280, 800}, {1920, 1080}};
+  }
+  std::vector<Look> all;
+  for (const QSize size : sizes) {
+    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Contrast}) {
+      for (const QString& language : languages) {
+        all.push_back({(QSizeF(size) / scale).toSize(), theme, language});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+class TestLook : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<tests::SimulatedControl> m_machine;
+  std::unique_ptr<MainWindow> m_window;
+  std::unique_ptr<QTranslator> m_pseudo;
+  QTemporaryDir m_folder;
+  QStringList m_faults;
+
+  void open() {
+    widgets::StreamSettings stream;
+    stream.parameters.method = base::MethodKind::Window;
+    stream.parameters.pointsPerLoop = 7;
+    stream.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
+    m_window->setStreamSettings(stream);
+    m_window->openProgram(kScorpion);
+    m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+
+  void dress(const Look& look) {
+    QCoreApplication::removeTranslator(m_pseudo.get());
+    m_window->setLanguage(look.language == kPseudo ? QStringLiteral("en") : look.language);
+    if (look.language == kPseudo) {
+      QCoreApplication::installTranslator(m_pseudo.get());
+    }
+    m_window->setTheme(look.theme);
+    m_window->resize(look.size);
+  }
+
+  void inspect(const Look& look, const QString& scene) {
+    // What is laid out lays out what is in it in the next turn.
+    for (int turn = 0; turn < 4; ++turn) {
+      QCoreApplication::sendPostedEvents();
+      QCoreApplication::processEvents();
+    }
+    m_window->tracePage()->redrawNow();
+    const QImage picture = m_window->grab().toImage();
+    const QString name = QStringLiteral("%1x%2-%3-%4-%5")
+                             .arg(look.size.width())
+                             .arg(look.size.height())
+                             .arg(widgets::themeName(look.theme), look.language, scene);
+    if (m_window->size() != look.size) {
+      m_faults.append(name + QStringLiteral(": the window takes another size"));
+    }
+    for (const QString& fault : tests::lookFaults(*m_window, picture)) {
+      m_faults.append(name + QStringLiteral(": ") + fault);
+    }
+    if (!pictureFolder().isEmpty()) {
+      QVERIFY(picture.save(QDir(pictureFolder()).filePath(name + QStringLiteral(".png"))));
+    }
+  }
+
+  void inspectPages(const Look& look, const QString& scene) {
+    for (int page = 0; page < m_window->pages()->count(); ++page) {
+      m_window->pages()->setCurrentIndex(page);
+      inspect(look, QStringLiteral("%1-%2").arg(scene).arg(page));
+    }
+    m_window->pages()->setCurrentIndex(0);
+  }
+
+  void verifyNoFaults() {
+    if (!pictureFolder().isEmpty()) {
+      QFile file(QDir(pictureFolder())
+                     .filePath(QStringLiteral("faults-%1.txt")
+                                   .arg(QLatin1String(QTest::currentTestFunction()))));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(m_faults.join(QLatin1Char('\n')).toUtf8());
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(QStringLiteral("%1 faults:\n%2")
+                                                .arg(m_faults.size())
+                                                .arg(m_faults.join(QLatin1Char('\n')))));
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    qputenv("XDG_DATA_HOME", m_folder.path().toUtf8());
+    qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());
+    QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
+    m_pseudo = tests::makePseudoTranslator();
+    if (!pictureFolder().isEmpty()) {
+      QVERIFY(QDir().mkpath(pictureFolder()));
+    }
+  }
+
+  void init() {
+    m_faults.clear();
+    m_machine = std::make_unique<tests::SimulatedControl>("dmu75", kInteractivePace);
+    hmi::Settings settings;
+    settings.language = QStringLiteral("en");
+    settings.theme = Theme::Light;
+    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
+      return m_machine->connect(endpoint);
+    });
+    m_window->show();
+  }
+
+  void cleanup() {
+    QCoreApplication::removeTranslator(m_pseudo.get());
+    m_window.reset();
+    m_machine.reset();
+  }
+
+  /// Before anything was opened.
+  void nothingOpen() {
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("nothing"));
+    }
+    verifyNoFaults();
+  }
+
+  /// Ready, and what stands before a start.
+  void ready() {
+    open();
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("ready"));
+      m_window->showPreflight();
+      inspect(look, QStringLiteral("preflight"));
+      m_window->closePreflight();
+    }
+    verifyNoFaults();
+  }
+
+  /// After a run that was stopped, with the question how to go on, every page has something to
+  /// show.
+  void afterStop() {
+    open();
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
+    m_window->stop();
+    QVERIFY(finished.wait(kRunMs));
+    m_machine->setPace(tests::SimulatedControl::kUnlimited);
+    for (const Look& look : looks()) {
+      dress(look);
+      inspectPages(look, QStringLiteral("stopped"));
+    }
+    verifyNoFaults();
+  }
+
+  /// F1 shows the manual at the page in front, and goes back to it.
+  void helpIsAboutThePage() {
+    auto* help = m_window->findChild<widgets::HelpPage*>();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    for (int page = 0; page < m_window->pages()->count(); ++page) {
+      m_window->pages()->setCurrentIndex(page);
+      QTest::keyClick(m_window.get(), Qt::Key_F1);
+      QVERIFY(help->isVisible() && !m_window->pages()->isVisible());
+      QVERIFY2(
+          !help->headingShown().isEmpty() && help->headingShown() != QStringLiteral("The window"),
+          qPrintable(m_window->pages()->tabText(page)));
+      if (page == 0) {
+        for (const Look& look : looks()) {
+          dress(look);
+          inspect(look, QStringLiteral("help"));
+        }
+      }
+      QTest::keyClick(m_window.get(), Qt::Key_F1);
+      QVERIFY(!help->isVisible() && m_window->pages()->isVisible());
+    }
+    verifyNoFaults();
+  }
+
+  /// What the keyboard has reached is framed, on every page.
+  void focusIsFramed() {
+    open();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->resize(1440, 900);
+    auto* frame = m_window->findChild<widgets::FocusFrame*>();
+    QSet<QWidget*> reached;
+    for (int step = 0; step < 60; ++step) {
+      QTest::keyClick(m_window.get(), Qt::Key_Tab);
+      QWidget* focus = QApplication::focusWidget();
+      QVERIFY(focus != nullptr);
+      QCOMPARE(frame->target(), focus);
+      reached.insert(focus);
+    }
+    QVERIFY2(reached.size() > 15, qPrintable(QString::number(reached.size())));
+    for (const char* name : {"start"}) {
+      QVERIFY(reached.contains(m_window->findChild<QWidget*>(QLatin1String(name))));
+    }
+  }
+
+  /// The connection is lost.
+  void lost() {
+    open();
+    m_machine->kill();
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->startBlockedReason().isEmpty(), kSoonMs);
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("lost"));
+    }
+    verifyNoFaults();
+  }
+};
+
+RIVULET_TEST(TestLook)
+#include "tst_look.moc"
