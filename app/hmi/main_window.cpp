@@ -159,6 +159,7 @@ QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
   m_setUpButton = new QToolButton(header);
   m_setUpButton->setCheckable(true);
   m_menuButton = new QToolButton(header);
+  m_menuButton->setObjectName(QStringLiteral("menu"));
   m_menuButton->setPopupMode(QToolButton::InstantPopup);
   for (const auto& [button, side] : {std::pair(m_machineButton, widgets::FoldingColumns::First),
                                      std::pair(m_setUpButton, widgets::FoldingColumns::Second)}) {
