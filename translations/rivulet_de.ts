@@ -1598,6 +1598,10 @@ GPL-3.0-or-later</translation>
         <source>Export as JSON…</source>
         <translation>Als JSON exportieren …</translation>
     </message>
+    <message>
+        <source>Audit</source>
+        <translation>Protokoll</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::CalibrationPage</name>
@@ -3761,6 +3765,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Benutzer</translation>
     </message>
 </context>
 </TS>

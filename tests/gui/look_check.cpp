@@ -49,7 +49,7 @@ constexpr double kLargeBoldPt = 14.0;
 /// A frame may share a line with its neighbour.
 constexpr int kSharedPx = 2;
 constexpr int kLowWindowPx = 600;
-constexpr int kLowTabPx = 34;
+constexpr int kLowTabPx = 30;
 
 QString nameOf(const QWidget* widget) {
   QString text;

@@ -215,6 +215,7 @@ void AuditPage::retranslate() {
   m_search->setAccessibleName(tr("Search"));
   m_csv->setText(tr("Export as CSV…"));
   m_json->setText(tr("Export as JSON…"));
+  m_table->setAccessibleName(tr("Audit"));
   m_model->refresh();
   showState();
 }

@@ -270,6 +270,7 @@ void UsersPage::retranslate() {
     m_role->addItem(roleText(role));
   }
   m_role->setCurrentIndex(chosen);
+  m_table->setAccessibleName(tr("Users"));
   m_model->refresh();
   showState();
 }
