@@ -11,7 +11,7 @@ namespace rivulet::opcua {
 
 namespace {
 
-/// An item that is refused may have been falsified on its way: asked again, it is known.
+/// What is refused may have been falsified on its way: asked again, it is known.
 constexpr int kAttemptsMax = 3;
 
 }  // namespace
@@ -51,46 +51,55 @@ base::Result<std::vector<Reading>> readNow(Link& link, std::span<const Variable>
 
 base::Result<std::vector<double>> readNumbers(Link& link, std::span<const Variable> variables,
                                               base::Duration deadline) {
-  std::error_code refused;
+  base::Error error;
   for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
     const auto readings = readNow(link, variables, deadline);
     if (!readings) {
-      return base::fail(readings.error());
+      error = readings.error();
+    } else {
+      std::vector<double> numbers;
+      std::error_code refused;
+      for (const Reading& reading : *readings) {
+        refused = refused ? refused : reading.status;
+        numbers.push_back(reading.number);
+      }
+      if (!refused) {
+        return numbers;
+      }
+      error = base::makeError(refused, fmt::format("A variable of the control cannot be read. {}",
+                                                   remedyForItem(refused)));
     }
-    std::vector<double> numbers;
-    refused.clear();
-    for (const Reading& reading : *readings) {
-      refused = refused ? refused : reading.status;
-      numbers.push_back(reading.number);
-    }
-    if (!refused) {
-      return numbers;
+    if (!mayBeFalsified(error.code)) {
+      break;
     }
   }
-  return base::fail(
-      refused, fmt::format("A variable of the control cannot be read. {}", remedyForItem(refused)));
+  return base::fail(error);
 }
 
 base::Result<void> writeNow(Link& link, std::span<const Assignment> assignments,
                             base::Duration deadline) {
-  base::Error refused;
+  base::Error error;
   for (int attempt = 0; attempt < kAttemptsMax; ++attempt) {
     const base::Result<Event> event =
         awaitAnswer(link, link.write(assignments, deadline, Grouping::List), deadline);
     if (!event) {
-      return base::fail(event.error());
+      error = event.error();
+    } else {
+      const auto bad = std::find_if(event->statuses.begin(), event->statuses.end(),
+                                    [](const std::error_code& status) { return !!status; });
+      if (bad == event->statuses.end()) {
+        return {};
+      }
+      const auto item = static_cast<std::size_t>(bad - event->statuses.begin());
+      error =
+          base::makeError(*bad, fmt::format("R{} of the control cannot be written. {}",
+                                            assignments[item].variable.index, remedyForItem(*bad)));
     }
-    const auto bad = std::find_if(event->statuses.begin(), event->statuses.end(),
-                                  [](const std::error_code& status) { return !!status; });
-    if (bad == event->statuses.end()) {
-      return {};
+    if (!mayBeFalsified(error.code)) {
+      break;
     }
-    const auto item = static_cast<std::size_t>(bad - event->statuses.begin());
-    refused =
-        base::makeError(*bad, fmt::format("R{} of the control cannot be written. {}",
-                                          assignments[item].variable.index, remedyForItem(*bad)));
   }
-  return base::fail(refused);
+  return base::fail(error);
 }
 
 base::Result<void> sleepUntil(Link& link, base::Instant until) {

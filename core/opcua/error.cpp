@@ -12,6 +12,13 @@ std::error_code make_error_code(LinkError code) {
   return {static_cast<int>(code), category};
 }
 
+bool mayBeFalsified(const std::error_code& code) {
+  return code == LinkError::Rejected || code == LinkError::BadValue ||
+         code == LinkError::VariableMissing || code == LinkError::NotWritable ||
+         code == LinkError::MethodMissing || code == LinkError::ProgramMissing ||
+         code == LinkError::TooManyItems;
+}
+
 std::string_view remedyForItem(const std::error_code& status) {
   if (status == LinkError::NotWritable) {
     return "Give this OPC UA user access to it on the control.";

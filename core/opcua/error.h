@@ -28,6 +28,10 @@ enum class LinkError {
 
 [[nodiscard]] std::error_code make_error_code(LinkError code);
 
+/// Whether the server has answered no: made again, a request that was falsified on its way is
+/// right.
+[[nodiscard]] bool mayBeFalsified(const std::error_code& code);
+
 /// What to do about a variable that was refused repeatedly.
 [[nodiscard]] std::string_view remedyForItem(const std::error_code& status);
 

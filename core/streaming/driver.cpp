@@ -366,7 +366,8 @@ void Driver::handle(const opcua::Event& event) {
   (forMethod ? m_methodPending : m_monitorPending).reset();
   const bool isCorrection = !forMethod && m_monitor == Monitor::Correction;
   if (event.kind == opcua::EventKind::RequestFailed) {
-    if (!forgives(event, forMethod)) {
+    const bool isFalsified = opcua::mayBeFalsified(event.error.code) && repeats(event, forMethod);
+    if (!isFalsified && !forgives(event, forMethod)) {
       abandon(event.error);
     } else if (forMethod) {
       m_counters.sent -= pending.points;
@@ -432,7 +433,7 @@ bool Driver::repeats(const opcua::Event& event, bool forMethod) {
   if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
     return false;
   }
-  m_sink.note({event.at, "an item was refused: asked again"});
+  m_sink.note({event.at, "refused: asked again"});
   return true;
 }
 

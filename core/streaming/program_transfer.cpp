@@ -39,8 +39,7 @@ std::string withPlainLineEnds(std::string text) {
 constexpr int kAttemptsMax = 3;
 
 bool mayBeFalsified(const base::Error& error) {
-  return isRefusal(error) || error.code == LinkError::ProgramMissing ||
-         error.code == StreamError::WrongProgram;
+  return opcua::mayBeFalsified(error.code) || error.code == StreamError::WrongProgram;
 }
 
 /// The answer to a call that is made again if it is refused.

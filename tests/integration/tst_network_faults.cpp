@@ -4,7 +4,7 @@
 /// Whole runs over a network with faults, in real time. With methods window and credit, each point
 /// must be executed once and in order, by however many attempts, and a stall must not end a run.
 /// `scripts/soak --network` runs many more: RIVULET_SCENARIOS, RIVULET_SCENARIOS_OF_OTHERS,
-/// RIVULET_FIRST, RIVULET_JOBS.
+/// RIVULET_FIRST, RIVULET_JOBS; RIVULET_FAULT draws one kind of fault only.
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ struct Tally {
   int resumed = 0;
   int wrong = 0;  ///< points repeated, skipped or foreign
   base::Duration endedAfterMost{};
-  std::map<std::string, int> errors;
+  std::map<std::string, std::vector<std::uint64_t>> errors;  ///< seeds of the runs
 };
 
 /// Stalls that a run has to survive: shorter than the silence that counts as a loss.
@@ -153,6 +153,11 @@ class TestNetworkFaults : public QObject {
     for (std::uint64_t seed = first; seed < first + others; ++seed) {
       scenarios.push_back(tests::drawNetworkScenario(seed, kOthers[seed % kOthers.size()]));
     }
+    if (const char* kind = std::getenv("RIVULET_FAULT"); kind != nullptr) {
+      std::erase_if(scenarios, [&](const NetworkScenario& scenario) {
+        return tests::faultName(scenario.fault.kind) != kind;
+      });
+    }
     expose(scenarios);
   }
 
@@ -208,10 +213,10 @@ class TestNetworkFaults : public QObject {
             base::hasWindows(scenario.method) && scenario.method != MethodKind::File;
         Tally& tally = tallies[{isPair ? "window, credit" : base::methodName(scenario.method),
                                 scenario.fault.kind}];
-        addTo(tally, evidence);
+        addTo(tally, scenario.seed, evidence);
         if (isPair && scenario.fault.kind == FaultKind::Stall &&
             scenario.fault.duration < kStallSurvived) {
-          addTo(stalls, evidence);
+          addTo(stalls, scenario.seed, evidence);
         }
         if (const std::string wrong = judge(scenario, evidence); !wrong.empty()) {
           faults.push_back(wrong + ": " + describe(scenario, evidence));
@@ -228,8 +233,9 @@ class TestNetworkFaults : public QObject {
     Tally all;
     for (const auto& [key, tally] : tallies) {
       print(fmt::format("{}, {}", key.first, tests::faultName(key.second)), tally);
-      for (const auto& [error, times] : tally.errors) {
-        qInfo("  %d times: %s", times, error.c_str());
+      for (const auto& [error, seeds] : tally.errors) {
+        qInfo("  %zu times, first with seed %llu: %s", seeds.size(),
+              static_cast<unsigned long long>(seeds.front()), error.c_str());
       }
       all.runs += tally.runs;
       all.survived += tally.survived;
@@ -246,7 +252,7 @@ class TestNetworkFaults : public QObject {
     QVERIFY(faults.empty());
   }
 
-  static void addTo(Tally& tally, const NetworkEvidence& evidence) {
+  static void addTo(Tally& tally, std::uint64_t seed, const NetworkEvidence& evidence) {
     const streaming::RunReport& first = evidence.attempts.front();
     ++tally.runs;
     tally.survived += evidence.hasSurvived() ? 1 : 0;
@@ -256,7 +262,7 @@ class TestNetworkFaults : public QObject {
     tally.endedAfterMost =
         std::max(tally.endedAfterMost, evidence.endedAfter.value_or(base::Duration{}));
     if (first.outcome == streaming::Outcome::Failed) {
-      ++tally.errors[first.error.message];
+      tally.errors[first.error.message].push_back(seed);
     }
   }
 
