@@ -14,7 +14,9 @@
 /// it is there when A looks again, and A gives way. A client that takes longer than `kQuick`
 /// between read and confirmed write cannot count on that. It watches the cell for `kLapse` instead,
 /// and a holder repeats its number at least every `kRenewed` while it may rely on it, so the late
-/// client finds the holder's number there and gives way.
+/// client finds the holder's number there and gives way. A holder that finds its own number after a
+/// pause needs only `kSettle` again: nobody else can have held the cells meanwhile, and a quick
+/// write of another shows within that time.
 ///
 /// The number is negative while it is a claim and carries a counter, so that a living claim
 /// changes. One that has not changed for `kLapse` belongs to a client that died before its start,

@@ -34,7 +34,7 @@ using namespace std::chrono_literals;
 constexpr int kAttemptsMax = 5;
 constexpr int kQuestionsMax = 40;
 /// A run that repeats its loop for ever is stopped.
-constexpr Duration kRunMax = 120s;
+constexpr Duration kRunMax = 240s;
 constexpr double kToleranceMm = 1e-6;
 
 /// The operator: orders at their times, and a look at the clock when the fault strikes.
