@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QScreen>
 #include <algorithm>
 
 #include "hmi/demo.h"
@@ -87,6 +88,10 @@ int main(int argc, char** argv) {
     settings.theme = rivulet::widgets::themeFromName(parser.value(themeOption));
   }
   rivulet::hmi::MainWindow window(settings, !isDemo);
+  if (!isDemo) {
+    // Stop must be on the screen, also where no window manager cares.
+    window.resize(window.size().boundedTo(window.screen()->availableSize()));
+  }
   window.show();
   if (parser.isSet(openOption)) {
     window.openProgram(parser.value(openOption));
