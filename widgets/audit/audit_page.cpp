@@ -123,10 +123,10 @@ AuditPage::AuditPage(QWidget* parent)
     : Page(parent),
       m_model(new AuditModel(this)),
       m_filter(new QSortFilterProxyModel(this)),
-      m_table(new QTableView(this)),
       m_state(new StatusLabel(this, StatusLabel::Elided{2})),
       m_hash(makeValueLabel(this)),
       m_search(new QLineEdit(this)),
+      m_table(new QTableView(this)),
       m_csv(makeTouchButton(this)),
       m_json(makeTouchButton(this)) {
   m_filter->setSourceModel(m_model);

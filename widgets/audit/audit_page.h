@@ -85,10 +85,10 @@ class AuditPage final : public Page {
   AuditView m_audit;
   AuditModel* m_model;
   QSortFilterProxyModel* m_filter;
-  QTableView* m_table;
   StatusLabel* m_state;
   QLabel* m_hash;
   QLineEdit* m_search;
+  QTableView* m_table;
   QPushButton* m_csv;
   QPushButton* m_json;
 };

@@ -87,6 +87,7 @@ LogInDialog::LogInDialog(const UsersView& view, QWidget* parent)
   m_pin->setPlaceholderText(tr("PIN"));
   m_pin->setAccessibleName(tr("PIN"));
   m_answer->setWordWrap(true);
+  m_pinTitle->setWordWrap(true);
   m_logIn->setText(tr("Log in"));
   m_logIn->setDefault(true);
 
@@ -182,9 +183,9 @@ QWidget* UsersPage::makeForm() {
   m_name = new QLineEdit(form);
   m_role = new QComboBox(form);
   m_pin = new QLineEdit(form);
-  m_idle = new QSpinBox(form);
   m_put = makeTouchButton(form);
   m_remove = makeTouchButton(form);
+  m_idle = new QSpinBox(form);  // the focus goes the way one reads
   m_answer = new QLabel(form);
   m_answer->setWordWrap(true);
   m_pin->setEchoMode(QLineEdit::Password);
