@@ -1572,7 +1572,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The audit trail was changed: line %1 was edited, or lines before it were inserted or removed.</source>
-        <translation>Das Protokoll wurde verändert: Zeile %1 wurde bearbeitet, oder vor ihr wurden Zeilen eingefügt oder entfernt.</translation>
+        <translation>Verändert: Zeile %1 wurde bearbeitet, oder vor ihr wurden Zeilen eingefügt oder entfernt.</translation>
     </message>
     <message>
         <source>Unchanged: every line follows from the one before it.</source>
