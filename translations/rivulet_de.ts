@@ -903,6 +903,353 @@
     </message>
 </context>
 <context>
+    <name>FaultTexts</name>
+    <message>
+        <source>the character &quot;%1&quot; has no meaning here</source>
+        <translation>Das Zeichen „%1“ hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a comment is not closed</source>
+        <translation>Ein Kommentar ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 is not known to this machine</source>
+        <translation>%1 ist dieser Maschine nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the word %1 is not understood here</source>
+        <translation>Das Wort %1 wird hier nicht verstanden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood</source>
+        <translation>„%1“ wird nicht verstanden</translation>
+    </message>
+    <message>
+        <source>two functions of one group are in the block: %1</source>
+        <translation>Zwei Funktionen einer Gruppe stehen im Satz: %1</translation>
+    </message>
+    <message>
+        <source>the address %1 is programmed more than once in the block</source>
+        <translation>Die Adresse %1 ist im Satz mehrfach programmiert</translation>
+    </message>
+    <message>
+        <source>circle end-point error: there is no circle through these points</source>
+        <translation>Kreisendpunktfehler: Durch diese Punkte geht kein Kreis</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radii at start and end differ by %1 mm</source>
+        <translation>Kreisendpunktfehler: Die Radien an Anfangs- und Endpunkt unterscheiden sich um %1 mm</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radius is too small (%1)</source>
+        <translation>Kreisendpunktfehler: Der Radius ist zu klein (%1)</translation>
+    </message>
+    <message>
+        <source>the arc starts at an unknown position: %1</source>
+        <translation>Der Bogen beginnt an unbekannter Position: %1</translation>
+    </message>
+    <message>
+        <source>the increment of %1 starts at an unknown position</source>
+        <translation>Das Kettenmaß von %1 beginnt an unbekannter Position</translation>
+    </message>
+    <message>
+        <source>no feed is programmed</source>
+        <translation>Es ist kein Vorschub programmiert</translation>
+    </message>
+    <message>
+        <source>the programmed path speed %1 is not positive</source>
+        <translation>Der programmierte Vorschub %1 ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>the value of %1 is out of range</source>
+        <translation>Der Wert von %1 liegt außerhalb des zulässigen Bereichs</translation>
+    </message>
+    <message>
+        <source>circle end-point error: %1 is not in the plane of the arc</source>
+        <translation>Kreisendpunktfehler: %1 liegt nicht in der Ebene des Bogens</translation>
+    </message>
+    <message>
+        <source>%1 is not a cycle of this machine</source>
+        <translation>%1 ist kein Zyklus dieser Maschine</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>Ein Wert fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a value</source>
+        <translation>„%1“ ist kein Wert</translation>
+    </message>
+    <message>
+        <source>a constant in quotes is written &apos;H1F&apos; or &apos;B101&apos;</source>
+        <translation>Eine Konstante in Hochkommas schreibt man &apos;H1F&apos; oder &apos;B101&apos;</translation>
+    </message>
+    <message>
+        <source>a text in quotes is expected</source>
+        <translation>Ein Text in Anführungszeichen wird erwartet</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>Eine Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>an operand is missing</source>
+        <translation>Ein Operand fehlt</translation>
+    </message>
+    <message>
+        <source>the calculation is nested too deeply</source>
+        <translation>Die Rechnung ist zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>%1 is neither a variable nor a function</source>
+        <translation>%1 ist weder Variable noch Funktion</translation>
+    </message>
+    <message>
+        <source>%1 needs its argument in brackets</source>
+        <translation>%1 braucht sein Argument in Klammern</translation>
+    </message>
+    <message>
+        <source>%1 needs more arguments</source>
+        <translation>%1 braucht mehr Argumente</translation>
+    </message>
+    <message>
+        <source>ATAN is written ATAN[y]/[x]</source>
+        <translation>ATAN schreibt man ATAN[y]/[x]</translation>
+    </message>
+    <message>
+        <source>EXISTS is written EXISTS[#&lt;name&gt;]</source>
+        <translation>EXISTS schreibt man EXISTS[#&lt;name&gt;]</translation>
+    </message>
+    <message>
+        <source>R needs a number or an index in brackets</source>
+        <translation>R braucht eine Nummer oder einen Index in Klammern</translation>
+    </message>
+    <message>
+        <source>the number of a variable is missing or too large</source>
+        <translation>Die Nummer einer Variablen fehlt oder ist zu groß</translation>
+    </message>
+    <message>
+        <source>the name of a variable is not closed with &gt;</source>
+        <translation>Der Name einer Variablen ist nicht mit &gt; geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 is not a variable</source>
+        <translation>%1 ist keine Variable</translation>
+    </message>
+    <message>
+        <source>%1 needs an axis or an index in brackets</source>
+        <translation>%1 braucht eine Achse oder einen Index in Klammern</translation>
+    </message>
+    <message>
+        <source>an equals sign is missing</source>
+        <translation>Ein Gleichheitszeichen fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be assigned to</source>
+        <translation>„%1“ kann kein Wert zugewiesen werden</translation>
+    </message>
+    <message>
+        <source>SET and REP need a list in brackets, with commas between its values</source>
+        <translation>SET und REP brauchen eine Liste in Klammern mit Kommas zwischen den Werten</translation>
+    </message>
+    <message>
+        <source>the name of a variable is missing</source>
+        <translation>Der Name einer Variablen fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is not a type for DEF</source>
+        <translation>%1 ist kein Typ für DEF</translation>
+    </message>
+    <message>
+        <source>the size of an array is missing or too large</source>
+        <translation>Die Größe eines Felds fehlt oder ist zu groß</translation>
+    </message>
+    <message>
+        <source>the parameters of PROC are written PROC name(type name, ...)</source>
+        <translation>Die Parameter von PROC schreibt man PROC Name(Typ Name, ...)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing, or has no meaning here</source>
+        <translation>„%1“ fehlt oder hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>an address needs a number or &quot;=&quot;</source>
+        <translation>Eine Adresse braucht eine Zahl oder „=“</translation>
+    </message>
+    <message>
+        <source>the jump has no target</source>
+        <translation>Der Sprung hat kein Ziel</translation>
+    </message>
+    <message>
+        <source>only GOTO may follow a condition</source>
+        <translation>Nach einer Bedingung darf nur GOTO stehen</translation>
+    </message>
+    <message>
+        <source>FOR is written FOR i = a TO b</source>
+        <translation>FOR schreibt man FOR i = a TO b</translation>
+    </message>
+    <message>
+        <source>CASE is written CASE(value) OF constant GOTOF target</source>
+        <translation>CASE schreibt man CASE(Wert) OF Konstante GOTOF Ziel</translation>
+    </message>
+    <message>
+        <source>the %1 that begins here is not closed</source>
+        <translation>%1 beginnt hier und ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 has no beginning</source>
+        <translation>%1 hat keinen Anfang</translation>
+    </message>
+    <message>
+        <source>control structures are nested more than 16 deep</source>
+        <translation>Kontrollstrukturen sind mehr als 16-fach geschachtelt</translation>
+    </message>
+    <message>
+        <source>a synchronized action needs a number from 1 to 255</source>
+        <translation>Eine Synchronaktion braucht eine Nummer von 1 bis 255</translation>
+    </message>
+    <message>
+        <source>a synchronized action is written ID=1 WHEN condition DO assignment</source>
+        <translation>Eine Synchronaktion schreibt man ID=1 WHEN Bedingung DO Zuweisung</translation>
+    </message>
+    <message>
+        <source>a synchronized action can only assign to $R and variables of the main run</source>
+        <translation>Eine Synchronaktion kann nur $R und Variablen des Hauptlaufs zuweisen</translation>
+    </message>
+    <message>
+        <source>the target %1 is missing</source>
+        <translation>Das Ziel %1 fehlt</translation>
+    </message>
+    <message>
+        <source>the program %1 does not exist</source>
+        <translation>Das Programm %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1 is not defined, and there is no program of this name</source>
+        <translation>%1 ist nicht definiert, und es gibt kein Programm dieses Namens</translation>
+    </message>
+    <message>
+        <source>subprograms call each other too deeply</source>
+        <translation>Unterprogramme rufen sich zu tief geschachtelt auf</translation>
+    </message>
+    <message>
+        <source>a division by zero</source>
+        <translation>Division durch null</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>%1 hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the result is too large</source>
+        <translation>Das Ergebnis ist zu groß</translation>
+    </message>
+    <message>
+        <source>it needs a value that is not known</source>
+        <translation>Ein dafür nötiger Wert ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>R%1 is read before the program sets it: only the control knows it</source>
+        <translation>R%1 wird gelesen, bevor das Programm es setzt: Nur die Steuerung kennt den Wert</translation>
+    </message>
+    <message>
+        <source>R[%1] does not exist</source>
+        <translation>R[%1] gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1 is not defined</source>
+        <translation>%1 ist nicht definiert</translation>
+    </message>
+    <message>
+        <source>an array needs its index in brackets</source>
+        <translation>Ein Feld braucht seinen Index in Klammern</translation>
+    </message>
+    <message>
+        <source>the array has fewer dimensions</source>
+        <translation>Das Feld hat weniger Dimensionen</translation>
+    </message>
+    <message>
+        <source>the array has more dimensions</source>
+        <translation>Das Feld hat mehr Dimensionen</translation>
+    </message>
+    <message>
+        <source>the index is outside the array</source>
+        <translation>Der Index liegt außerhalb des Felds</translation>
+    </message>
+    <message>
+        <source>a calculation uses a text</source>
+        <translation>Mit einem Text wird gerechnet</translation>
+    </message>
+    <message>
+        <source>the value is not of type %1</source>
+        <translation>Der Wert ist nicht vom Typ %1</translation>
+    </message>
+    <message>
+        <source>the value is outside the range of type %1</source>
+        <translation>Der Wert liegt außerhalb des Bereichs von Typ %1</translation>
+    </message>
+    <message>
+        <source>the list has more values than the array has elements</source>
+        <translation>Die Liste hat mehr Werte als das Feld Elemente</translation>
+    </message>
+    <message>
+        <source>only the control knows the value of %1</source>
+        <translation>Nur die Steuerung kennt den Wert von %1</translation>
+    </message>
+    <message>
+        <source>a variable of the control would be written</source>
+        <translation>Eine Variable der Steuerung würde geschrieben</translation>
+    </message>
+    <message>
+        <source>the subprogram takes %1 values</source>
+        <translation>Das Unterprogramm nimmt %1 Werte</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable</source>
+        <translation>Der Parameter %1 wird als Referenz übergeben und braucht eine Variable</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable of its own type</source>
+        <translation>Der Parameter %1 wird als Referenz übergeben und braucht eine Variable des gleichen Typs</translation>
+    </message>
+    <message>
+        <source>a synchronized action reads R or an array by an index of the main run: use $R</source>
+        <translation>Eine Synchronaktion liest R oder ein Feld mit einem Index des Hauptlaufs: $R verwenden</translation>
+    </message>
+    <message>
+        <source>GOTO or THEN must follow a condition</source>
+        <translation>Auf eine Bedingung muss GOTO oder THEN folgen</translation>
+    </message>
+    <message>
+        <source>WHILE is written WHILE [condition] DO1</source>
+        <translation>WHILE schreibt man WHILE [Bedingung] DO1</translation>
+    </message>
+    <message>
+        <source>an O word needs a number or &lt;name&gt;</source>
+        <translation>Ein O-Wort braucht eine Nummer oder &lt;name&gt;</translation>
+    </message>
+    <message>
+        <source>%1 is not known</source>
+        <translation>%1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 is not in a loop</source>
+        <translation>%1 steht nicht in einer Schleife</translation>
+    </message>
+    <message>
+        <source>%1 has no call</source>
+        <translation>%1 hat keinen Aufruf</translation>
+    </message>
+    <message>
+        <source>a subprogram is defined inside %1</source>
+        <translation>In %1 ist ein Unterprogramm definiert</translation>
+    </message>
+</context>
+<context>
     <name>GroupingTexts</name>
     <message>
         <source>Lists</source>

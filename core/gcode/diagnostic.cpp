@@ -12,10 +12,6 @@ namespace rivulet::gcode {
 
 namespace {
 
-/// The sentences of findings, each once: for the log in English, for the window as the source of
-/// its translation. lupdate finds them by this name; "%1" is the argument.
-#define RIVULET_SENTENCE(context, sentence) sentence
-
 struct CodeText {
   DiagnosticCode code;
   std::string_view name;
@@ -257,13 +253,13 @@ const char* sentencePattern(const Diagnostic& diagnostic) {
                                                         : textOf(diagnostic.code).sentence;
 }
 
+std::string parameterOf(const Diagnostic& diagnostic) {
+  return diagnostic.cause ? nc::describe({*diagnostic.cause, diagnostic.argument, {}})
+                          : diagnostic.argument;
+}
+
 std::string describe(const Diagnostic& diagnostic) {
-  std::string sentence(sentencePattern(diagnostic));
-  for (std::size_t at = sentence.find("%1"); at != std::string::npos;
-       at = sentence.find("%1", at + diagnostic.argument.size())) {
-    sentence.replace(at, 2, diagnostic.argument);
-  }
-  return sentence;
+  return nc::filled(sentencePattern(diagnostic), parameterOf(diagnostic));
 }
 
 }  // namespace rivulet::gcode

@@ -6,6 +6,7 @@
 /// @threadsafety plain values.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,8 @@ struct Diagnostic {
   DiagnosticCode code = DiagnosticCode::UnknownWord;
   std::string argument;
   std::string file = {};  ///< the called file it stands in; empty: the program itself
+  /// Of a calculation or of the sequence of blocks: what is wrong with it; the argument is its own.
+  std::optional<nc::FaultCode> cause = {};
 };
 
 /// Stable name for files and `--json`, e.g. "unknown-g-code".
@@ -39,6 +42,9 @@ struct Diagnostic {
 /// The English sentence with "%1" in place of the argument: the source of its translation, context
 /// "DiagnosticTexts".
 [[nodiscard]] const char* sentencePattern(const Diagnostic& diagnostic);
+
+/// What stands for "%1" in the sentence, in English.
+[[nodiscard]] std::string parameterOf(const Diagnostic& diagnostic);
 
 /// One English sentence: what was found and what Rivulet does about it.
 [[nodiscard]] std::string describe(const Diagnostic& diagnostic);

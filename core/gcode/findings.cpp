@@ -31,9 +31,12 @@ std::string shortened(std::string text) {
 }  // namespace
 
 void Findings::report(Severity severity, int column, DiagnosticCode code, std::string argument) {
-  const std::string file = m_file == nullptr ? std::string() : *m_file;
-  Diagnostic found{severity, m_line, column, code, shortened(std::move(argument)), file};
-  if (severity == Severity::Error && !m_accepted.empty()) {
+  add({severity, m_line, column, code, shortened(std::move(argument))});
+}
+
+void Findings::add(Diagnostic found) {
+  found.file = m_file == nullptr ? std::string() : *m_file;
+  if (found.severity == Severity::Error && !m_accepted.empty()) {
     std::string name = acceptableName(found);
     if (!name.empty() &&
         std::find(m_accepted.begin(), m_accepted.end(), name) != m_accepted.end()) {
@@ -42,7 +45,9 @@ void Findings::report(Severity severity, int column, DiagnosticCode code, std::s
         return;
       }
       m_acceptedSeen.push_back(name);
-      found = {Severity::Warning, m_line, column, DiagnosticCode::Accepted, std::move(name), file};
+      found.severity = Severity::Warning;
+      found.code = DiagnosticCode::Accepted;
+      found.argument = std::move(name);
     }
   }
   if (m_list.size() >= kDiagnosticsMax) {
@@ -60,9 +65,9 @@ void Findings::reportProgram(Severity severity, DiagnosticCode code, std::string
 }
 
 void Findings::fault(int column, const nc::Fault& fault) {
-  report(Severity::Error, column,
-         nc::isAboutOrder(fault.code) ? DiagnosticCode::FlowFault : DiagnosticCode::ExpressionFault,
-         nc::describe(fault));
+  const DiagnosticCode code =
+      nc::isAboutOrder(fault.code) ? DiagnosticCode::FlowFault : DiagnosticCode::ExpressionFault;
+  add({Severity::Error, m_line, column, code, shortened(fault.argument), {}, fault.code});
 }
 
 void Findings::ignore(const nc::Token& token, std::string word) {

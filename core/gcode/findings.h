@@ -47,6 +47,8 @@ class Findings final : public nc::FaultSink {
   [[nodiscard]] std::vector<Diagnostic> take();
 
  private:
+  void add(Diagnostic found);
+
   const std::vector<std::string>& m_accepted;
   std::vector<Diagnostic> m_list;
   base::LineNumber m_line;

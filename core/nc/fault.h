@@ -169,7 +169,16 @@ using Expected = tl::expected<T, Fault>;
          (code >= FaultCode::NoTarget && code <= FaultCode::CallsTooDeep);
 }
 
-/// One English clause without full stop: "a bracket is not closed".
+/// Marks a sentence that is shown: in English by the log and the command line, and the source of
+/// its translation, which lupdate finds by this name. "%1" is its parameter.
+#define RIVULET_SENTENCE(context, sentence) sentence
+
+/// The sentence with its parameter in it.
+[[nodiscard]] std::string filled(std::string_view sentence, std::string_view parameter);
+
+/// One English clause without full stop, "a bracket is not closed", with "%1" in place of the
+/// argument: the source of its translation, context "FaultTexts".
+[[nodiscard]] const char* clausePattern(FaultCode code);
 [[nodiscard]] std::string describe(const Fault& fault);
 
 }  // namespace rivulet::nc

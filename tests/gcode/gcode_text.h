@@ -44,7 +44,8 @@ inline std::string printFindings(const std::vector<gcode::Diagnostic>& diagnosti
     text += std::to_string(diagnostic.line.value) + ":" + std::to_string(diagnostic.column) + " " +
             std::string(gcode::severityName(diagnostic.severity)) + " " +
             std::string(gcode::diagnosticName(diagnostic.code));
-    text += diagnostic.argument.empty() ? "" : " " + diagnostic.argument;
+    const std::string parameter = gcode::parameterOf(diagnostic);
+    text += parameter.empty() ? "" : " " + parameter;
   }
   return text;
 }

@@ -45,11 +45,16 @@ QString severityIconName(gcode::Severity severity) {
 }
 
 QString diagnosticText(const gcode::Diagnostic& diagnostic) {
-  const QString pattern =
-      QCoreApplication::translate("DiagnosticTexts", gcode::sentencePattern(diagnostic));
-  return pattern.contains(QStringLiteral("%1"))
-             ? pattern.arg(QString::fromStdString(diagnostic.argument))
-             : pattern;
+  const auto filled = [](QString pattern, const QString& parameter) {
+    return pattern.replace(QStringLiteral("%1"), parameter);
+  };
+  QString parameter = QString::fromStdString(diagnostic.argument);
+  if (diagnostic.cause) {
+    parameter = filled(
+        QCoreApplication::translate("FaultTexts", nc::clausePattern(*diagnostic.cause)), parameter);
+  }
+  return filled(QCoreApplication::translate("DiagnosticTexts", gcode::sentencePattern(diagnostic)),
+                parameter);
 }
 
 }  // namespace rivulet::widgets

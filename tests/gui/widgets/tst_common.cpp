@@ -216,6 +216,21 @@ class TestCommon : public QObject {
     }
   }
 
+  void whatIsWrongIsSaidInTheSameLanguage() {
+    test::Language language;
+    language.german();
+    gcode::Diagnostic diagnostic;
+    diagnostic.code = gcode::DiagnosticCode::ExpressionFault;
+    diagnostic.cause = nc::FaultCode::NameUnknown;
+    diagnostic.argument = "DEPTH";
+    QCOMPARE(diagnosticText(diagnostic),
+             QStringLiteral("Die Rechnung hat kein Ergebnis: DEPTH ist weder Variable noch "
+                            "Funktion."));
+    QCOMPARE(gcode::describe(diagnostic),
+             std::string("The calculation has no result: DEPTH is neither a variable nor a "
+                         "function."));
+  }
+
   void ordersToTheMachineAreNamed() {
     test::Language language;
     for (const auto& [severity, word] :
