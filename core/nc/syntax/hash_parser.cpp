@@ -57,28 +57,7 @@ class HashParser final : public BlockParser {
     return {};
   }
 
-  void finish() override {
-    for (Open& open : m_open) {
-      open.toEnd.push_back(open.branch);
-      patchAll(open.toEnd);
-      BlockParser::fault(FaultCode::NotClosed, open.word, open.place);
-    }
-    m_open.clear();
-  }
-
  private:
-  enum class Kind : std::uint8_t { If, While, Do, Times };
-  struct Open {
-    Kind kind = Kind::If;
-    std::string id;
-    std::string word;
-    Place place;
-    std::size_t begin = 0;              ///< where the loop continues
-    std::optional<std::size_t> branch;  ///< to be patched where the condition does not hold
-    std::vector<std::optional<std::size_t>> toEnd;       ///< of BREAK and of branches that end
-    std::vector<std::optional<std::size_t>> toContinue;  ///< of CONTINUE
-    bool isFaulty = false;  ///< its condition could not be read: its body is not a loop
-  };
   struct Word {
     std::string_view word;
     void (HashParser::*read)();
@@ -115,12 +94,6 @@ class HashParser final : public BlockParser {
   using BlockParser::fault;
   void fault(FaultCode code, std::string argument = {}) {
     fault(code, std::move(argument), m_place);
-  }
-
-  void patchAll(const std::vector<std::optional<std::size_t>>& branches) {
-    for (const std::optional<std::size_t>& branch : branches) {
-      patch(branch);
-    }
   }
 
   // --- ISO ------------------------------------------------------------------------------------
@@ -176,32 +149,32 @@ class HashParser final : public BlockParser {
     }
     m_digits = m_digits.empty() ? digits() : m_digits;
     m_id = "DO" + m_digits;
-    openWhile(std::move(condition));
+    begin(openOn("WHILE", std::move(condition)));
   }
 
   void doAlone() {
     m_digits = m_digits.empty() ? digits() : m_digits;
     m_id = "DO" + m_digits;
-    open(Kind::While, here(), std::nullopt);
+    begin(open("WHILE"));
   }
 
   void end() {
     m_digits = m_digits.empty() ? digits() : m_digits;
     m_id = "DO" + m_digits;
     m_word = "END" + m_digits;
-    if (std::optional<Open> ended = close(Kind::While, m_word)) {
-      closeWhile(*ended);
+    if (const std::optional<Open> ended = close("WHILE", m_word)) {
+      closeLoop(*ended);
     }
   }
 
   // --- structures -----------------------------------------------------------------------------
 
-  void open(Kind kind, std::size_t begin, std::optional<std::size_t> branch,
-            bool isFaulty = false) {
-    m_open.push_back({kind, m_id, m_word, m_place, begin, branch, {}, {}, isFaulty});
+  void begin(Open& opened) const {
+    opened.id = m_id;
+    opened.name = m_word;
   }
 
-  [[nodiscard]] Open* innermost(Kind kind) {
+  [[nodiscard]] Open* innermost(std::string_view kind) {
     const auto found = std::find_if(m_open.rbegin(), m_open.rend(), [&](const Open& each) {
       return each.kind == kind && each.id == m_id;
     });
@@ -209,7 +182,7 @@ class HashParser final : public BlockParser {
   }
 
   /// What is still open inside was never closed, and closes with it.
-  std::optional<Open> close(Kind kind, std::string word) {
+  std::optional<Open> close(std::string_view kind, std::string word) {
     const Open* const found = innermost(kind);
     if (found == nullptr) {
       fault(FaultCode::NoBeginning, std::move(word));
@@ -218,48 +191,25 @@ class HashParser final : public BlockParser {
     Open closed = *found;
     while (m_open.back().id != closed.id || m_open.back().kind != kind) {
       patch(m_open.back().branch);
-      patchAll(m_open.back().toEnd);
+      patch(m_open.back().toEnd);
       m_open.pop_back();
     }
     m_open.pop_back();
     return closed;
   }
 
-  void openWhile(std::optional<Expression> condition) {
-    if (!condition) {
-      open(Kind::While, here(), std::nullopt, true);
-      return;
-    }
-    const std::size_t begin = append(Branch{std::move(condition), 0});
-    open(Kind::While, begin, begin);
-  }
-
-  void closeWhile(Open& ended) {
-    if (!ended.isFaulty) {
-      append(Branch{std::nullopt, ended.begin});
-    }
-    ended.toEnd.push_back(ended.branch);
-    patchAll(ended.toEnd);
-  }
-
   // --- O words of RS-274/NGC --------------------------------------------------------------------
 
-  void oIf() {
-    std::optional<Expression> condition = expression();
-    const bool isFaulty = !condition;
-    const std::optional<std::size_t> branch =
-        isFaulty ? std::nullopt : std::optional(append(Branch{std::move(condition), 0}));
-    open(Kind::If, 0, branch, isFaulty);
-  }
+  void oIf() { begin(openOn("IF", expression())); }
 
   /// The branch before it ends here; the next one begins.
   bool divide() {
-    Open* const open = innermost(Kind::If);
+    Open* const open = innermost("IF");
     if (open == nullptr) {
       fault(FaultCode::NoBeginning, named());
       return false;
     }
-    open->toEnd.emplace_back(append(Branch{}));
+    open->toEnd.push_back(append(Branch{}));
     patch(std::exchange(open->branch, std::nullopt));
     return true;
   }
@@ -270,43 +220,42 @@ class HashParser final : public BlockParser {
     }
     std::optional<Expression> condition = expression();
     if (condition) {
-      innermost(Kind::If)->branch = append(Branch{std::move(condition), 0});
+      innermost("IF")->branch = append(Branch{std::move(condition), 0});
     }
   }
 
   void oElse() { divide(); }
 
   void oEndIf() {
-    if (std::optional<Open> ended = close(Kind::If, named())) {
-      ended->toEnd.push_back(ended->branch);
-      patchAll(ended->toEnd);
+    if (const std::optional<Open> ended = close("IF", named())) {
+      patch(ended->branch);
+      patch(ended->toEnd);
     }
   }
 
-  void oDo() { open(Kind::Do, here(), std::nullopt); }
+  void oDo() { begin(open("DO")); }
 
   void oWhile() {
     std::optional<Expression> condition = expression();
-    const bool closesDo =
-        !m_open.empty() && m_open.back().kind == Kind::Do && m_open.back().id == m_id;
+    const bool closesDo = !m_open.empty() && m_open.back().kind == "DO" && m_open.back().id == m_id;
     if (!closesDo) {
-      openWhile(std::move(condition));
+      begin(openOn("WHILE", std::move(condition)));
       return;
     }
-    const std::optional<Open> ended = close(Kind::Do, named());
-    patchAll(ended->toContinue);
+    const std::optional<Open> ended = close("DO", named());
+    patch(ended->toContinue);
     if (condition) {
       Expression leaves;
       leaves.op = Op::Not;
       leaves.operands.push_back(std::move(*condition));
       append(Branch{std::move(leaves), ended->begin});
     }
-    patchAll(ended->toEnd);
+    patch(ended->toEnd);
   }
 
   void oEndWhile() {
-    if (std::optional<Open> ended = close(Kind::While, named())) {
-      closeWhile(*ended);
+    if (const std::optional<Open> ended = close("WHILE", named())) {
+      closeLoop(*ended);
     }
   }
 
@@ -316,6 +265,7 @@ class HashParser final : public BlockParser {
     Definition left;
     left.name = fmt::format("REPEAT {}", here());
     const Expression counter = variableNamed(left.name);
+    std::optional<Expression> goesOn;
     if (times) {
       // What is left of a whole number by rounding still counts as one.
       constexpr double kRounding = 1e-9;
@@ -325,33 +275,23 @@ class HashParser final : public BlockParser {
           applied(Op::Add, std::move(*times), Expression::constant(kRounding)));
       left.initial = only(std::move(whole));
       append(std::move(left));
+      goesOn = applied(Op::Greater, counter, Expression::constant(0.0));
     }
-    const bool isFaulty = !times;
-    const std::size_t begin = here();
-    const std::optional<std::size_t> branch =
-        isFaulty ? std::nullopt
-                 : std::optional(
-                       append(Branch{applied(Op::Greater, counter, Expression::constant(0.0)), 0}));
-    open(Kind::Times, begin, branch, isFaulty);
-    m_open.back().word = counter.name;
+    Open& opened = openOn("REPEAT", std::move(goesOn));
+    opened.step =
+        Assignment{counter, only(applied(Op::Subtract, counter, Expression::constant(1.0)))};
+    begin(opened);
   }
 
   void oEndRepeat() {
-    std::optional<Open> ended = close(Kind::Times, named());
-    if (!ended) {
-      return;
+    if (const std::optional<Open> ended = close("REPEAT", named())) {
+      closeLoop(*ended);
     }
-    patchAll(ended->toContinue);
-    if (!ended->isFaulty) {
-      const Expression counter = variableNamed(ended->word);
-      append(Assignment{counter, only(applied(Op::Subtract, counter, Expression::constant(1.0)))});
-    }
-    closeWhile(*ended);
   }
 
   [[nodiscard]] Open* loop() {
     const auto found = std::find_if(m_open.rbegin(), m_open.rend(), [&](const Open& each) {
-      return each.kind != Kind::If && each.id == m_id;
+      return each.kind != "IF" && each.id == m_id;
     });
     if (found == m_open.rend()) {
       fault(FaultCode::NotInLoop, named());
@@ -362,16 +302,16 @@ class HashParser final : public BlockParser {
 
   void oBreak() {
     if (Open* const left = loop()) {
-      left->toEnd.emplace_back(append(Branch{}));
+      left->toEnd.push_back(append(Branch{}));
     }
   }
 
   void oContinue() {
     Open* const again = loop();
-    if (again != nullptr && again->kind == Kind::While) {
+    if (again != nullptr && again->kind == "WHILE") {
       append(Branch{std::nullopt, again->begin});
     } else if (again != nullptr) {
-      again->toContinue.emplace_back(append(Branch{}));
+      again->toContinue.push_back(append(Branch{}));
     }
   }
 
@@ -394,7 +334,6 @@ class HashParser final : public BlockParser {
   std::string m_id;  ///< "O100", "O<NAME>", "DO1"
   std::string m_word;
   std::string m_digits;  ///< after the word: DO1, GOTO100
-  std::vector<Open> m_open;
 };
 
 const std::array<HashParser::Word, 5> HashParser::kWords{{

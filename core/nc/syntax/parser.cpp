@@ -93,29 +93,7 @@ class SinumerikParser final : public BlockParser {
     return *goesOn && !reader.isAtEnd() ? reader.rest() : std::string_view();
   }
 
-  void finish() override {
-    for (const Open& open : m_open) {
-      patch(open.branch);
-      BlockParser::fault(FaultCode::NotClosed, std::string(nameOf(open.kind)), open.place);
-    }
-  }
-
  private:
-  enum class Structure : std::uint8_t { If, While, For, Loop, Repeat };
-  struct Open {
-    Structure kind = Structure::If;
-    std::optional<std::size_t> branch;  ///< to be patched at the end
-    std::size_t begin = 0;              ///< where the loop continues
-    std::optional<Expression> counter;  ///< For
-    Place place;
-    bool isFaulty = false;  ///< its condition could not be read: its body is not a loop
-  };
-
-  static std::string_view nameOf(Structure kind) {
-    static constexpr std::array<std::string_view, 5> kNames{"IF", "WHILE", "FOR", "LOOP", "REPEAT"};
-    return kNames[static_cast<std::size_t>(kind)];
-  }
-
   using BlockParser::fault;
   bool fault(FaultCode code, std::string argument = {}) {
     append(Faulty{{code, std::move(argument), m_in->place()}});
@@ -336,30 +314,28 @@ class SinumerikParser final : public BlockParser {
 
   // --- control structures -------------------------------------------------------------------
 
-  bool open(Structure kind, std::optional<std::size_t> branch, std::size_t begin,
-            std::optional<Expression> counter = std::nullopt) {
-    if (m_open.size() == kNestingMax) {
-      return fault(FaultCode::StructuresTooDeep);
+  bool isShallow() {
+    if (m_open.size() <= kNestingMax) {
+      return true;
     }
-    m_open.push_back({kind, branch, begin, std::move(counter), m_place, false});
-    return true;
+    m_open.pop_back();
+    return fault(FaultCode::StructuresTooDeep);
   }
 
   /// What closes a structure must find it, also where its condition cannot be read.
-  bool openFaulty(Structure kind) {
-    m_open.push_back({kind, std::nullopt, 0, std::nullopt, m_place, true});
-    return false;
+  bool opens(std::string kind, std::optional<Expression> condition) {
+    return !openOn(std::move(kind), std::move(condition)).isFaulty && isShallow();
   }
 
   /// Closes the innermost structure, which must be of this kind.
-  std::optional<Open> close(Structure kind, std::string_view word) {
+  std::optional<Open> close(std::string_view kind, const std::string& word) {
     if (m_open.empty() || m_open.back().kind != kind) {
-      fault(FaultCode::NoBeginning, std::string(word));
+      fault(FaultCode::NoBeginning, word);
       return std::nullopt;
     }
-    Open open = std::move(m_open.back());
+    Open ended = std::move(m_open.back());
     m_open.pop_back();
-    return open;
+    return ended;
   }
 
   std::optional<bool> structure(const std::string& word) {
@@ -367,57 +343,42 @@ class SinumerikParser final : public BlockParser {
       return ifWord();
     }
     if (word == "ELSE") {
-      const std::optional<Open> ended = close(Structure::If, word);
+      const std::optional<Open> ended = close("IF", word);
       if (!ended) {
         return false;
       }
       const std::size_t jump = append(Branch{});
       patch(ended->branch);
-      return open(Structure::If, jump, 0);
+      open("IF", jump);
+      return isShallow();
     }
     if (word == "ENDIF") {
-      const std::optional<Open> ended = close(Structure::If, word);
+      const std::optional<Open> ended = close("IF", word);
       patch(ended ? ended->branch : std::nullopt);
       return ended.has_value();
     }
     if (word == "WHILE") {
-      std::optional<Expression> condition = expression();
-      if (!condition) {
-        return openFaulty(Structure::While);
-      }
-      const std::size_t begin = append(Branch{std::move(condition), 0});
-      return open(Structure::While, begin, begin);
+      return opens(word, expression());
     }
     if (word == "LOOP") {
-      return open(Structure::Loop, std::nullopt, here());
+      open(word);
+      return isShallow();
     }
     if (word == "FOR") {
       return forWord();
     }
     if (word == "ENDWHILE" || word == "ENDLOOP" || word == "ENDFOR") {
-      const Structure kind = word == "ENDWHILE"  ? Structure::While
-                             : word == "ENDLOOP" ? Structure::Loop
-                                                 : Structure::For;
-      const std::optional<Open> ended = close(kind, word);
-      if (!ended) {
-        return false;
+      const std::optional<Open> ended = close(word.substr(3), word);
+      if (ended) {
+        closeLoop(*ended);
       }
-      if (ended->isFaulty) {
-        return true;
-      }
-      if (ended->counter) {
-        append(Assignment{*ended->counter,
-                          only(applied(Op::Add, *ended->counter, Expression::constant(1.0)))});
-      }
-      append(Branch{std::nullopt, ended->begin});
-      patch(ended->branch);
-      return true;
+      return ended.has_value();
     }
     if (word == "REPEAT" || word == "REPEATB") {
       return repeat(word == "REPEATB");
     }
     if (word == "UNTIL") {
-      const std::optional<Open> ended = close(Structure::Repeat, word);
+      const std::optional<Open> ended = close("REPEAT", word);
       std::optional<Expression> condition = ended ? expression() : std::nullopt;
       return condition && (append(Branch{std::move(condition), ended->begin}), true);
     }
@@ -431,7 +392,7 @@ class SinumerikParser final : public BlockParser {
     const std::string text = base::toUpper(m_in->rest());
     std::optional<Expression> condition = expression();
     if (!condition) {
-      return text.find("GOTO") == std::string::npos && openFaulty(Structure::If);
+      return text.find("GOTO") == std::string::npos && opens("IF", std::nullopt);
     }
     const std::string word = m_in->name();
     if (const std::optional<JumpDirection> direction = jumpDirection(word)) {
@@ -440,27 +401,18 @@ class SinumerikParser final : public BlockParser {
     if (!word.empty() || !m_in->isAtEnd()) {
       return fault(FaultCode::IfMalformed);
     }
-    const std::size_t branch = append(Branch{std::move(condition), 0});
-    return open(Structure::If, branch, 0);
+    return opens("IF", std::move(condition));
   }
 
   /// The limit is computed once, into a variable no program can name.
   bool forWord() {
     std::optional<Expression> counter = got(m_in->target());
-    if (!counter) {
-      return openFaulty(Structure::For);
-    }
-    std::optional<Expression> first = expect('=') ? expression() : std::nullopt;
-    if (!first) {
-      return openFaulty(Structure::For);
-    }
-    if (!m_in->takeWord("TO")) {
-      fault(FaultCode::ForMalformed);
-      return openFaulty(Structure::For);
-    }
-    std::optional<Expression> last = expression();
+    std::optional<Expression> first =
+        counter && expect('=') ? expression() : std::optional<Expression>();
+    const bool hasLimit = first && (m_in->takeWord("TO") || fault(FaultCode::ForMalformed));
+    std::optional<Expression> last = hasLimit ? expression() : std::optional<Expression>();
     if (!last) {
-      return openFaulty(Structure::For);
+      return opens("FOR", std::nullopt);
     }
     Definition limit;
     limit.name = fmt::format("FOR {}", here());
@@ -468,14 +420,16 @@ class SinumerikParser final : public BlockParser {
     const Expression hidden = variableNamed(limit.name);
     append(Assignment{*counter, only(std::move(*first))});
     append(std::move(limit));
-    const std::size_t begin = append(Branch{applied(Op::LessEqual, *counter, hidden), 0});
-    return open(Structure::For, begin, begin, std::move(counter));
+    openOn("FOR", applied(Op::LessEqual, *counter, hidden)).step =
+        Assignment{*counter, only(applied(Op::Add, *counter, Expression::constant(1.0)))};
+    return isShallow();
   }
 
   /// REPEAT alone begins a loop; with a label it repeats what stands there.
   bool repeat(bool isBlockOnly) {
     if (m_in->isAtEnd() && !isBlockOnly) {
-      return open(Structure::Repeat, std::nullopt, here());
+      open("REPEAT");
+      return isShallow();
     }
     RepeatLabel made;
     made.isBlockOnly = isBlockOnly;
@@ -689,7 +643,6 @@ class SinumerikParser final : public BlockParser {
   }
 
   bool m_splits;
-  std::vector<Open> m_open;
   std::set<std::string, std::less<>> m_defined;
 };
 
@@ -698,6 +651,51 @@ class SinumerikParser final : public BlockParser {
 void BlockParser::patch(std::optional<std::size_t> branch) {
   if (branch) {
     std::get<Branch>(m_tree.statements[*branch].what).target = here();
+  }
+}
+
+void BlockParser::patch(const std::vector<std::size_t>& branches) {
+  for (const std::size_t branch : branches) {
+    patch(std::optional(branch));
+  }
+}
+
+BlockParser::Open& BlockParser::open(std::string kind, std::optional<std::size_t> branch) {
+  Open& made = m_open.emplace_back();
+  made.name = kind;
+  made.kind = std::move(kind);
+  made.place = m_place;
+  made.begin = branch.value_or(here());
+  made.branch = branch;
+  return made;
+}
+
+BlockParser::Open& BlockParser::openOn(std::string kind, std::optional<Expression> condition) {
+  const bool isFaulty = !condition;
+  Open& made =
+      open(std::move(kind),
+           isFaulty ? std::nullopt : std::optional(append(Branch{std::move(condition), 0})));
+  made.isFaulty = isFaulty;
+  return made;
+}
+
+void BlockParser::closeLoop(const Open& ended) {
+  patch(ended.toContinue);
+  if (!ended.isFaulty) {
+    if (ended.step) {
+      append(*ended.step);
+    }
+    append(Branch{std::nullopt, ended.begin});
+  }
+  patch(ended.branch);
+  patch(ended.toEnd);
+}
+
+void BlockParser::finish() {
+  for (const Open& open : m_open) {
+    patch(open.branch);
+    patch(open.toEnd);
+    fault(FaultCode::NotClosed, open.name, open.place);
   }
 }
 

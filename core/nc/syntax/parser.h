@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "nc/syntax/language.h"
 #include "nc/syntax/tree.h"
@@ -44,13 +45,28 @@ class BlockParser {
   /// @return what follows it in the block
   virtual std::string_view steer(std::string_view text, Place place) = 0;
   /// Complains about what was not closed.
-  virtual void finish() = 0;
+  void finish();
   void fault(FaultCode code, std::string argument, Place place) {
     m_place = place;
     append(Faulty{{code, std::move(argument), place}});
   }
 
  protected:
+  /// A control structure in progress. It is made of branches whose targets are set when they are
+  /// known.
+  struct Open {
+    std::string kind;  ///< IF, WHILE, ...
+    std::string id;    ///< of O words and of DO1: what closes it has the same
+    std::string name;  ///< for messages
+    Place place;
+    std::size_t begin = 0;              ///< where a loop continues
+    std::optional<std::size_t> branch;  ///< leads on where the condition does not hold
+    std::optional<Assignment> step;     ///< of a loop that counts, after each round
+    std::vector<std::size_t> toEnd;     ///< branches of BREAK and of parts of an IF that end
+    std::vector<std::size_t> toContinue;
+    bool isFaulty = false;  ///< its condition could not be read: its body is not a loop
+  };
+
   /// @return the index of the statement
   template <class What>
   std::size_t append(What what) {
@@ -62,6 +78,12 @@ class BlockParser {
   [[nodiscard]] std::size_t here() const { return m_tree.statements.size(); }
   /// The branch leads to what comes next; nothing: there is none.
   void patch(std::optional<std::size_t> branch);
+  void patch(const std::vector<std::size_t>& branches);
+  Open& open(std::string kind, std::optional<std::size_t> branch = std::nullopt);
+  /// @param condition  nothing: it could not be read, and its fault is in the tree
+  Open& openOn(std::string kind, std::optional<Expression> condition);
+  /// Leads back to the beginning of a loop, and what leaves it to what comes next.
+  void closeLoop(const Open& ended);
   /// Takes the value out, or adds the fault.
   template <class T>
   std::optional<T> got(Expected<T> read) {
@@ -77,6 +99,7 @@ class BlockParser {
   Tree& m_tree;
   Place m_place;           ///< of the statement in progress
   Reader* m_in = nullptr;  ///< of its text
+  std::vector<Open> m_open;
 
  private:
   std::size_t add(Statement made);
