@@ -235,8 +235,6 @@ class LineReader {
     return true;
   }
 
-  [[nodiscard]] bool hasBracketComments() const { return m_language.hasBracketComments; }
-
   enum class NumberStatus { Read, Missing, Malformed };
 
   NumberStatus readNumber(double& value) {
