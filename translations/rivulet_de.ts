@@ -1250,6 +1250,65 @@
     </message>
 </context>
 <context>
+    <name>FoundRunTexts</name>
+    <message>
+        <source>A program of Rivulet without a run</source>
+        <translation>Ein Programm von Rivulet ohne Lauf</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Lauf %1</translation>
+    </message>
+    <message>
+        <source>Run %1 of %2</source>
+        <translation>Lauf %1 von %2</translation>
+    </message>
+    <message>
+        <source>It is not known who started it.</source>
+        <translation>Wer ihn gestartet hat, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Started by %1 on %2 at %3.</source>
+        <translation>Gestartet von %1 auf %2 am %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points executed</source>
+        <translation>%1 von %2 Punkten ausgeführt</translation>
+    </message>
+    <message>
+        <source>%1 windows executed</source>
+        <translation>%1 Fenster ausgeführt</translation>
+    </message>
+    <message>
+        <source>%1. Looking for its client …</source>
+        <translation>%1. Der Client wird gesucht …</translation>
+    </message>
+    <message>
+        <source>It waits for its first client.</source>
+        <translation>Es wartet auf seinen ersten Client.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is gone: the program waits.</source>
+        <translation>%1. Der Client ist weg: Das Programm wartet.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is at work.</source>
+        <translation>%1. Der Client arbeitet.</translation>
+    </message>
+    <message>
+        <source>It was not completed, and its program is no longer active on the control.</source>
+        <translation>Er ist nicht zu Ende, und sein Programm ist auf der Steuerung nicht mehr aktiv.</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1.</source>
+        <translation>Stopp bestätigt nach %1.</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed.</source>
+        <translation>Stopp angefordert, noch nicht bestätigt.</translation>
+    </message>
+</context>
+<context>
     <name>GroupingTexts</name>
     <message>
         <source>Lists</source>
@@ -1483,6 +1542,29 @@
     </message>
 </context>
 <context>
+    <name>rivulet::hmi::FoundRuns</name>
+    <message>
+        <source>The run that was watched has ended.</source>
+        <translation>Der beobachtete Lauf ist beendet.</translation>
+    </message>
+    <message>
+        <source>There is a run on the control: %1</source>
+        <translation>Auf der Steuerung ist ein Lauf: %1</translation>
+    </message>
+    <message>
+        <source>The run has been stopped; confirmed after %1.</source>
+        <translation>Der Lauf ist gestoppt; bestätigt nach %1.</translation>
+    </message>
+    <message>
+        <source>Stop of the run on the control requested.</source>
+        <translation>Stopp des Laufs auf der Steuerung angefordert.</translation>
+    </message>
+    <message>
+        <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
+        <translation>Die Datei des Programms, %1, ist nicht zu finden. Programm öffnen, dann noch einmal versuchen.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::MachineModel</name>
     <message>
         <source>Connected to the virtual machine at %1.</source>
@@ -1708,6 +1790,30 @@ GPL-3.0-or-later</translation>
         <source>This program with these settings and this calibration is not released.</source>
         <translation>Dieses Programm ist mit diesen Einstellungen und dieser Kalibrierung nicht freigegeben.</translation>
     </message>
+    <message>
+        <source>point %1 of %2 at %3</source>
+        <translation>Punkt %1 von %2 bei %3</translation>
+    </message>
+    <message>
+        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
+        <translation>Geradeaus über %1 zu %2. %3 Punkte sind ausgeführt.</translation>
+    </message>
+    <message>
+        <source>In a straight line to %1. %2 points have been executed.</source>
+        <translation>Geradeaus zu %1. %2 Punkte sind ausgeführt.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run.</source>
+        <translation>Ab Punkt %1 unterscheidet sich das Programm von dem des unterbrochenen Laufs.</translation>
+    </message>
+    <message>
+        <source>Who starts</source>
+        <translation>Wer startet</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -1758,6 +1864,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Recording: %1</source>
         <translation>Aufzeichnung: %1</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report, and check the workpiece.</source>
+        <translation>Der Lauf hat falsche Punkte ausgeführt: Bericht ansehen und Werkstück prüfen.</translation>
     </message>
 </context>
 <context>
@@ -2149,6 +2259,21 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CloseBar</name>
+    <message>
+        <source>Keep the window open</source>
+        <translation>Fenster offen lassen</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Stoppen und schließen</translation>
+    </message>
+    <message>
+        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
+        <translation>Ein Lauf ist aktiv. Zum Schließen wird er zuerst gestoppt; er kann später fortgesetzt werden.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -2515,6 +2640,41 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Residual</source>
         <translation>Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FoundRunBar</name>
+    <message>
+        <source>It can be resumed on the computer where it was started.</source>
+        <translation>Er kann an dem Rechner fortgesetzt werden, an dem er gestartet wurde.</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
+    </message>
+    <message>
+        <source>Shows program, position and progress. Nothing is changed.</source>
+        <translation>Zeigt Programm, Position und Fortschritt. Es wird nichts verändert.</translation>
+    </message>
+    <message>
+        <source>Stop the run</source>
+        <translation>Lauf stoppen</translation>
+    </message>
+    <message>
+        <source>The program ends after the windows that it has copied.</source>
+        <translation>Das Programm endet nach den Fenstern, die es übernommen hat.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Fortsetzen …</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Lädt das Programm, vergleicht es und fragt die Steuerung, wo der Lauf verlassen wurde. Noch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
     </message>
 </context>
 <context>
@@ -3190,6 +3350,18 @@ GPL-3.0-or-later</translation>
         <source>Not now</source>
         <translation>Nicht jetzt</translation>
     </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
+        <translation>Noch bewegt sich nichts. Den Knopf mit dem Punkt unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
+    </message>
+    <message>
+        <source>Resuming is not possible yet.</source>
+        <translation>Fortsetzen ist noch nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Before the run is resumed</source>
+        <translation>Vor dem Fortsetzen</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramPage</name>
@@ -3704,6 +3876,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Hold for one second. Then the machine moves.</source>
         <translation>Eine Sekunde lang halten. Dann fährt die Maschine.</translation>
     </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>Ab Punkt %1 unterscheidet sich das Programm von dem des unterbrochenen Laufs. Keiner dieser Punkte wurde ausgeführt: Vor dem Fortsetzen die neue Bahn prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -3874,6 +4050,38 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Waiting until the claim of another client lapses, because it may be dead (10 s)</source>
         <translation>Ein anderer Client hat die R-Parameter belegt, ist aber vielleicht abgestürzt. Die Belegung verfällt nach 10 s</translation>
+    </message>
+    <message>
+        <source>Wrong motion. %1</source>
+        <translation>Falsche Bewegung. %1</translation>
+    </message>
+    <message>
+        <source>Watching run %1: it waits</source>
+        <translation>Beobachte Lauf %1: er wartet</translation>
+    </message>
+    <message>
+        <source>Watching run %1</source>
+        <translation>Beobachte Lauf %1</translation>
+    </message>
+    <message>
+        <source>A program waits on the control</source>
+        <translation>Ein Programm wartet auf der Steuerung</translation>
+    </message>
+    <message>
+        <source>Run %1 is on the control</source>
+        <translation>Lauf %1 ist auf der Steuerung</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop ends it.</source>
+        <translation>Dieses Fenster zeigt ihn nur an. Stopp beendet ihn.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop ends it.</source>
+        <translation>Dieses Fenster hat ihn nicht gestartet. Stopp beendet ihn.</translation>
+    </message>
+    <message>
+        <source>%1 windows</source>
+        <translation>%1 Fenster</translation>
     </message>
 </context>
 <context>
@@ -4116,6 +4324,17 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Users</source>
         <translation>Benutzer</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::WrongMotionBar</name>
+    <message>
+        <source>Stop the run</source>
+        <translation>Lauf stoppen</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "gcode/facts.h"
 
 namespace rivulet::cli {
 
@@ -51,6 +52,22 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
         {"--feed", fmt::format("{:g}", base::mmPerMinFromMmPerS(run.settings.feedMmPerS))});
   }
   command.insert(command.end(), {"--endpoint", run.endpoint});
+  const gcode::LoadOptions asRead;
+  if (run.reading.dialect) {
+    command.insert(command.end(),
+                   {"--dialect", std::string(gcode::dialectName(*run.reading.dialect))});
+  }
+  for (const std::string& name : run.reading.accepted) {
+    command.insert(command.end(), {"--accept", name});
+  }
+  if (run.reading.centres != asRead.centres) {
+    command.insert(command.end(),
+                   {"--arc-centres", std::string(gcode::centreReadingName(run.reading.centres))});
+  }
+  if (run.reading.chordToleranceMm != asRead.chordToleranceMm) {
+    command.insert(command.end(),
+                   {"--chord-tolerance", fmt::format("{:g}", run.reading.chordToleranceMm)});
+  }
   if (parameters.method == base::MethodKind::Credit) {
     command.insert(command.end(), {"--windows-ahead", std::to_string(parameters.windowsAhead)});
     if (!parameters.slowDown) {

@@ -11,7 +11,6 @@
 #include "cli/found_run.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
-#include "streaming/pause_placement.h"
 
 namespace rivulet::cli {
 
@@ -47,25 +46,6 @@ ordered_json foundJson(const report::FoundRun& run) {
   return json;
 }
 
-/// Points after each window of a run that is kept here; empty: not known.
-std::vector<std::size_t> windowEnds(const report::RunStore& store, const report::FoundRun& run) {
-  std::vector<gcode::StreamPoint> points =
-      run.saved ? store.points(*run.saved) : std::vector<gcode::StreamPoint>();
-  const std::size_t first = run.saved ? run.saved->checkpoint.firstPoint : 0;
-  std::vector<std::size_t> ends;
-  if (first < points.size()) {
-    const streaming::PausePlacement cut = streaming::cutWindows(
-        std::span(points).subspan(first),
-        static_cast<std::size_t>(run.saved->settings.parameters.pointsPerLoop),
-        streaming::windowCut(run.saved->settings));
-    for (const std::size_t begin : cut.begins) {
-      ends.push_back(first + begin);
-    }
-    ends.push_back(points.size());
-  }
-  return ends;
-}
-
 /// Shows how far the run is until it ends, or until Ctrl-C.
 Exit watch(const report::RunStore& store, const Connection& connection,
            const RunsOptions& options) {
@@ -85,7 +65,7 @@ Exit watch(const report::RunStore& store, const Connection& connection,
     const report::FoundRun& run = **found;
     if (!shown || run.onControl.number != number) {
       number = run.onControl.number;
-      ends = windowEnds(store, run);
+      ends = run.saved ? report::pointsAfterWindows(store, *run.saved) : std::vector<std::size_t>();
       shown.reset();
       fmt::print("{}\n", report::describeRun(run));
     }

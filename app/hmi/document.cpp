@@ -18,10 +18,11 @@ namespace rivulet::hmi {
 
 namespace {
 
-/// The times of a run are estimated again this long after the last change of a setting.
-constexpr int kEstimateMs = 400;
 /// Axes at rest tremble; less than this is no other position.
 constexpr double kToolMovedMm = 0.01;
+
+/// The times of a run are estimated again this long after the last change of a setting.
+constexpr int kEstimateMs = 400;
 constexpr std::size_t kPointsMin = 2;
 
 }  // namespace
@@ -70,8 +71,18 @@ Document::Document(const widgets::StreamSettings& settings) : m_settings(setting
   judge();
 }
 
-void Document::open(const QString& path) {
-  read(path, {});
+void Document::open(const QString& path, const session::Reading& reading) {
+  read(path, reading);
+}
+
+session::ProgramSource Document::source() const {
+  session::ProgramSource source;
+  source.file = m_path.toStdString();
+  source.reading.dialect = m_reading.dialect;
+  source.reading.accepted = m_reading.accepted;
+  source.reading.centres = m_reading.centres;
+  source.reading.chordToleranceMm = m_reading.chordToleranceMm;
+  return source;
 }
 
 void Document::readAgain(const session::Reading& reading) {

@@ -19,6 +19,7 @@
 #include "session/program_loader.h"
 #include "session/program_timer.h"
 #include "session/rehearsal.h"
+#include "session/session_event.h"
 #include "streaming/run.h"
 #include "streaming/start_policy.h"
 #include "widgets/calibration/access_source.h"
@@ -49,7 +50,7 @@ class Document final : public QObject {
   explicit Document(const widgets::StreamSettings& settings);
 
   /// Reads a program in the background; the present one stays until the new one is there.
-  void open(const QString& path);
+  void open(const QString& path, const session::Reading& reading = {});
   /// Reads the file of the present program again. Nothing without a program.
   void readAgain(const session::Reading& reading);
   void cancelReading() { m_loader.cancel(); }
@@ -66,6 +67,8 @@ class Document final : public QObject {
   /// The file that was asked for last.
   [[nodiscard]] const QString& requestedPath() const { return m_requestedPath; }
   [[nodiscard]] const session::Reading& reading() const { return m_reading; }
+  /// Where the program came from.
+  [[nodiscard]] session::ProgramSource source() const;
 
   [[nodiscard]] const widgets::StreamSettings& settings() const { return m_settings; }
   void setSettings(const widgets::StreamSettings& settings);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "hmi/demo.h"
+#include "hmi/end_signals.h"
 #include "hmi/main_window.h"
 #include "log/log.h"
 
@@ -93,6 +94,13 @@ int main(int argc, char** argv) {
     window.resize(window.size().boundedTo(window.screen()->availableSize()));
   }
   window.show();
+  const rivulet::hmi::EndSignals endSignals;
+  QObject::connect(&endSignals, &rivulet::hmi::EndSignals::received, &window,
+                   &rivulet::hmi::MainWindow::stopAndClose);
+  // The end of the session: what is not stopped by then would be killed.
+  QObject::connect(
+      &application, &QGuiApplication::commitDataRequest, &window,
+      [&window] { window.stopAndWait(); }, Qt::DirectConnection);
   if (parser.isSet(openOption)) {
     window.openProgram(parser.value(openOption));
   }

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QEventLoop>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -33,6 +34,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/streaming/close_bar.h"
 #include "widgets/trace/trace_page.h"
 
 namespace rivulet::hmi {
@@ -56,7 +58,8 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_machine(m_session, report::MachineStore(), m_messages),
       m_runs(m_session, m_document, m_machine, m_messages),
       m_releases(m_settings.stateFolder, m_users, m_document, m_machine, m_messages),
-      m_preflight(m_document, m_machine, m_runs) {
+      m_preflight(m_document, m_machine, m_runs),
+      m_found(m_session, m_document, m_machine, m_runs, m_messages) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
@@ -66,6 +69,8 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       [this] {
         if (isRunning() && !std::exchange(m_isStopRequested, true)) {
           m_runs.stop();
+        } else if (!isRunning() && m_found.isStoppedByKey()) {
+          m_found.stop();
         }
       },
       [this] { m_users.noticeInput(); }, this);
@@ -81,6 +86,15 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   connect(&m_runs, &RunController::started, this, &MainWindow::runStarted);
   connect(&m_runs, &RunController::finished, this, &MainWindow::runFinished);
   connect(&m_alarms, &Alarms::listRequested, this, &MainWindow::showAlarms);
+  connect(
+      &m_runs, &RunController::finished, this,
+      [this] {
+        m_closeBar->hide();
+        if (m_closesAfterRun) {
+          close();
+        }
+      },
+      Qt::QueuedConnection);
   retranslate();
   m_document.judge();
   resize(1440, 900);
@@ -95,8 +109,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_alarms, m_users,    m_audit,
-                      m_machine,  m_document, m_runs,   m_preflight};
+  const Models models{m_settings, m_messages, m_alarms, m_users,     m_audit,
+                      m_machine,  m_document, m_runs,   m_preflight, m_found};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -139,6 +153,12 @@ void MainWindow::buildPages() {
   connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showColumns);
   connect(&m_preflight, &Preflight::openChanged, this, &MainWindow::showCentre);
 
+  m_closeBar = new widgets::CloseBar(central);
+  connect(m_closeBar, &widgets::CloseBar::stopAndCloseRequested, this, &MainWindow::stopAndClose);
+  rows->addWidget(m_closeBar);
+  rows->addWidget(makeWrongMotionBar(models, central));
+  m_foundBar = makeFoundRunBar(models, central);
+  rows->addWidget(m_foundBar);
   m_resumeBar = makeResumeBar(models, central);
   rows->addWidget(m_resumeBar);
   rows->addWidget(makeRunPanel(models, central));
@@ -352,7 +372,7 @@ void MainWindow::showLock() {
   m_alarms.setUser(m_users.name().toStdString());
   const bool isOpen = !m_users.isLocked();
   for (QWidget* part : std::initializer_list<QWidget*>{m_columns, m_machineButton, m_setUpButton,
-                                                       m_resumeBar, m_menuButton}) {
+                                                       m_resumeBar, m_foundBar, m_menuButton}) {
     part->setEnabled(isOpen);
   }
   m_quitAction->setEnabled(isOpen);
@@ -381,12 +401,29 @@ widgets::CalibrationPage* MainWindow::calibrationPage() const {
   return m_tabs->findChild<widgets::CalibrationPage*>();
 }
 
+void MainWindow::stopAndClose() {
+  m_runs.cancelCalibration();
+  if (!isRunning()) {
+    close();
+    return;
+  }
+  m_closesAfterRun = true;
+  m_runs.stop();
+}
+
+void MainWindow::stopAndWait() {
+  if (isRunning()) {
+    QEventLoop loop;
+    connect(&m_runs, &RunController::finished, &loop, &QEventLoop::quit);
+    m_runs.stop();
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+  }
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (isRunning()) {
     // Closing must neither leave the machine alone nor stop it by surprise.
-    m_messages.show(gcode::Severity::Warning, [] {
-      return tr("A run is in progress. Press Stop, wait until the run has ended, then close.");
-    });
+    m_closeBar->ask();
     event->ignore();
     return;
   }

@@ -13,6 +13,7 @@
 #include "hmi/alarms.h"
 #include "hmi/audit.h"
 #include "hmi/document.h"
+#include "hmi/found_runs.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "hmi/pages/pages.h"
@@ -32,6 +33,7 @@ class QToolButton;
 
 namespace rivulet::widgets {
 class CalibrationPage;
+class CloseBar;
 class FoldingColumns;
 class HelpPage;
 class ProgramPage;
@@ -58,6 +60,11 @@ class MainWindow final : public QMainWindow {
   void setStreamSettings(const widgets::StreamSettings& settings) {
     m_document.setSettings(settings);
   }
+  /// Stops a run in progress, if there is one, and closes the window when it has ended. The run can
+  /// be resumed.
+  void stopAndClose();
+  /// Stops a run in progress and waits for its end: for the end of the session.
+  void stopAndWait();
   void setLanguage(const QString& language);
   void setTheme(widgets::Theme theme);
   /// These four: see `RunController`.
@@ -132,17 +139,21 @@ class MainWindow final : public QMainWindow {
   RunController m_runs;
   Releases m_releases;
   Preflight m_preflight;
+  FoundRuns m_found;
 
+  bool m_closesAfterRun = false;
   bool m_isStopRequested = false;  ///< by Escape, of the run in progress
 
   QToolButton* m_machineButton = nullptr;
   QToolButton* m_setUpButton = nullptr;
   QWidget* m_resumeBar = nullptr;
+  QWidget* m_foundBar = nullptr;
   widgets::FoldingColumns* m_columns = nullptr;
   QStackedWidget* m_centre = nullptr;  ///< the pages, the preflight or the manual
   widgets::HelpPage* m_help = nullptr;
   QTabWidget* m_tabs = nullptr;
   QToolButton* m_menuButton = nullptr;
+  widgets::CloseBar* m_closeBar = nullptr;
   QMenu* m_languageMenu = nullptr;
   QMenu* m_themeMenu = nullptr;
   QAction* m_openAction = nullptr;

@@ -46,6 +46,8 @@ Preflight::Preflight(Document& document, MachineModel& machine, RunController& r
   connect(&m_runs, &RunController::permissionsChanged, this, &Preflight::changed);
   connect(&m_runs, &RunController::started, this, &Preflight::close);
   connect(&m_runs, &RunController::resumeAsked, this, &Preflight::close);
+  connect(&m_runs, &RunController::placeFound, this, &Preflight::open);
+  connect(&m_runs, &RunController::resumeForgotten, this, &Preflight::close);
   connect(&m_document, &Document::programLoaded, this, &Preflight::close);
 }
 
@@ -55,6 +57,16 @@ void Preflight::open() {
     Q_EMIT changed();
     Q_EMIT openChanged();
   }
+}
+
+void Preflight::openForStart() {
+  m_runs.forgetResume();
+  open();
+}
+
+void Preflight::dismiss() {
+  close();
+  m_runs.forgetResume();
 }
 
 void Preflight::close() {
@@ -70,12 +82,12 @@ std::vector<PreflightItem> Preflight::items() const {
     return {};
   }
   std::vector<PreflightItem> items;
-  if (const auto blocked = m_runs.startBlocked()) {
+  if (const auto blocked = isForResume() ? m_runs.resumeBlocked() : m_runs.startBlocked()) {
     items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
   }
   items.push_back(programItem());
   items.push_back(machineItem());
-  items.push_back(firstMoveItem());
+  items.push_back(isForResume() ? resumeItem() : firstMoveItem());
   items.push_back(feedItem());
   items.push_back(methodItem());
   if (const auto rehearsal = rehearsalView(m_document.findings())) {
@@ -88,6 +100,7 @@ std::vector<PreflightItem> Preflight::items() const {
                      0});
   }
   items.push_back(accessItem());
+  items.push_back(originItem());
   if (m_users != nullptr && m_users->isSetUp()) {
     items.push_back(releaseItem());
   }
@@ -150,6 +163,36 @@ PreflightItem Preflight::firstMoveItem() const {
                      .arg(widgets::countText(m_runs.update().counters.executed),
                           widgets::countText(m_runs.update().counters.total));
   }
+  return item;
+}
+
+PreflightItem Preflight::resumeItem() const {
+  const widgets::ResumePlace& place = *m_runs.place();
+  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
+  const QString point = tr("point %1 of %2 at %3")
+                            .arg(widgets::countText(place.point + 1),
+                                 widgets::countText(place.points), positionText(place.positionMm));
+  item.text =
+      place.approachMm
+          ? tr("In a straight line over %1 to %2. %3 points have been executed.")
+                .arg(widgets::lengthText(*place.approachMm), point, widgets::countText(place.point))
+          : tr("In a straight line to %1. %2 points have been executed.")
+                .arg(point, widgets::countText(place.point));
+  if (place.changedFrom) {
+    item.status = Status::Attention;
+    item.text += QLatin1Char('\n') +
+                 tr("From point %1 on, the program differs from that of the interrupted run.")
+                     .arg(widgets::countText(*place.changedFrom + 1));
+  }
+  return item;
+}
+
+PreflightItem Preflight::originItem() const {
+  const streaming::RunOrigin origin = report::thisUser();
+  PreflightItem item{Status::Plain, tr("Who starts"), {}, {}, 0};
+  item.text =
+      tr("%1 on %2")
+          .arg(QString::fromStdString(origin.user), QString::fromStdString(origin.computer));
   return item;
 }
 

@@ -28,10 +28,18 @@ class Preflight final : public QObject {
 
   /// Shows what a start would do. Nothing moves.
   void open();
+  /// The same for a start from the beginning, also if a place to resume at has been found.
+  void openForStart();
   void close();
+  /// The operator does not want to go on now: closes it, and forgets where a run would be resumed.
+  void dismiss();
   [[nodiscard]] bool isOpen() const { return m_isOpen; }
-  /// It is shown, and nothing stands in the way of a start.
-  [[nodiscard]] bool hasPassed() const { return m_isOpen && !m_runs.startBlocked(); }
+  /// The place where a run was left has been found: it is about resuming there.
+  [[nodiscard]] bool isForResume() const { return m_runs.place().has_value(); }
+  /// It is shown, and nothing stands in the way.
+  [[nodiscard]] bool hasPassed() const {
+    return m_isOpen && !(isForResume() ? m_runs.resumeBlocked() : m_runs.startBlocked());
+  }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
   void remedy(int remedyId);
@@ -47,6 +55,8 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem programItem() const;
   [[nodiscard]] widgets::PreflightItem machineItem() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
+  [[nodiscard]] widgets::PreflightItem resumeItem() const;
+  [[nodiscard]] widgets::PreflightItem originItem() const;
   [[nodiscard]] widgets::PreflightItem feedItem() const;
   [[nodiscard]] widgets::PreflightItem methodItem() const;
   [[nodiscard]] widgets::PreflightItem accessItem() const;

@@ -47,6 +47,10 @@ RunController::RunController(StreamSession& session, Document& document, Machine
             }
           });
   connect(&m_session, &StreamSession::noteArrived, this, [this](const trace::Note& note) {
+    if (note.text == "stop requested" || note.text == "hold requested" ||
+        note.text == "continue requested") {
+      return;  // said when the button was pressed, in the operator's language
+    }
     m_messages.log(Severity::Note, Source::Run,
                    [text = QString::fromStdString(note.text)] { return text; });
   });
@@ -175,7 +179,7 @@ void RunController::askResume() {
   if (refuses(resumeBlocked())) {
     return;
   }
-  m_resume.reset();
+  forgetResume();
   Q_EMIT resumeAsked();
   m_session.askResume(*m_left);
   Q_EMIT permissionsChanged();
@@ -187,11 +191,7 @@ void RunController::takeResume(const session::ResumeFound& found) {
     return;
   }
   if (!found.resume) {
-    const QString why = widgets::errorText(found.error);
-    m_messages.log(Severity::Warning, Source::Run,
-                   [error = found.error] { return widgets::errorText(error); });
-    Q_EMIT resumeRefused(why);
-    Q_EMIT permissionsChanged();
+    refuseResume([error = found.error] { return widgets::errorText(error); });
     return;
   }
   // The list of the run that was left: open coordinates as they were then.
@@ -202,9 +202,11 @@ void RunController::takeResume(const session::ResumeFound& found) {
   place.points = list.size();
   place.line = list.at(m_resume->point).line;
   place.positionMm = list[m_resume->point].positionMm;
+  place.changedFrom = m_resume->changedFrom;
   if (const auto toolMm = m_machine.positionNowMm()) {
     place.approachMm = base::distance(*toolMm, place.positionMm);
   }
+  m_place = place;
   Q_EMIT placeFound(place);
   m_messages.log(Severity::Note, Source::Run, [place] {
     return tr("The run was left before point %1 of %2.")
@@ -213,8 +215,21 @@ void RunController::takeResume(const session::ResumeFound& found) {
   Q_EMIT permissionsChanged();
 }
 
+void RunController::adopt(session::ResumeQuestion run) {
+  m_left = std::move(run);
+  m_document.setHeld(true);
+  Q_EMIT permissionsChanged();
+}
+
+void RunController::refuseResume(const Messages::Text& why) {
+  m_messages.log(Severity::Warning, Source::Run, why);
+  Q_EMIT resumeRefused(why());
+  Q_EMIT permissionsChanged();
+}
+
 void RunController::forgetResume() {
   m_resume.reset();
+  m_place.reset();
   Q_EMIT resumeForgotten();
   Q_EMIT permissionsChanged();
 }
@@ -239,6 +254,8 @@ bool RunController::startRun(const std::optional<streaming::Resume>& resume) {
   }
   m_report.reset();
   m_firstMotion.reset();
+  m_isRuined = false;
+  Q_EMIT ruinChanged();
   m_messages.clear();
   for (const alarm::Code code : {alarm::Code::RunFailed, alarm::Code::WrongMotion,
                                  alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
@@ -250,8 +267,15 @@ bool RunController::startRun(const std::optional<streaming::Resume>& resume) {
                      {"hash", m_document.program()->hash},
                      {"machine", m_machine.endpoint().toStdString()},
                      {"first_point", std::to_string(m_firstPoint + 1)}});
-  m_session.start(m_document.program(), settings, newRecordingPath(),
-                  resume ? m_left : std::optional<session::ResumeQuestion>{});
+  session::StartCommand command;
+  command.program = m_document.program();
+  command.source = m_document.source();
+  command.settings = settings;
+  command.recordingPath = newRecordingPath().toStdString();
+  if (resume) {
+    command.resumes = m_left;
+  }
+  m_session.start(std::move(command));
   m_document.setRunning(m_session.isRunning());
   Q_EMIT started(m_firstPoint);
   Q_EMIT permissionsChanged();
@@ -310,6 +334,20 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   }
 }
 
+QString RunController::ruin() const {
+  if (!m_isRuined) {
+    return {};
+  }
+  return tr("The run has executed wrong points: see the report, and check the workpiece.");
+}
+
+void RunController::acknowledgeRuin() {
+  if (m_isRuined && !isRunning()) {
+    m_isRuined = false;
+    Q_EMIT ruinChanged();
+  }
+}
+
 void RunController::showExecuted() {
   const auto& points = m_document.points();
   const std::size_t number = m_update.counters.executed;
@@ -343,9 +381,12 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   m_machine.forgetExecuted();
   Q_EMIT updated(m_update);
   logOutcome(finished);
+  const trace::Integrity& integrity = m_report->integrity;
+  m_isRuined = integrity.judged && !integrity.isFaultless();
   m_document.setRunning(false);
   Q_EMIT permissionsChanged();
   Q_EMIT this->finished(m_report);
+  Q_EMIT ruinChanged();
 }
 
 void RunController::logOutcome(const session::RunFinished& finished) {

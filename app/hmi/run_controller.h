@@ -32,6 +32,10 @@ class RunController final : public QObject {
   [[nodiscard]] std::optional<streaming::Blocked> startBlocked() const;
   [[nodiscard]] std::optional<streaming::Blocked> resumeBlocked() const;
   [[nodiscard]] std::optional<streaming::Blocked> calibrationBlocked() const;
+  /// A run that was left becomes the one that `askResume` asks for. @param run  with its program
+  void adopt(session::ResumeQuestion run);
+  /// Number of the run that `askResume` asks for; 0: none.
+  [[nodiscard]] int leftRunNumber() const { return m_left ? m_left->checkpoint.runNumber : 0; }
   /// A run was left, and its method can resume it: that is offered before a new start.
   [[nodiscard]] bool hasRunToResume() const;
   /// The method of the settings can be held before a window.
@@ -52,12 +56,21 @@ class RunController final : public QObject {
   void askResume();
   /// Resumes at the place found. @return false and says why if something stands in the way
   bool resume();
+  /// The place found; nothing while there is none to be confirmed.
+  [[nodiscard]] const std::optional<widgets::ResumePlace>& place() const { return m_place; }
+  /// Says why the run that was left is not resumed. @param why  a sentence
+  void refuseResume(const Messages::Text& why);
   /// The place found is no longer offered.
   void forgetResume();
   /// Begins on cells the operator has confirmed, if nothing stands in the way.
   void calibrate(const streaming::CalibrationPlan& plan);
   void cancelCalibration() { m_session.stop(); }
   void correct(const base::Vec3& valueMm);
+
+  /// The run in progress, or the last one, has executed wrong points, and nobody has acknowledged
+  /// it. @return a sentence; empty: it has not
+  [[nodiscard]] QString ruin() const;
+  void acknowledgeRuin();
 
   [[nodiscard]] bool isRunning() const { return m_session.isRunning(); }
   [[nodiscard]] bool isCalibrating() const { return m_session.isCalibrating(); }
@@ -80,6 +93,8 @@ class RunController final : public QObject {
   void paused(const rivulet::trace::Pause& pause);
   void finished(const std::shared_ptr<const rivulet::streaming::RunReport>& report);
 
+  /// `ruin` has changed.
+  void ruinChanged();
   void resumeAsked();
   void placeFound(const rivulet::widgets::ResumePlace& place);
   void resumeRefused(const QString& reason);
@@ -113,10 +128,12 @@ class RunController final : public QObject {
   Gate m_gate;
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_firstMotion;
+  bool m_isRuined = false;  ///< wrong points, not acknowledged
   std::size_t m_firstPoint = 0;
   std::shared_ptr<const streaming::RunReport> m_report;
   std::optional<session::ResumeQuestion> m_left;  ///< the run that could be resumed
   std::optional<streaming::Resume> m_resume;      ///< the place found
+  std::optional<widgets::ResumePlace> m_place;    ///< the same, as it is shown
 };
 
 }  // namespace rivulet::hmi

@@ -21,8 +21,10 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "gcode/facts.h"
 #include "journal/line_file.h"
 #include "report/report_json.h"
+#include "streaming/pause_placement.h"
 
 namespace rivulet::report {
 namespace fs = std::filesystem;
@@ -85,6 +87,23 @@ class Members {
       return value->get<std::string>();
     }
     return refuse(pointer), std::string();
+  }
+  /// A list of texts; empty if there is none.
+  std::vector<std::string> words(const char* pointer) {
+    std::vector<std::string> words;
+    const json* list = find(pointer);
+    if (list == nullptr) {
+      return words;
+    }
+    for (const json& word : list->is_array() ? *list : json::array()) {
+      if (word.is_string()) {
+        words.push_back(word.get<std::string>());
+      }
+    }
+    if (!list->is_array() || words.size() != list->size()) {
+      refuse(pointer);
+    }
+    return words;
   }
   /// Members that earlier versions did not write keep their value if they are missing.
   template <class Value, class Read>
@@ -204,6 +223,34 @@ streaming::Checkpoint checkpointOf(Members& members) {
   return checkpoint;
 }
 
+gcode::LoadOptions readingOf(Members& members) {
+  gcode::LoadOptions reading;
+  const auto text = [&members](const char* at) { return members.text(at); };
+  std::string dialect;
+  members.ifThere("/reading/dialect", dialect, text);
+  reading.dialect = gcode::dialectOfName(dialect);
+  std::string centres;
+  members.ifThere("/reading/centres", centres, text);
+  for (const gcode::CentreReading known : gcode::kCentreReadings) {
+    reading.centres = gcode::centreReadingName(known) == centres ? known : reading.centres;
+  }
+  constexpr double kToleranceMmMax = 10.0;
+  members.ifThere("/reading/chord_tolerance_mm", reading.chordToleranceMm,
+                  [&members](const char* at) { return members.number(at, 1e-6, kToleranceMmMax); });
+  reading.accepted = members.words("/reading/accepted");
+  return reading;
+}
+
+ordered_json readingJson(const gcode::LoadOptions& reading) {
+  ordered_json text{{"centres", gcode::centreReadingName(reading.centres)},
+                    {"chord_tolerance_mm", reading.chordToleranceMm},
+                    {"accepted", reading.accepted}};
+  if (reading.dialect) {
+    text["dialect"] = gcode::dialectName(*reading.dialect);
+  }
+  return text;
+}
+
 ordered_json savedRunJson(const SavedRun& run) {
   const streaming::RunOrigin& origin = run.settings.origin;
   return {{kFormatKey, kFormatVersion},
@@ -215,6 +262,7 @@ ordered_json savedRunJson(const SavedRun& run) {
           {"tool_version", run.toolVersion},
           {"recording", run.recording},
           {"command", run.command},
+          {"reading", readingJson(run.reading)},
           {"settings", settingsJson(run.settings)},
           {"checkpoint", checkpointJson(run.checkpoint)}};
 }
@@ -335,17 +383,8 @@ base::Result<SavedRun> savedRunOf(const json& json, const fs::path& file) {
   members.ifThere("/endpoint", run.endpoint, text);
   members.ifThere("/tool_version", run.toolVersion, text);
   members.ifThere("/recording", run.recording, text);
-  if (const nlohmann::json* words = members.find("/command"); words != nullptr) {
-    const bool isList = words->is_array();
-    for (const nlohmann::json& word : isList ? *words : nlohmann::json::array()) {
-      if (word.is_string()) {
-        run.command.push_back(word.get<std::string>());
-      }
-    }
-    if (!isList || run.command.size() != words->size()) {
-      members.refuse("/command");
-    }
-  }
+  run.command = members.words("/command");
+  run.reading = readingOf(members);
   if (!members.bad().empty()) {
     return base::fail(StreamError::CannotResume,
                       fmt::format("The file of the run is damaged: its member {} is missing or "
@@ -409,6 +448,15 @@ std::vector<SavedRun> RunStore::runs() const {
 std::optional<SavedRun> RunStore::find(int runNumber) const {
   for (SavedRun& run : runs()) {
     if (run.checkpoint.runNumber == runNumber) {
+      return std::move(run);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<SavedRun> RunStore::leftOn(const std::string& endpoint) const {
+  for (SavedRun& run : runs()) {
+    if (run.endpoint == endpoint) {
       return std::move(run);
     }
   }
@@ -485,6 +533,23 @@ base::Result<std::optional<FoundRun>> findRun(const RunStore& store, opcua::Link
   run.onControl = std::move(**found);
   run.saved = run.onControl.number != 0 ? store.find(run.onControl.number) : std::nullopt;
   return run;
+}
+
+std::vector<std::size_t> pointsAfterWindows(const RunStore& store, const SavedRun& run) {
+  const std::vector<gcode::StreamPoint> points = store.points(run);
+  const std::size_t first = run.checkpoint.firstPoint;
+  std::vector<std::size_t> ends;
+  if (first < points.size()) {
+    const streaming::PausePlacement cut =
+        streaming::cutWindows(std::span(points).subspan(first),
+                              static_cast<std::size_t>(run.settings.parameters.pointsPerLoop),
+                              streaming::windowCut(run.settings));
+    for (const std::size_t begin : cut.begins) {
+      ends.push_back(first + begin);
+    }
+    ends.push_back(points.size());
+  }
+  return ends;
 }
 
 std::string describeRun(const FoundRun& run) {

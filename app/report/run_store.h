@@ -26,7 +26,9 @@ struct SavedRun {
   std::string programFile;  ///< absolute path; may be empty
   std::string endpoint;
   std::string toolVersion;
-  std::string recording;             ///< file; empty: none
+  std::string recording;  ///< file; empty: none
+  /// How the text of the program was read: dialect, accepted words, arc centres, chord tolerance.
+  gcode::LoadOptions reading;
   std::vector<std::string> command;  ///< words that started it; empty: it was started in the HMI
   streaming::RunSettings settings;   ///< with `origin`: who started it
   streaming::Checkpoint checkpoint;
@@ -63,6 +65,8 @@ class RunStore {
   [[nodiscard]] std::vector<SavedRun> runs() const;
   /// The run of this number; nothing if it is not kept here.
   [[nodiscard]] std::optional<SavedRun> find(int runNumber) const;
+  /// The newest run that was left on this control; nothing if there is none.
+  [[nodiscard]] std::optional<SavedRun> leftOn(const std::string& endpoint) const;
   /// The points of the whole program as the run had them; empty if they are not kept.
   [[nodiscard]] std::vector<gcode::StreamPoint> points(const SavedRun& run) const;
   void remove(const SavedRun& run) const;
@@ -105,6 +109,11 @@ struct FoundRun {
 [[nodiscard]] base::Result<std::optional<FoundRun>> findRun(
     const RunStore& store, opcua::Link& link, opcua::Control& control, int baseCell,
     base::Duration watchFor = streaming::kHeartbeatWatch);
+
+/// Points of the program that are executed after each number of windows, from none to all.
+/// @return empty if the points of the run are not kept here
+[[nodiscard]] std::vector<std::size_t> pointsAfterWindows(const RunStore& store,
+                                                          const SavedRun& run);
 
 /// "run 123456 of anna on cell-pc-3, started 2026-11-22T05:00:00Z", as far as it is known.
 [[nodiscard]] std::string describeRun(const FoundRun& run);

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "gcode/program.h"
+#include "report/run_store.h"
 #include "streaming/calibration_record.h"
 #include "streaming/run.h"
 #include "trace/recording.h"
@@ -51,6 +52,23 @@ struct ResumeFound {
   base::Error error;
 };
 
+/// What there is of runs that this window does not stream. Told while nothing else is done with the
+/// control.
+struct RunsSeen {
+  std::optional<report::FoundRun> onControl;  ///< nothing: no program of Rivulet is active
+  bool isClientKnown = false;                 ///< `hasClient` of that run is certain
+  /// Points executed after each number of windows of it; null: not known.
+  std::shared_ptr<const std::vector<std::size_t>> pointsAfter;
+  /// Without one on the control: the newest run of this computer that was left there.
+  std::optional<report::SavedRun> left;
+};
+
+/// The end of a run that this window did not start, on its request.
+struct RunEnded {
+  std::optional<base::Duration> confirmedAfter;  ///< nothing: see `error`
+  base::Error error;
+};
+
 struct CalibrationFinished {
   std::shared_ptr<const streaming::CalibrationRecord> record;  ///< null: see `error`
   base::Error error;
@@ -58,7 +76,8 @@ struct CalibrationFinished {
 
 using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, trace::Note,
-                 RunFinished, streaming::CalibrationProgress, CalibrationFinished, ResumeFound>;
+                 RunFinished, streaming::CalibrationProgress, CalibrationFinished, ResumeFound,
+                 RunsSeen, RunEnded>;
 
 struct ConnectCommand {
   std::string endpoint;
@@ -70,8 +89,14 @@ struct ResumeQuestion {
   streaming::RunSettings settings;  ///< of the interrupted run
   streaming::Checkpoint checkpoint;
 };
+/// Where the program of a run came from: enough to load it again.
+struct ProgramSource {
+  std::string file;            ///< absolute path
+  gcode::LoadOptions reading;  ///< see `report::SavedRun`
+};
 struct StartCommand {
   std::shared_ptr<const gcode::Program> program;
+  ProgramSource source;
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording
   std::string startedAtUtc;
@@ -85,7 +110,12 @@ struct CalibrateCommand {
   std::string startedAtUtc;
 };
 
+/// Commands the program of a run that was found on the control to end.
+struct EndRunCommand {
+  streaming::RunOnControl run;
+};
+
 using SessionCommand = std::variant<std::monostate, ConnectCommand, DisconnectCommand, StartCommand,
-                                    CalibrateCommand, ResumeQuestion>;
+                                    CalibrateCommand, ResumeQuestion, EndRunCommand>;
 
 }  // namespace rivulet::session

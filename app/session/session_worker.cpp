@@ -25,6 +25,11 @@ constexpr std::chrono::milliseconds kProgressInterval{50};
 /// How long the thread waits for room when the GUI is busy, per attempt.
 constexpr std::chrono::milliseconds kRoomInterval{2};
 
+base::Error notConnected() {
+  return base::makeError(opcua::LinkError::NotReachable,
+                         "There is no connection to a control. Connect first.");
+}
+
 }  // namespace
 
 /// Passes the reports of a run to the ring.
@@ -138,6 +143,8 @@ void SessionWorker::work() {
         start(*startCommand);
       } else if (const auto* question = std::get_if<ResumeQuestion>(&*command)) {
         answer(*question);
+      } else if (const auto* endCommand = std::get_if<EndRunCommand>(&*command)) {
+        endRun(*endCommand);
       } else if (const auto* calibrateCommand = std::get_if<CalibrateCommand>(&*command)) {
         calibrate(*calibrateCommand);
       }
@@ -162,6 +169,9 @@ void SessionWorker::connect(const ConnectCommand& command) {
   m_endpoint = command.endpoint;
   // A server that does not identify itself can be used all the same.
   m_server = m_connection.control->identity().value_or(opcua::ServerIdentity{});
+  m_watch = {};
+  m_seen = {};
+  m_looksForLeft = true;
   tell(LinkChanged{LinkState::Connected, {}, m_connection.control->isVirtualMachine(), m_server});
 }
 
@@ -174,6 +184,14 @@ void SessionWorker::watch() {
   if (!m_connection) {
     return;
   }
+  const base::Result<void> looked = lookAtControl();
+  if (!looked && looked.error().code == opcua::LinkError::ConnectionLost) {
+    m_connection = {};
+    tell(LinkChanged{LinkState::Lost, looked.error(), false, {}});
+  }
+}
+
+base::Result<void> SessionWorker::lookAtControl() {
   using opcua::VariableKind;
   std::vector<opcua::Variable> watched{
       {VariableKind::ChannelStatus, 0},  {VariableKind::ProgramStatus, 0},
@@ -190,11 +208,7 @@ void SessionWorker::watch() {
   }
   const auto readings = opcua::readNow(*m_connection.link, watched, kWatchDeadline);
   if (!readings) {
-    if (readings.error().code == opcua::LinkError::ConnectionLost) {
-      m_connection = {};
-      tell(LinkChanged{LinkState::Lost, readings.error(), false, {}});
-    }
-    return;
+    return base::fail(readings.error());
   }
   MachineSeen seen;
   seen.channelStatus = static_cast<int>((*readings)[0].number);
@@ -210,6 +224,70 @@ void SessionWorker::watch() {
     seen.rotaryDeg[axis] = seen.rotaryAxes[axis] ? (*readings)[next++].number : 0.0;
   }
   tellIfRoom(seen);
+  return lookForRuns(seen.channelStatus != opcua::kChannelReset);
+}
+
+base::Result<void> SessionWorker::lookForRuns(bool isBusy) {
+  std::optional<streaming::RunOnControl> found;
+  if (isBusy) {
+    constexpr int kFirstCell = templates::TemplateParameters{}.baseCell;
+    const auto look = m_watch.look(*m_connection.link, *m_connection.control, kFirstCell);
+    if (!look) {
+      return base::fail(look.error());
+    }
+    found = *look;
+  } else {
+    m_watch = {};
+  }
+  const bool isChange = found.has_value() || m_seen.onControl || m_looksForLeft;
+  takeFound(found);
+  if (isChange) {
+    tell(m_seen);
+  }
+  return {};
+}
+
+void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& found) {
+  if (!found) {
+    if (m_seen.onControl || m_looksForLeft) {
+      m_seen = {};
+      m_seen.left = m_runs.leftOn(m_endpoint);
+      m_looksForLeft = false;
+    }
+    return;
+  }
+  const bool isSame = m_seen.onControl && m_seen.onControl->onControl.number == found->number;
+  if (!isSame) {
+    m_seen = {};
+    m_seen.onControl.emplace();
+    m_seen.onControl->saved =
+        found->number != 0 ? m_runs.find(found->number) : m_runs.leftOn(m_endpoint);
+    if (found->number == 0 && m_seen.onControl->saved &&
+        m_seen.onControl->saved->checkpoint.granted) {
+      m_seen.onControl->saved.reset();  // a program that waits for its first run is not that one's
+    }
+    if (m_seen.onControl->saved) {
+      m_seen.pointsAfter = std::make_shared<const std::vector<std::size_t>>(
+          report::pointsAfterWindows(m_runs, *m_seen.onControl->saved));
+    }
+  }
+  m_seen.onControl->onControl = *found;
+  m_seen.isClientKnown = m_watch.isClientKnown();
+}
+
+void SessionWorker::endRun(const EndRunCommand& command) {
+  if (!m_connection) {
+    tell(RunEnded{std::nullopt, notConnected()});
+    return;
+  }
+  const base::Instant from = m_connection.link->now();
+  // What the machine does meanwhile is shown; a connection that is lost is noticed by the wait.
+  const auto ended = streaming::endRun(*m_connection.link, command.run, {}, [this] {
+    static_cast<void>(lookAtControl());
+    return !m_quit.load();
+  });
+  tell(ended ? RunEnded{m_connection.link->now() - from, {}}
+             : RunEnded{std::nullopt, ended.error()});
 }
 
 bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) const {
@@ -226,14 +304,19 @@ bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) 
 
 void SessionWorker::answer(const ResumeQuestion& question) {
   if (!m_connection) {
-    tell(ResumeFound{std::nullopt,
-                     base::makeError(opcua::LinkError::NotReachable,
-                                     "There is no connection to a control. Connect first.")});
+    tell(ResumeFound{std::nullopt, notConnected()});
     return;
   }
-  const auto resume = streaming::resumeFrom(*m_connection.link, *question.program,
-                                            question.settings, question.checkpoint);
+  const auto resume = askResume(question);
   tell(resume ? ResumeFound{*resume, {}} : ResumeFound{std::nullopt, resume.error()});
+}
+
+base::Result<streaming::Resume> SessionWorker::askResume(const ResumeQuestion& question) {
+  // With its points at hand, a program that differs where nothing was executed can be confirmed.
+  const auto kept = m_runs.find(question.checkpoint.runNumber);
+  const auto points = kept ? m_runs.points(*kept) : std::vector<gcode::StreamPoint>();
+  return streaming::resumeFrom(*m_connection.link, *question.program, question.settings,
+                               question.checkpoint, points);
 }
 
 base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
@@ -254,13 +337,12 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
     m_proven = *text;
   }
   if (command.resumes) {
-    const auto resume =
-        streaming::resumeFrom(*m_connection.link, *command.resumes->program,
-                              command.resumes->settings, command.resumes->checkpoint);
+    const auto resume = askResume(*command.resumes);
     if (!resume) {
       return base::fail(resume.error());
     }
-    if (!command.settings.resume || resume->point != command.settings.resume->point) {
+    if (!command.settings.resume || resume->point != command.settings.resume->point ||
+        resume->changedFrom != command.settings.resume->changedFrom) {
       return base::fail(
           streaming::StreamError::CannotResume,
           "The state of the control has changed since it was asked. Press Resume again.");
@@ -272,8 +354,7 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
 void SessionWorker::start(const StartCommand& command) {
   if (!m_connection) {
     auto report = std::make_shared<streaming::RunReport>();
-    report->error = base::makeError(opcua::LinkError::NotReachable,
-                                    "There is no connection to a control. Connect first.");
+    report->error = notConnected();
     report->settings = command.settings;
     tell(RunFinished{std::move(report), {}});
     return;
@@ -305,6 +386,8 @@ void SessionWorker::start(const StartCommand& command) {
   settings.origin = report::thisUser();
   report::SavedRun kept;
   kept.programName = command.program->name;
+  kept.programFile = command.source.file;
+  kept.reading = command.source.reading;
   kept.endpoint = m_endpoint;
   kept.toolVersion = RIVULET_VERSION;
   kept.recording = command.recordingPath;
@@ -314,6 +397,8 @@ void SessionWorker::start(const StartCommand& command) {
       streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
                         requests, sink, std::move(recorder)));
   keeper.finish(*report);
+  m_seen = {};
+  m_looksForLeft = true;
   const bool recorded = file && file->finish();
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;
@@ -327,9 +412,7 @@ void SessionWorker::start(const StartCommand& command) {
 
 void SessionWorker::calibrate(const CalibrateCommand& command) {
   if (!m_connection) {
-    tell(CalibrationFinished{
-        nullptr, base::makeError(opcua::LinkError::NotReachable,
-                                 "There is no connection to a control. Connect first.")});
+    tell(CalibrationFinished{nullptr, notConnected()});
     return;
   }
   opcua::Connection again;

@@ -23,6 +23,7 @@
 #include "session/session_event.h"
 #include "streaming/control_axes.h"
 #include "streaming/job.h"
+#include "streaming/run_on_control.h"
 
 namespace rivulet::session {
 
@@ -58,13 +59,22 @@ class SessionWorker {
   void disconnect();
   void start(const StartCommand& command);
   void answer(const ResumeQuestion& question);
+  [[nodiscard]] base::Result<streaming::Resume> askResume(const ResumeQuestion& question);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartCommand& command,
                                                streaming::RunSink& sink);
   void calibrate(const CalibrateCommand& command);
   /// According to the file of the machine.
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
+  /// Reads the control between other work; notices that the connection is lost.
   void watch();
+  /// @return the error of the link, if it has one
+  [[nodiscard]] base::Result<void> lookAtControl();
+  /// @param isBusy  a program is active
+  [[nodiscard]] base::Result<void> lookForRuns(bool isBusy);
+  /// What is known here about a run on the control.
+  void takeFound(const std::optional<streaming::RunOnControl>& found);
+  void endRun(const EndRunCommand& command);
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
   void tellIfRoom(SessionEvent event);
@@ -83,6 +93,9 @@ class SessionWorker {
   report::RunStore m_runs;
   opcua::Connection m_connection;  // streaming thread only
   streaming::ControlAxes m_axes;   // of the control at the other end
+  streaming::RunWatch m_watch;     // of the control at the other end
+  RunsSeen m_seen;                 // as told last
+  bool m_looksForLeft = false;     // the store may have changed
   std::string m_proven;            // text of the template proved last; streaming thread only
   std::string m_endpoint;          // of `m_connection`
   opcua::ServerIdentity m_server;

@@ -41,15 +41,12 @@ void StreamSession::disconnectFrom() {
   m_worker->post(DisconnectCommand{});
 }
 
-void StreamSession::start(std::shared_ptr<const gcode::Program> program,
-                          const streaming::RunSettings& settings, const QString& recordingPath,
-                          std::optional<ResumeQuestion> resumes) {
-  if (m_running || m_asking || m_calibrating) {
+void StreamSession::start(StartCommand command) {
+  if (m_running || m_asking || m_calibrating || m_ending) {
     return;
   }
-  m_running = m_worker->post(StartCommand{
-      std::move(program), settings, recordingPath.toStdString(),
-      QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(), std::move(resumes)});
+  command.startedAtUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  m_running = m_worker->post(std::move(command));
 }
 
 void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
@@ -80,6 +77,12 @@ void StreamSession::askResume(ResumeQuestion question) {
   }
 }
 
+void StreamSession::endRun(const streaming::RunOnControl& run) {
+  if (!m_running && !m_ending) {
+    m_ending = m_worker->post(EndRunCommand{run});
+  }
+}
+
 void StreamSession::drain() {
   while (const std::optional<SessionEvent> event = m_worker->take()) {
     if (const auto* change = std::get_if<LinkChanged>(&*event)) {
@@ -96,6 +99,11 @@ void StreamSession::drain() {
     } else if (const auto* found = std::get_if<ResumeFound>(&*event)) {
       m_asking = false;
       Q_EMIT resumeFound(*found);
+    } else if (const auto* runs = std::get_if<RunsSeen>(&*event)) {
+      Q_EMIT runsSeen(*runs);
+    } else if (const auto* ended = std::get_if<RunEnded>(&*event)) {
+      m_ending = false;
+      Q_EMIT runEnded(*ended);
     } else if (const auto* progress = std::get_if<streaming::CalibrationProgress>(&*event)) {
       Q_EMIT calibrationProgressed(*progress);
     } else if (const auto* calibrated = std::get_if<CalibrationFinished>(&*event)) {

@@ -36,16 +36,17 @@ class StreamSession final : public QObject {
 
   void connectTo(const QString& endpoint);
   void disconnectFrom();
-  /// @param recordingPath  file to write; empty: none
-  /// @param resumes  the run that is resumed, if any
-  void start(std::shared_ptr<const gcode::Program> program, const streaming::RunSettings& settings,
-             const QString& recordingPath, std::optional<ResumeQuestion> resumes = {});
+  /// Starts a run; the time of the start is added. Ignored during a run.
+  void start(StartCommand command);
   void stop();
   /// Online correction of the run in progress, X Y Z, mm; every run begins with none.
   void correct(base::Vec3 valueMm);
   void hold(bool hold);
   /// Answered by `resumeFound`. Ignored during a run.
   void askResume(ResumeQuestion question);
+  /// Commands a run that was found on the control to end; answered by `runEnded`. Ignored during a
+  /// run.
+  void endRun(const streaming::RunOnControl& run);
 
   /// Measures the cost of access, on cells that the operator has confirmed. `stop` cancels.
   void calibrate(const streaming::CalibrationPlan& plan);
@@ -53,6 +54,7 @@ class StreamSession final : public QObject {
   [[nodiscard]] bool isRunning() const { return m_running; }
   [[nodiscard]] bool isCalibrating() const { return m_calibrating; }
   [[nodiscard]] bool isAsking() const { return m_asking; }
+  [[nodiscard]] bool isEnding() const { return m_ending; }
 
  Q_SIGNALS:
   void linkChanged(const rivulet::session::LinkChanged& change);
@@ -61,6 +63,8 @@ class StreamSession final : public QObject {
   void noteArrived(const rivulet::trace::Note& note);
   void runFinished(const rivulet::session::RunFinished& finished);
   void resumeFound(const rivulet::session::ResumeFound& found);
+  void runsSeen(const rivulet::session::RunsSeen& seen);
+  void runEnded(const rivulet::session::RunEnded& ended);
   void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
   void calibrationFinished(const rivulet::session::CalibrationFinished& finished);
 
@@ -71,6 +75,7 @@ class StreamSession final : public QObject {
   QTimer m_timer;
   bool m_running = false;
   bool m_asking = false;
+  bool m_ending = false;
   bool m_calibrating = false;
 };
 

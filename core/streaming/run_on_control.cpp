@@ -56,26 +56,6 @@ std::optional<std::string> lineAfter(std::string_view text, std::string_view beg
   return std::string(base::trim(rest.substr(0, rest.find('\n'))));
 }
 
-/// Whether the heartbeat changes within that time.
-Result<bool> beats(opcua::Link& link, int baseCell, double before, Duration watchFor) {
-  const std::array<Variable, 1> heartbeat{cell(baseCell, WindowProtocol::Heartbeat)};
-  const Instant until = link.now() + watchFor;
-  while (link.now() < until) {
-    if (Result<void> slept = opcua::sleepUntil(link, std::min(until, link.now() + kPollInterval));
-        !slept) {
-      return base::fail(slept.error());
-    }
-    const auto now = opcua::readNumbers(link, heartbeat, kDeadline);
-    if (!now) {
-      return base::fail(now.error());
-    }
-    if ((*now)[0] != before) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 std::string runLabelName(int baseCell) {
@@ -116,8 +96,8 @@ Result<void> storeRunLabel(opcua::Control& control, int baseCell, int number,
   return control.uploadProgram(runLabelName(baseCell), runLabelText(number, origin), true);
 }
 
-Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& control,
-                                            int baseCell, Duration watchFor) {
+Result<std::optional<RunOnControl>> RunWatch::look(opcua::Link& link, opcua::Control& control,
+                                                   int baseCell) {
   const std::array<Variable, 2> channel{
       {{VariableKind::ChannelStatus, 0}, {VariableKind::ProgramName, 0}}};
   const auto shown = opcua::readNow(link, channel, kDeadline);
@@ -128,6 +108,7 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
                                        ? std::optional(baseCell)
                                        : templates::baseCellOf((*shown)[1].text, baseCell);
   if ((*shown)[0].status || (*shown)[0].number == opcua::kChannelReset || !first) {
+    *this = {};
     return std::nullopt;
   }
   RunOnControl run;
@@ -146,16 +127,44 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
   run.executed = countOf((*numbers)[2]);
   run.state = static_cast<templates::WindowState>(countOf((*numbers)[3]));
   run.number = runNumberOf((*numbers)[4]);
-  if (run.number != 0) {
+  run.heartbeat = (*numbers)[5];
+  const bool isSame = m_last && m_last->number == run.number && m_last->baseCell == run.baseCell;
+  if (isSame) {
+    run.origin = m_last->origin;
+  } else if (run.number != 0) {
     const Result<std::string> label = control.downloadProgram(runLabelName(*first));
     run.origin = label ? runLabelOf(*label, run.number) : std::nullopt;
   }
-  const Result<bool> lives = beats(link, *first, (*numbers)[5], watchFor);
-  if (!lives) {
-    return base::fail(lives.error());
-  }
-  run.hasClient = *lives;
+  takeHeartbeat(run, link.now());
+  m_last = run;
   return run;
+}
+
+void RunWatch::takeHeartbeat(RunOnControl& run, Instant now) {
+  const bool isSame = m_last && m_last->number == run.number && m_last->baseCell == run.baseCell;
+  if (!isSame || m_last->heartbeat != run.heartbeat) {
+    m_hasBeaten = isSame;
+    m_since = now;
+  }
+  const bool isSilent = now - m_since >= kHeartbeatWatch;
+  run.hasClient = m_hasBeaten && !isSilent;
+  m_isClientKnown = m_hasBeaten || isSilent;
+}
+
+Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& control,
+                                            int baseCell, Duration watchFor) {
+  RunWatch watch;
+  const Instant until = link.now() + watchFor;
+  for (;;) {
+    Result<std::optional<RunOnControl>> found = watch.look(link, control, baseCell);
+    if (!found || !*found || (*found)->hasClient || link.now() >= until) {
+      return found;
+    }
+    if (Result<void> slept = opcua::sleepUntil(link, std::min(until, link.now() + kPollInterval));
+        !slept) {
+      return base::fail(slept.error());
+    }
+  }
 }
 
 Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunSettings& settings) {
@@ -176,6 +185,9 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
     if (link.now() >= until) {
       return base::fail(StreamError::StopNotConfirmed, std::string(command.doesNotEnd));
     }
+    if (command.goesOn && !command.goesOn()) {
+      return base::fail(StreamError::Cancelled, "The end of the program was not awaited.");
+    }
     if (!told) {
       if (Result<void> done = opcua::writeNow(link, {&command.end, 1}, settings.setupDeadline);
           !done) {
@@ -188,7 +200,8 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
   }
 }
 
-Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings) {
+Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings,
+                    std::function<bool()> goesOn) {
   return endProgram(
       link,
       {{cell(run.baseCell, WindowProtocol::Run), static_cast<double>(WindowProtocol::kEnd)},
@@ -197,7 +210,8 @@ Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSetting
          return owner[0] == static_cast<double>(run.number);
        },
        "Another run has begun on the control. Nothing was changed.",
-       "The program on the control did not end. Reset the control."},
+       "The program on the control did not end. Reset the control.",
+       std::move(goesOn)},
       settings);
 }
 

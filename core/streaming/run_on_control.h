@@ -31,8 +31,36 @@ struct RunOnControl {
   std::size_t latched = 0;
   std::size_t executed = 0;
   templates::WindowState state = templates::WindowState::Runs;
+  double heartbeat = 0.0;           ///< as it was read last
   bool hasClient = false;           ///< its heartbeat changed while it was watched
   std::optional<RunOrigin> origin;  ///< nothing: not named, or not readable
+};
+
+/// How long a heartbeat has to be watched to be sure that the client is gone, if the network is
+/// not very slow.
+inline constexpr base::Duration kHeartbeatWatch = std::chrono::milliseconds{2500};
+
+/// Follows the run on a control by looking again and again: only several looks show whether its
+/// client is still there.
+class RunWatch {
+ public:
+  /// Looks once; nothing is changed on the control. @param baseCell  as for `findRun`
+  /// @return as `findRun`
+  [[nodiscard]] base::Result<std::optional<RunOnControl>> look(opcua::Link& link,
+                                                               opcua::Control& control,
+                                                               int baseCell);
+  /// `hasClient` of the last look is certain: its heartbeat has changed, or has not changed for
+  /// `kHeartbeatWatch`.
+  [[nodiscard]] bool isClientKnown() const { return m_isClientKnown; }
+
+ private:
+  /// Compares with the look before.
+  void takeHeartbeat(RunOnControl& run, base::Instant now);
+
+  std::optional<RunOnControl> m_last;
+  base::Instant m_since{};  ///< the heartbeat has the present value
+  bool m_hasBeaten = false;
+  bool m_isClientKnown = false;
 };
 
 /// Looks for a run. Nothing is changed on the control.
@@ -53,21 +81,21 @@ struct EndCommand {
   std::function<bool(std::span<const double>)> isMeant;  ///< by the numbers in these cells
   std::string_view isAnother;                            ///< sentence if it is not
   std::string_view doesNotEnd;                           ///< sentence if it goes on
+  std::function<bool()> goesOn = {};  ///< asked while waiting; false: give up. Empty: always true
 };
 
 /// Commands the program to end, unless the channel is in reset, and waits for that.
-/// @return ChannelBusy if it is another program; StopNotConfirmed; or a link error
+/// @return ChannelBusy if it is another program; StopNotConfirmed; Cancelled if `goesOn` gives up;
+///         or a link error
 [[nodiscard]] base::Result<void> endProgram(opcua::Link& link, const EndCommand& command,
                                             const RunSettings& settings);
 
 /// Commands the program of this run to end, and waits for it. It executes only the windows it has
-/// copied. @return StopNotConfirmed, ChannelBusy if it obeys another run by now, or a link error
+/// copied. @param goesOn  see `EndCommand`
+/// @return StopNotConfirmed, ChannelBusy if it obeys another run by now, Cancelled, or a link error
 [[nodiscard]] base::Result<void> endRun(opcua::Link& link, const RunOnControl& run,
-                                        const RunSettings& settings);
-
-/// How long a heartbeat has to be watched to be sure that the client is gone, if the network is
-/// not very slow.
-inline constexpr base::Duration kHeartbeatWatch = std::chrono::milliseconds{2500};
+                                        const RunSettings& settings,
+                                        std::function<bool()> goesOn = {});
 
 /// Name on the control of the program that says who started the run with this first cell.
 [[nodiscard]] std::string runLabelName(int baseCell);

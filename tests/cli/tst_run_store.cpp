@@ -29,6 +29,10 @@ report::SavedRun someRun() {
   run.toolVersion = "1.2.3";
   run.recording = "run.rivulet";
   run.command = {"rivulet-cli", "stream", "rows one.nc"};
+  run.reading.dialect = gcode::Dialect::LinuxCnc;
+  run.reading.accepted = {"M700", "G187"};
+  run.reading.centres = gcode::CentreReading::Absolute;
+  run.reading.chordToleranceMm = 0.02;
   run.settings.origin = {"anna", "cell-pc-3", "2026-11-22T05:00:00Z"};
   run.settings.parameters.method = base::MethodKind::Credit;
   run.settings.parameters.pointsPerLoop = 4;
@@ -103,6 +107,10 @@ class TestRunStore : public QObject {
     QCOMPARE(run.endpoint, expected.endpoint);
     QCOMPARE(run.recording, expected.recording);
     QVERIFY(run.command == expected.command);
+    QVERIFY(run.reading.dialect == expected.reading.dialect);
+    QVERIFY(run.reading.accepted == expected.reading.accepted);
+    QVERIFY(run.reading.centres == expected.reading.centres);
+    QCOMPARE(run.reading.chordToleranceMm, expected.reading.chordToleranceMm);
     QVERIFY(run.settings.origin == expected.settings.origin);
     const templates::TemplateParameters& parameters = run.settings.parameters;
     QCOMPARE(run.settings.feedMmPerS, expected.settings.feedMmPerS);
@@ -127,6 +135,8 @@ class TestRunStore : public QObject {
     QCOMPARE(points[1].line.value, 5U);
     QVERIFY(store().find(123456).has_value());
     QVERIFY(!store().find(1).has_value());
+    QVERIFY(store().leftOn("opc.tcp://control:4840").has_value());
+    QVERIFY(!store().leftOn("opc.tcp://another:4840").has_value());
     store().remove(run);
     QVERIFY(fs::is_empty(fs::path(m_folder.path().toStdString()) / "runs"));
   }

@@ -58,6 +58,8 @@ class SimulatedControl {
   [[nodiscard]] base::Instant now() const { return m_shared->lastNow.load(); }
   /// As if its power failed.
   void kill() { m_shared->setDown(); }
+  /// All connections are lost; the machine goes on, and can be connected to again.
+  void cut() { m_shared->cut(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -80,6 +82,20 @@ class SimulatedControl {
       const std::lock_guard lock(mutex);
       down = true;
       changed.notify_all();
+    }
+    void cut() {
+      const std::lock_guard lock(mutex);
+      ++cuts;
+      changed.notify_all();
+    }
+    /// @param since  `cuts` when the connection was made
+    [[nodiscard]] bool isLost(int since) {
+      const std::lock_guard lock(mutex);
+      return down || cuts != since;
+    }
+    [[nodiscard]] int cutsNow() {
+      const std::lock_guard lock(mutex);
+      return cuts;
     }
     void setPace(double newPace) {
       const std::lock_guard lock(mutex);
@@ -106,12 +122,13 @@ class SimulatedControl {
     double pace;
     std::chrono::duration<double> owed{};  ///< what the client has not waited yet
     bool down = false;
+    int cuts = 0;  ///< how often all connections were lost
   };
 
   class PacedLink final : public opcua::Link, public opcua::Control {
    public:
     explicit PacedLink(std::shared_ptr<Shared> shared)
-        : m_shared(std::move(shared)), m_link(m_shared->machine) {}
+        : m_shared(std::move(shared)), m_link(m_shared->machine), m_cuts(m_shared->cutsNow()) {}
 
     [[nodiscard]] base::Instant now() const override { return m_link.now(); }
     base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
@@ -131,7 +148,7 @@ class SimulatedControl {
       std::optional<opcua::Event> event = m_link.wait(until);
       m_shared->keepPace(now() - before);
       m_shared->lastNow.store(now());
-      if (m_shared->isDown()) {
+      if (isLost()) {
         event = opcua::Event{};
         event->kind = opcua::EventKind::ConnectionLost;
         event->at = now();
@@ -142,13 +159,13 @@ class SimulatedControl {
 
     base::Result<void> uploadProgram(const std::string& name, const std::string& text,
                                      bool overwrite) override {
-      return m_shared->isDown() ? base::fail(lost()) : m_link.uploadProgram(name, text, overwrite);
+      return isLost() ? base::fail(lost()) : m_link.uploadProgram(name, text, overwrite);
     }
     base::Result<std::string> downloadProgram(const std::string& name) override {
-      return m_shared->isDown() ? base::fail(lost()) : m_link.downloadProgram(name);
+      return isLost() ? base::fail(lost()) : m_link.downloadProgram(name);
     }
     base::Result<void> selectProgram(const std::string& name) override {
-      return m_shared->isDown() ? base::fail(lost()) : m_link.selectProgram(name);
+      return isLost() ? base::fail(lost()) : m_link.selectProgram(name);
     }
     base::Result<opcua::ServerIdentity> identity() override {
       return opcua::ServerIdentity{"urn:rivulet:simulated", "Rivulet", "1", m_shared->preset};
@@ -156,22 +173,24 @@ class SimulatedControl {
     [[nodiscard]] bool isVirtualMachine() const override { return true; }
     [[nodiscard]] opcua::Abilities abilities() const override { return m_link.abilities(); }
     base::Result<void> cycleStart() override {
-      return m_shared->isDown() ? base::fail(lost()) : m_link.cycleStart();
+      return isLost() ? base::fail(lost()) : m_link.cycleStart();
     }
     base::Result<void> reset() override {
-      return m_shared->isDown() ? base::fail(lost()) : m_link.reset();
+      return isLost() ? base::fail(lost()) : m_link.reset();
     }
     base::Result<trace::ControlTrace> fetchTrace() override {
-      return m_shared->isDown() ? base::fail(lost()) : m_link.fetchTrace();
+      return isLost() ? base::fail(lost()) : m_link.fetchTrace();
     }
 
    private:
+    [[nodiscard]] bool isLost() const { return m_shared->isLost(m_cuts); }
     [[nodiscard]] static base::Error lost() {
       return base::makeError(opcua::LinkError::ConnectionLost, "The connection was lost.");
     }
 
     std::shared_ptr<Shared> m_shared;
     streaming::SimulatedLink m_link;
+    int m_cuts;
   };
 
   std::shared_ptr<Shared> m_shared;

@@ -40,13 +40,14 @@ PreflightSheet::PreflightSheet(QWidget* parent)
   restyle();
 }
 
-void PreflightSheet::setItems(const std::vector<PreflightItem>& items, bool passed) {
-  if (items == m_items && passed == m_passed) {
+void PreflightSheet::setItems(const std::vector<PreflightItem>& items, bool passed, Kind kind) {
+  if (items == m_items && passed == m_passed && kind == m_kind) {
     return;  // a button that is being pressed must stay there
   }
   m_items = items;
   m_passed = passed;
-  showItems();
+  m_kind = kind;
+  retranslate();
 }
 
 void PreflightSheet::showItems() {
@@ -76,6 +77,13 @@ void PreflightSheet::showItems() {
     }
     ++row;
   }
+  if (m_kind == Kind::Resume) {
+    m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
+                         m_passed ? tr("Nothing has moved yet. Hold the button with the point "
+                                       "below for one second: then the machine moves.")
+                                  : tr("Resuming is not possible yet."));
+    return;
+  }
   m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
                        m_passed ? tr("Nothing has moved yet. Hold Start for one second: then the "
                                      "machine moves.")
@@ -83,7 +91,8 @@ void PreflightSheet::showItems() {
 }
 
 void PreflightSheet::retranslate() {
-  m_title->setText(tr("Before the start"));
+  m_title->setText(m_kind == Kind::Resume ? tr("Before the run is resumed")
+                                          : tr("Before the start"));
   m_close->setText(tr("Not now"));
   showItems();
 }

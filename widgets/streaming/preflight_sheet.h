@@ -32,10 +32,13 @@ class PreflightSheet final : public Page {
   Q_OBJECT
 
  public:
+  /// What is confirmed elsewhere: by Start, or by the bar with the place of a run that was left.
+  enum class Kind { Start, Resume };
+
   explicit PreflightSheet(QWidget* parent = nullptr);
 
   /// @param passed  nothing stands in the way
-  void setItems(const std::vector<PreflightItem>& items, bool passed);
+  void setItems(const std::vector<PreflightItem>& items, bool passed, Kind kind = Kind::Start);
 
  Q_SIGNALS:
   void remedyRequested(int remedyId);
@@ -50,6 +53,7 @@ class PreflightSheet final : public Page {
 
   std::vector<PreflightItem> m_items;
   bool m_passed = false;
+  Kind m_kind = Kind::Start;
   QLabel* m_title;
   StatusLabel* m_outcome;
   QWidget* m_list = nullptr;

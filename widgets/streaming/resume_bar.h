@@ -11,14 +11,9 @@
 
 #include "base/id.h"
 #include "base/vec3.h"
-#include "widgets/common/page.h"
-
-class QLabel;
-class QPushButton;
+#include "widgets/common/notice_bar.h"
 
 namespace rivulet::widgets {
-
-class HoldButton;
 
 /// Where a run would resume.
 struct ResumePlace {
@@ -27,9 +22,11 @@ struct ResumePlace {
   base::LineNumber line;             ///< of that point
   base::Vec3 positionMm;             ///< of that point, workpiece frame
   std::optional<double> approachMm;  ///< straight distance from the tool to it, if known
+  /// Index of the first point that differs from the program of the interrupted run, if one does.
+  std::optional<std::size_t> changedFrom;
 };
 
-class ResumeBar final : public Page {
+class ResumeBar final : public NoticeBar {
   Q_OBJECT
 
  public:
@@ -50,18 +47,15 @@ class ResumeBar final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
-  void paintEvent(QPaintEvent* event) override;
 
  private:
   enum class State { Nothing, Asking, Place, Refusal };
   void setState(State state);
+  [[nodiscard]] QString placeText() const;
 
   State m_state = State::Nothing;
   std::optional<ResumePlace> m_place;
   QString m_reason;
-  QLabel* m_icon;
-  QLabel* m_text;
   HoldButton* m_goOn;
   QPushButton* m_dismiss;
 };

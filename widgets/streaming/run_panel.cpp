@@ -194,7 +194,7 @@ void RunPanel::resizeEvent(QResizeEvent* event) {
 }
 
 void RunPanel::requestStop() {
-  if (m_stopState == StopState::None) {
+  if (isActive() && m_stopState == StopState::None) {
     m_stopState = StopState::Requested;
     showAll();
   }
@@ -211,7 +211,6 @@ void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
   }
   if (starts && !wasActive) {
     m_stopState = StopState::None;
-    m_finding.reset();
   }
   if (update.state == RunState::Stopping && m_stopState == StopState::None) {
     m_stopState = StopState::Requested;
@@ -223,7 +222,6 @@ void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
 }
 
 void RunPanel::setReport(const streaming::RunReport& report) {
-  m_finding = report.finding();
   if (report.error.code == streaming::StreamError::StopNotConfirmed) {
     m_stopState = StopState::Unconfirmed;
   }
@@ -232,7 +230,6 @@ void RunPanel::setReport(const streaming::RunReport& report) {
 
 void RunPanel::setProgram(std::size_t points) {
   m_update = {};
-  m_finding.reset();
   m_stopState = StopState::None;
   setTotal(points);
 }
@@ -264,6 +261,16 @@ void RunPanel::setCanHold(bool canHold) {
 void RunPanel::setResume(bool isThere, const QString& reason) {
   m_canResume = isThere;
   m_resumeBlocked = reason;
+  showAll();
+}
+
+void RunPanel::setFound(const std::optional<FoundRunView>& found) {
+  m_found = found;
+  showAll();
+}
+
+void RunPanel::setRuined(bool isRuined) {
+  m_isRuined = isRuined;
   showAll();
 }
 
@@ -301,8 +308,8 @@ bool RunPanel::isActive() const {
          m_update.state == RunState::Holding || m_update.state == RunState::Stopping;
 }
 
-bool RunPanel::isRuined() const {
-  return m_finding == streaming::RunFinding::Faulty && m_update.state != RunState::Aborted;
+QString RunPanel::ruinText(const QString& end) const {
+  return end.isEmpty() ? tr("Wrong motion") : tr("Wrong motion. %1").arg(end);
 }
 
 QString RunPanel::waitingText() const {
@@ -378,7 +385,7 @@ void RunPanel::showButtons() {
                                      : tr("Start …"));
   m_start->setToolTip(m_preflightPassed ? tr("Hold for one second. Then the machine moves.")
                                         : tr("Shows what will happen first. Nothing moves yet."));
-  m_stop->setEnabled(active);
+  m_stop->setEnabled(active || (hasFound() && !m_found->isStopping));
   // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
   const bool isHolding = m_update.state == RunState::Holding;
   m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
@@ -390,27 +397,49 @@ void RunPanel::showButtons() {
                          : tr("Only method window can hold."));
 }
 
+void RunPanel::showFoundState() {
+  const QString number = QString::number(m_found->number);
+  if (m_found->isStopping) {
+    m_stateLabel->setStatus(Status::Busy, runStateText(RunState::Stopping));
+  } else if (m_found->isWatched) {
+    m_stateLabel->setStatus(Status::Busy, m_found->kind == FoundRunView::Kind::Waiting
+                                              ? tr("Watching run %1: it waits").arg(number)
+                                              : tr("Watching run %1").arg(number));
+  } else {
+    m_stateLabel->setStatus(Status::Attention, m_found->number == 0
+                                                   ? tr("A program waits on the control")
+                                                   : tr("Run %1 is on the control").arg(number));
+  }
+}
+
 void RunPanel::showState() {
+  if (hasFound()) {
+    showFoundState();
+    m_state->setAccessibleName(m_stateLabel->text());
+    return;
+  }
   const QString place =
       tr("%1 of %2").arg(countText(m_update.counters.executed), countText(m_update.counters.total));
+  const auto show = [this](Status status, const QString& text) {
+    m_stateLabel->setStatus(m_isRuined ? Status::Fault : status,
+                            m_isRuined ? ruinText(text) : text);
+  };
   switch (m_update.state) {
     case RunState::Idle:
       m_stateLabel->setStatus(m_startBlocked.isEmpty() ? Status::Good : Status::Unknown,
                               m_startBlocked.isEmpty() ? tr("Ready") : tr("Not ready"));
       break;
     case RunState::Stopped:
-      m_stateLabel->setStatus(isRuined() ? Status::Fault : Status::Attention,
-                              tr("Stopped at %1").arg(place));
+      show(Status::Attention, tr("Stopped at %1").arg(place));
       break;
     case RunState::Aborted:
-      m_stateLabel->setStatus(Status::Fault, tr("Failed at %1").arg(place));
+      show(Status::Fault, tr("Failed at %1").arg(place));
       break;
     case RunState::Done:
-      m_stateLabel->setStatus(isRuined() ? Status::Fault : Status::Good,
-                              isRuined() ? tr("Wrong motion") : runStateText(RunState::Done));
+      show(Status::Good, m_isRuined ? QString() : runStateText(RunState::Done));
       break;
     default:
-      m_stateLabel->setStatus(Status::Busy, runStateText(m_update.state));
+      show(Status::Busy, runStateText(m_update.state));
   }
   m_state->setAccessibleName(m_stateLabel->text());
 }
@@ -423,10 +452,14 @@ void RunPanel::showReason() {
   }
   if (active) {
     sentences.append(waitingText());
+  } else if (hasFound()) {
+    sentences = {m_found->isStopping  ? tr("Stop requested, not yet confirmed")
+                 : m_found->isWatched ? tr("This window only shows it. Stop ends it.")
+                                      : tr("This window did not start it. Stop ends it.")};
+  } else if (m_isRuined) {
+    sentences.append(tr("The run has executed wrong points: see the report."));
   } else if (!m_startBlocked.isEmpty()) {
     sentences.append(tr("Start is not possible: %1").arg(m_startBlocked));
-  } else if (isRuined()) {
-    sentences.append(tr("The run has executed wrong points: see the report."));
   } else if (m_update.state == RunState::Aborted || m_update.state == RunState::Stopped) {
     sentences.append(m_canResume ? tr("Resume goes on where the run was left.")
                                  : tr("A new start begins at the first point."));
@@ -434,20 +467,31 @@ void RunPanel::showReason() {
     sentences.append(tr("Ready to start"));
   }
   sentences.removeAll(QString());
-  const bool isFault = m_stopState == StopState::Unconfirmed || (!active && isRuined());
-  m_reason->setStatus(isFault                                ? Status::Fault
-                      : !active && !m_startBlocked.isEmpty() ? Status::Attention
-                                                             : Status::Plain,
+  const bool isFault = m_stopState == StopState::Unconfirmed || (!active && m_isRuined);
+  m_reason->setStatus(isFault                                               ? Status::Fault
+                      : !active && !hasFound() && !m_startBlocked.isEmpty() ? Status::Attention
+                                                                            : Status::Plain,
                       sentences.join(QStringLiteral(". ")));
 }
 
 void RunPanel::showFigures() {
-  const streaming::Counters& counters = m_update.counters;
+  streaming::Counters counters = m_update.counters;
+  const bool isOther = hasFound() && m_found->isWatched;
+  if (isOther) {
+    counters.executed = m_found->executed;
+    counters.total = m_found->total;
+  }
   const QString total = countText(counters.total);
   const std::array<std::size_t, 3> values{counters.sent, counters.accepted, counters.executed};
   for (std::size_t counter = 0; counter < values.size(); ++counter) {
     m_values[counter]->setStatus(Status::Plain,
                                  tr("%1 of %2").arg(countText(values[counter]), total));
+    if (isOther && counter != Executed) {
+      m_values[counter]->setStatus(Status::Plain, noValue());  // only its client knows
+    } else if (isOther && counters.total == 0) {
+      m_values[counter]->setStatus(Status::Plain,
+                                   tr("%1 windows").arg(countText(counters.executed)));
+    }
   }
   const double done = counters.total == 0 ? 0.0
                                           : static_cast<double>(counters.executed) /

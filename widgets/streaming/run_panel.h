@@ -15,6 +15,7 @@
 
 #include "streaming/run.h"
 #include "widgets/common/page.h"
+#include "widgets/streaming/found_run_bar.h"
 
 class QBoxLayout;
 class QGridLayout;
@@ -55,6 +56,11 @@ class RunPanel final : public Page {
   /// A run was left. Resuming it is then what is offered first. @param isThere  it can be resumed
   /// by its method  @param reason  why it cannot be resumed now; empty: it can
   void setResume(bool isThere, const QString& reason);
+  /// A run that this window does not stream: Stop is for it, and while it is watched, its state and
+  /// progress are shown. Nothing: there is none.
+  void setFound(const std::optional<FoundRunView>& found);
+  /// The run in progress or the last one has executed wrong points, which nobody has acknowledged.
+  void setRuined(bool isRuined);
 
   [[nodiscard]] bool isActive() const;
   /// In a narrow window it arranges itself anew, so the present arrangement does not count.
@@ -95,17 +101,22 @@ class RunPanel final : public Page {
   void fitFigures();
   [[nodiscard]] QString stopText() const;
   [[nodiscard]] QString waitingText() const;
-  /// The run has executed wrong points, as far as anybody knows.
-  [[nodiscard]] bool isRuined() const;
+  /// Shows the run on the control instead of one of this window.
+  void showFoundState();
+  /// A run that this window does not stream is on the control, and none of its own is in progress.
+  [[nodiscard]] bool hasFound() const { return !isActive() && m_found && m_found->isOnControl(); }
+  /// "Wrong motion", and how the run ended if it has.
+  [[nodiscard]] QString ruinText(const QString& end) const;
 
   streaming::LiveUpdate m_update;
-  std::optional<streaming::RunFinding> m_finding;  ///< of the run that has ended
+  bool m_isRuined = false;
   QString m_startBlocked;
   StopState m_stopState = StopState::None;
   bool m_canHold = false;
   bool m_preflightPassed = false;
   bool m_canResume = false;
   QString m_resumeBlocked;
+  std::optional<FoundRunView> m_found;
 
   QGridLayout* m_rows;
   QWidget* m_state;  ///< state and reason

@@ -11,6 +11,7 @@
 #include "hmi/alarms.h"
 #include "hmi/audit.h"
 #include "hmi/document.h"
+#include "hmi/found_runs.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "hmi/preflight.h"
@@ -38,6 +39,7 @@ struct Models {
   Document& document;
   RunController& runs;
   Preflight& preflight;
+  FoundRuns& found;
 };
 
 /// A page of the tab widget.
@@ -71,6 +73,8 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeConnectionPanel(const Models& models);
 [[nodiscard]] QWidget* makeCorrectionPanel(const Models& models);
 [[nodiscard]] QWidget* makeMethodPanel(const Models& models);
+[[nodiscard]] QWidget* makeWrongMotionBar(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeFoundRunBar(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeResumeBar(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makePreflightSheet(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeRunPanel(const Models& models, QWidget* parent);

@@ -158,6 +158,8 @@ void connectPath(PathView* path, const Models& models) {
   QObject::connect(
       &models.runs, &RunController::updated, path,
       [path](const streaming::LiveUpdate& update) { path->setExecuted(update.counters.executed); });
+  QObject::connect(&models.found, &FoundRuns::watched, path,
+                   [path](std::size_t executed) { path->setExecuted(executed); });
   QObject::connect(&models.runs, &RunController::placeFound, path,
                    [path](const widgets::ResumePlace& place) { path->markPoint(place.point); });
 }

@@ -10,18 +10,22 @@
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/streaming/correction_panel.h"
+#include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/preflight_sheet.h"
 #include "widgets/streaming/run_panel.h"
+#include "widgets/streaming/wrong_motion_bar.h"
 
 namespace rivulet::hmi {
 
 using session::CorrectionFeed;
 using widgets::CorrectionPanel;
+using widgets::FoundRunBar;
 using widgets::MethodPanel;
 using widgets::PreflightSheet;
 using widgets::ResumeBar;
 using widgets::RunPanel;
+using widgets::WrongMotionBar;
 
 namespace {
 
@@ -49,6 +53,18 @@ struct RunTexts {
         .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash));
   }
 };
+
+/// Numbers of the alarms of wrong motion that nobody has acknowledged.
+std::vector<int> openWrongMotion(const Alarms& alarms) {
+  std::vector<int> numbers;
+  for (const alarm::Alarm& item : alarms.list().alarms()) {
+    const bool isWrongMotion = item.code == alarm::Code::WrongMotion;
+    if (isWrongMotion && !item.isAcknowledged) {
+      numbers.push_back(item.number);
+    }
+  }
+  return numbers;
+}
 
 void connectFeed(CorrectionPanel* panel, const Models& models) {
   auto* feed = new CorrectionFeed(panel);
@@ -111,6 +127,47 @@ QWidget* makeCorrectionPanel(const Models& models) {
   return panel;
 }
 
+QWidget* makeWrongMotionBar(const Models& models, QWidget* parent) {
+  auto* bar = new WrongMotionBar(parent);
+  RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::ruinChanged, bar,
+                   [bar, runs] { bar->setWrong(runs->ruin(), runs->isRunning()); });
+  QObject::connect(bar, &WrongMotionBar::stopRequested, runs, &RunController::stop);
+  Alarms* alarms = &models.alarms;
+  QObject::connect(bar, &WrongMotionBar::acknowledged, alarms, [alarms, runs] {
+    for (const int number : openWrongMotion(*alarms)) {
+      alarms->acknowledge(number);
+    }
+    runs->acknowledgeRuin();
+  });
+  // In the list of alarms it is acknowledged as well.
+  QObject::connect(alarms, &Alarms::changed, runs, [alarms, runs] {
+    if (openWrongMotion(*alarms).empty()) {
+      runs->acknowledgeRuin();
+    }
+  });
+  return bar;
+}
+
+QWidget* makeFoundRunBar(const Models& models, QWidget* parent) {
+  auto* bar = new FoundRunBar(parent);
+  FoundRuns* found = &models.found;
+  const RunController* runs = &models.runs;
+  const auto show = [bar, found, runs] {
+    const auto view = found->view();
+    // While it is being resumed, the bar for that says the rest.
+    const bool isBeingResumed = view && !view->isOnControl() && runs->place();
+    bar->setRun(isBeingResumed ? std::nullopt : view);
+  };
+  QObject::connect(found, &FoundRuns::changed, bar, show);
+  QObject::connect(runs, &RunController::permissionsChanged, bar, show);
+  QObject::connect(bar, &FoundRunBar::watchRequested, found, &FoundRuns::watch);
+  QObject::connect(bar, &FoundRunBar::stopRequested, found, &FoundRuns::stop);
+  QObject::connect(bar, &FoundRunBar::resumeRequested, found, &FoundRuns::resume);
+  QObject::connect(bar, &FoundRunBar::dismissed, found, &FoundRuns::dismiss);
+  return bar;
+}
+
 QWidget* makeResumeBar(const Models& models, QWidget* parent) {
   auto* bar = new ResumeBar(parent);
   RunController* runs = &models.runs;
@@ -128,11 +185,13 @@ QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
   Preflight* preflight = &models.preflight;
   const auto show = [sheet, preflight] {
     if (preflight->isOpen()) {
-      sheet->setItems(preflight->items(), preflight->hasPassed());
+      sheet->setItems(
+          preflight->items(), preflight->hasPassed(),
+          preflight->isForResume() ? PreflightSheet::Kind::Resume : PreflightSheet::Kind::Start);
     }
   };
   QObject::connect(preflight, &Preflight::changed, sheet, show);
-  QObject::connect(sheet, &PreflightSheet::closeRequested, preflight, &Preflight::close);
+  QObject::connect(sheet, &PreflightSheet::closeRequested, preflight, &Preflight::dismiss);
   QObject::connect(sheet, &PreflightSheet::remedyRequested, preflight, &Preflight::remedy);
   return sheet;
 }
@@ -141,12 +200,23 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
   auto* panel = new RunPanel(parent);
   RunController* runs = &models.runs;
   Preflight* preflight = &models.preflight;
-  QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::open);
+  QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::openForStart);
   QObject::connect(panel, &RunPanel::startRequested, runs, &RunController::start);
-  QObject::connect(panel, &RunPanel::stopRequested, runs, &RunController::stop);
+  FoundRuns* found = &models.found;
+  QObject::connect(panel, &RunPanel::stopRequested, runs, [runs, found] {
+    if (runs->isRunning() || !found->isOnControl()) {
+      runs->stop();
+    } else {
+      found->stop();
+    }
+  });
+  QObject::connect(found, &FoundRuns::changed, panel,
+                   [panel, found] { panel->setFound(found->view()); });
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
   QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
+  QObject::connect(runs, &RunController::ruinChanged, panel,
+                   [panel, runs] { panel->setRuined(!runs->ruin().isEmpty()); });
   QObject::connect(runs, &RunController::finished, panel,
                    [panel](const std::shared_ptr<const streaming::RunReport>& report) {
                      panel->setReport(*report);
@@ -160,8 +230,9 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
       panel->setTitle(RunTexts::title(*program, runs->isRunning()));
     }
   });
-  QObject::connect(preflight, &Preflight::changed, panel,
-                   [panel, preflight] { panel->setPreflightPassed(preflight->hasPassed()); });
+  QObject::connect(preflight, &Preflight::changed, panel, [panel, preflight] {
+    panel->setPreflightPassed(preflight->hasPassed() && !preflight->isForResume());
+  });
   QObject::connect(document, &Document::programLoaded, panel,
                    [panel, document] { panel->setProgram(document->points().size()); });
   QObject::connect(document, &Document::programPlaced, panel, [panel, document, runs] {

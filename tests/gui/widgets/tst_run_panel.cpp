@@ -106,13 +106,20 @@ class TestRunPanel : public QObject {
   void aRuinedRunIsNotReady() {
     test::Language language;
     RunPanel panel;
-    panel.setUpdate(updateOf(RunState::Done));
-    streaming::RunReport report = test::report();
-    report.integrity.repeated = 3;
-    panel.setReport(report);
-    const QString text = test::visibleText(panel);
-    QVERIFY(text.contains("Wrong motion"));
-    QVERIFY(!text.contains("Ready") && !text.contains("Done"));
+    panel.setUpdate(updateOf(RunState::Running));
+    panel.setRuined(true);
+    QVERIFY(test::visibleText(panel).contains("Wrong motion. Running"));
+    for (const RunState state : {RunState::Done, RunState::Stopped, RunState::Aborted}) {
+      panel.setUpdate(updateOf(state));
+      for (const bool isBlocked : {false, true}) {
+        panel.setStartBlocked(isBlocked ? "the channel is busy" : "");
+        const QString text = test::visibleText(panel);
+        QVERIFY(text.contains("Wrong motion"));
+        QVERIFY(!text.contains("Ready") && !text.contains("Done"));
+      }
+    }
+    panel.setRuined(false);
+    QVERIFY(!test::visibleText(panel).contains("Wrong motion"));
   }
 
   void stopIsThereWheneverSomethingMayMove_data() {

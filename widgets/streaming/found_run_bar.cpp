@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/streaming/found_run_bar.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <QPushButton>
+
+#include "base/units.h"
+#include "widgets/common/number_format.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+struct FoundRunTexts {
+  Q_DECLARE_TR_FUNCTIONS(FoundRunTexts)
+
+ public:
+  static QString name(const FoundRunView& run) {
+    if (run.number == 0) {
+      return tr("A program of Rivulet without a run");
+    }
+    return run.program.isEmpty() ? tr("Run %1").arg(run.number)
+                                 : tr("Run %1 of %2").arg(QString::number(run.number), run.program);
+  }
+  static QString origin(const FoundRunView& run) {
+    if (run.user.isEmpty()) {
+      return run.number == 0 ? QString() : tr("It is not known who started it.");
+    }
+    const QDateTime at = QDateTime::fromString(run.startedAtUtc, Qt::ISODate).toLocalTime();
+    return tr("Started by %1 on %2 at %3.")
+        .arg(run.user, run.computer,
+             at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) : run.startedAtUtc);
+  }
+  static QString progress(const FoundRunView& run) {
+    return run.total > 0
+               ? tr("%1 of %2 points executed").arg(countText(run.executed), countText(run.total))
+               : tr("%1 windows executed").arg(countText(run.executed));
+  }
+  static QString state(const FoundRunView& run) {
+    switch (run.kind) {
+      case FoundRunView::Kind::Unclear:
+        return tr("%1. Looking for its client …").arg(progress(run));
+      case FoundRunView::Kind::Waiting:
+        return run.number == 0
+                   ? tr("It waits for its first client.")
+                   : tr("%1. Its client is gone: the program waits.").arg(progress(run));
+      case FoundRunView::Kind::Served:
+        return tr("%1. Its client is at work.").arg(progress(run));
+      case FoundRunView::Kind::Left:
+        return tr("It was not completed, and its program is no longer active on the control.");
+    }
+    return {};
+  }
+  static QString stop(const FoundRunView& run) {
+    if (run.stopConfirmedAfter) {
+      return tr("Stop confirmed after %1.")
+          .arg(secondsText(base::toSeconds(*run.stopConfirmedAfter), 2));
+    }
+    return run.isStopping ? tr("Stop requested, not yet confirmed.") : QString();
+  }
+};
+
+}  // namespace
+
+QString foundRunText(const FoundRunView& run) {
+  const QString origin = FoundRunTexts::origin(run);
+  return FoundRunTexts::name(run) + QStringLiteral(". ") + origin;
+}
+
+FoundRunBar::FoundRunBar(QWidget* parent)
+    : NoticeBar(parent),
+      m_watch(addButton(QStringLiteral("found-watch"), QStringLiteral("live"))),
+      m_stop(addButton(QStringLiteral("found-stop"), QStringLiteral("stop"))),
+      m_resume(addButton(QStringLiteral("found-resume"), QStringLiteral("resume"))),
+      m_dismiss(addButton(QStringLiteral("found-dismiss"), QStringLiteral("dismiss"))) {
+  m_watch->setCheckable(true);
+  connect(m_watch, &QPushButton::clicked, this, &FoundRunBar::watchRequested);
+  connect(m_stop, &QPushButton::clicked, this, &FoundRunBar::stopRequested);
+  connect(m_resume, &QPushButton::clicked, this, &FoundRunBar::resumeRequested);
+  connect(m_dismiss, &QPushButton::clicked, this, &FoundRunBar::dismissed);
+  retranslate();
+  restyle();
+}
+
+void FoundRunBar::setRun(const std::optional<FoundRunView>& run) {
+  m_run = run;
+  setVisible(run.has_value());
+  retranslate();
+}
+
+QString FoundRunBar::text() const {
+  QStringList sentences{foundRunText(*m_run).trimmed(), FoundRunTexts::state(*m_run),
+                        FoundRunTexts::stop(*m_run)};
+  if (m_run->kind == FoundRunView::Kind::Waiting && !m_run->isKeptHere && m_run->number != 0) {
+    sentences.append(tr("It can be resumed on the computer where it was started."));
+  }
+  sentences.removeAll(QString());
+  return sentences.join(QLatin1Char(' '));
+}
+
+void FoundRunBar::retranslate() {
+  m_watch->setText(tr("Watch"));
+  m_watch->setToolTip(tr("Shows program, position and progress. Nothing is changed."));
+  m_stop->setText(tr("Stop the run"));
+  m_stop->setToolTip(tr("The program ends after the windows that it has copied."));
+  m_resume->setText(tr("Resume …"));
+  m_resume->setToolTip(
+      tr("Loads the program, compares it and asks the control where the run was "
+         "left. Nothing moves yet."));
+  m_dismiss->setText(tr("Not now"));
+  if (!m_run) {
+    return;
+  }
+  const bool isOnControl = m_run->isOnControl();
+  m_watch->setVisible(isOnControl && m_run->number != 0);
+  m_watch->setChecked(m_run->isWatched);
+  m_stop->setVisible(isOnControl);
+  m_stop->setEnabled(!m_run->isStopping);
+  m_resume->setVisible(m_run->isKeptHere);
+  m_resume->setEnabled(m_run->canResume());
+  m_dismiss->setVisible(!isOnControl);
+  setNotice(m_run->kind == FoundRunView::Kind::Waiting ? Status::Attention : Status::Busy, text());
+}
+
+}  // namespace rivulet::widgets
