@@ -87,7 +87,6 @@ LogInDialog::LogInDialog(const UsersView& view, QWidget* parent)
   m_pin->setPlaceholderText(tr("PIN"));
   m_pin->setAccessibleName(tr("PIN"));
   m_answer->setWordWrap(true);
-  m_pinTitle->setWordWrap(true);
   m_logIn->setText(tr("Log in"));
   m_logIn->setDefault(true);
 
@@ -188,6 +187,7 @@ QWidget* UsersPage::makeForm() {
   m_idle = new QSpinBox(form);  // the focus goes the way one reads
   m_answer = new QLabel(form);
   m_answer->setWordWrap(true);
+  m_pinTitle->setWordWrap(true);
   m_pin->setEchoMode(QLineEdit::Password);
   m_idle->setRange(0, kIdleMinutesMax);
   m_idle->setKeyboardTracking(false);
