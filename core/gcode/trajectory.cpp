@@ -3,14 +3,39 @@
 
 #include "gcode/trajectory.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/contract.h"
 #include "gcode/feeds.h"
+#include "gcode/named_start.h"
 
 namespace rivulet::gcode {
+
+namespace {
+
+/// Axes at rest tremble: an axis this near to a place stands there.
+constexpr double kTremblingMm = 0.005;
+
+}  // namespace
+
+base::Vec3 namedStart(const Trajectory& trajectory, base::Vec3 startMm) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const auto named = std::find_if(
+        trajectory.points.begin(), trajectory.points.end(),
+        [axis](const TrajectoryPoint& point) { return !std::isnan(point.positionMm[axis]); });
+    if (named != trajectory.points.end() &&
+        std::abs(named->positionMm[axis] - startMm[axis]) <= kTremblingMm) {
+      startMm.set(axis, named->positionMm[axis]);
+    }
+  }
+  return startMm;
+}
 
 PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
                        const base::RotaryDeg& startDeg, const ProgramFeeds* feeds) {
   RIVULET_ASSERT(base::isFinite(startMm));
+  startMm = namedStart(trajectory, startMm);
   PointList list;
   list.points.reserve(trajectory.points.size());
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {

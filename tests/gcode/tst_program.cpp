@@ -277,6 +277,26 @@ class TestProgram : public QObject {
     QVERIFY(gcode::streamPoints({}, {0, 0, 0}).points.empty());
   }
 
+  /// Axes at rest tremble. A tool that has been brought to X0 stands at 3e-7: no move of 3e-7 mm
+  /// may come of it, which no method could stream.
+  void axesThatStandWhereTheyAreSentDoNotMove() {
+    const auto program = gcode::interpretProgram("a", "G0 Z10\nX0 Y0\nG1 X5 F60\nZ9");
+    QVERIFY(program.has_value());
+    const auto exact = gcode::streamPoints(program->trajectory, {0, 0, 10});
+    const auto trembling = gcode::streamPoints(program->trajectory, {3e-7, -0.004, 10});
+    QCOMPARE(exact.points.size(), std::size_t{3});
+    QCOMPARE(trembling.points.size(), exact.points.size());
+    QCOMPARE(trembling.merged, exact.merged);
+    for (std::size_t i = 0; i < exact.points.size(); ++i) {
+      QCOMPARE(trembling.points[i].positionMm, exact.points[i].positionMm);
+    }
+    // Farther away it is a move, and an axis that is never named stays where it stands.
+    QCOMPARE(gcode::streamPoints(program->trajectory, {0.02, 0, 10}).points.size(), std::size_t{4});
+    const auto open = gcode::interpretProgram("a", "G0 X1\nG1 X2 F60");
+    QCOMPARE(gcode::streamPoints(open->trajectory, {0, 3e-7, -0.1234}).points[0].positionMm,
+             (base::Vec3{1, 3e-7, -0.1234}));
+  }
+
   void errorCodesHaveACategory() {
     const std::error_code code = GcodeError::NoMotion;
     QCOMPARE(std::string(code.category().name()), std::string("gcode"));

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/contract.h"
+#include "gcode/named_start.h"
 
 namespace rivulet::widgets {
 
@@ -24,6 +25,7 @@ void takeMoves(ProgramView& view) {
   view.feedsMmPerS.reserve(count);
   view.trajectoryIndices.reserve(count);
   const std::vector<gcode::RotaryPosition>& rotary = view.program->trajectory.rotary;
+  const base::Vec3 startMm = gcode::namedStart(view.program->trajectory, view.startMm);
   base::Vec3 beforeMm{};
   base::RotaryDeg beforeDeg{};
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
@@ -31,7 +33,7 @@ void takeMoves(ProgramView& view) {
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (std::isnan(positionMm[axis])) {
         view.dependsOnStart = true;
-        positionMm.set(axis, view.startMm[axis]);
+        positionMm.set(axis, startMm[axis]);
       }
     }
     // As `gcode::streamPoints` does: a move that only turns is one, too.
