@@ -10,6 +10,13 @@ namespace rivulet::trace {
 using base::Duration;
 using base::Instant;
 
+namespace {
+
+/// Live: samples farther apart do not show that the path stood between them.
+constexpr Duration kSampleGapMax = std::chrono::milliseconds{100};
+
+}  // namespace
+
 std::vector<Pause> findPauses(const ControlTrace& trace, const PauseOptions& options) {
   std::vector<Pause> pauses;
   std::optional<Instant> lastMoving;
@@ -37,6 +44,12 @@ std::optional<MeasuredPause> LivePauseDetector::add(Instant at, double feedMmPer
   }
   const std::optional<Instant> before = m_latest;
   m_latest = at;
+  const bool isAfterGap = before && at - *before > kSampleGapMax;
+  if (isAfterGap) {
+    // What happened in between is not known: this standstill is not measured.
+    m_firstStanding.reset();
+    m_lastMoving.reset();
+  }
   if (feedMmPerS <= m_options.standstillMmPerSMax) {
     if (m_lastMoving && !m_firstStanding) {
       m_firstStanding = at;
@@ -50,7 +63,8 @@ std::optional<MeasuredPause> LivePauseDetector::add(Instant at, double feedMmPer
     const Duration gapAtEnd = at - *before;
     const Instant start = *m_lastMoving + gapAtStart / 2;
     const Instant end = *before + gapAtEnd / 2;
-    if (end - start >= m_options.durationMin) {
+    // A single standing sample may be the one cycle of a reversal.
+    if (*before - *m_firstStanding >= m_options.durationMin) {
       // Rounded up, so that the bound holds to the nanosecond.
       found = MeasuredPause{{start, end - start, PauseOrigin::Measured},
                             (gapAtStart + gapAtEnd) / 2 + Duration{1}};
