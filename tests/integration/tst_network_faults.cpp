@@ -4,7 +4,8 @@
 /// Whole runs over a network with faults, in real time. With methods window and credit, each point
 /// must be executed once and in order, by however many attempts, and a stall must not end a run.
 /// `scripts/soak --network` runs many more: RIVULET_SCENARIOS, RIVULET_SCENARIOS_OF_OTHERS,
-/// RIVULET_FIRST, RIVULET_JOBS; RIVULET_FAULT draws one kind of fault only.
+/// RIVULET_FIRST, RIVULET_JOBS; RIVULET_FAULT draws one kind of fault only, and
+/// RIVULET_TELL prints each run with its notes.
 
 #include <fmt/format.h>
 
@@ -59,6 +60,9 @@ std::string describe(const NetworkScenario& scenario, const NetworkEvidence& evi
   for (const streaming::RunReport& attempt : evidence.attempts) {
     text +=
         fmt::format("\n  {}: {}", streaming::outcomeName(attempt.outcome), attempt.error.text());
+  }
+  for (const std::string& note : evidence.notes) {
+    text += "\n  note: " + note;
   }
   return text;
 }
@@ -217,6 +221,9 @@ class TestNetworkFaults : public QObject {
         if (isPair && scenario.fault.kind == FaultKind::Stall &&
             scenario.fault.duration < kStallSurvived) {
           addTo(stalls, scenario.seed, evidence);
+        }
+        if (std::getenv("RIVULET_TELL") != nullptr) {
+          qInfo("%s", describe(scenario, evidence).c_str());
         }
         if (const std::string wrong = judge(scenario, evidence); !wrong.empty()) {
           faults.push_back(wrong + ": " + describe(scenario, evidence));

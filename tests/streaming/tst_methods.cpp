@@ -57,6 +57,46 @@ class TestMethods : public QObject {
     }
   }
 
+  /// A hold whose answer is lost may have been carried out: to continue must be written then.
+  void continueAfterALostHoldIsWritten() {
+    for (const MethodKind kind : {MethodKind::Window, MethodKind::Credit}) {
+      streaming::MethodSetup made = setup(kind);
+      made.settings.runNumber = 1;
+      const templates::CellMap cells = made.cells;
+      const auto method = streaming::methodType(kind).make(std::move(made));
+      base::Instant now{};
+      // The value that the next write of the run cell brings; every access is answered, unless it
+      // is this write and its answer is to be lost.
+      const auto nextRun = [&](bool isLost) -> std::optional<double> {
+        for (int polls = 0; polls < 200; ++polls, now += 4ms) {
+          const auto action = method->poll(now);
+          if (!action) {
+            continue;
+          }
+          std::vector<opcua::Reading> readings(action->variables.size());
+          for (std::size_t i = 0; i < readings.size(); ++i) {
+            readings[i].number = action->variables[i] == opcua::rParameter(cells.owner) ? 1.0 : 0.0;
+          }
+          for (const opcua::Assignment& item : action->assignments) {
+            if (item.variable == opcua::rParameter(cells.run)) {
+              const double value = item.value;
+              isLost ? static_cast<void>(method->answerLost(now))
+                     : method->handle({now, now, {}}, now);
+              return value;
+            }
+          }
+          method->handle({now, now, readings}, now);
+        }
+        return std::nullopt;
+      };
+      QVERIFY(nextRun(false) == std::optional(1.0));
+      method->requestHold(true);
+      QVERIFY(nextRun(true) == std::optional(0.0));
+      method->requestHold(false);
+      QVERIFY(nextRun(false) == std::optional(1.0));
+    }
+  }
+
   /// The distance to go is 0 before the first motion: that is no point passed.
   /// @source [P1] Algorithm II
   void distanceToGoWaitsForMotionAndCountsABlockOnce() {

@@ -24,6 +24,8 @@ constexpr Duration kWatchInterval = std::chrono::milliseconds{4};
 constexpr Duration kIdleWatchInterval = std::chrono::milliseconds{20};
 /// Standstill between windows, the pre-run's work on a window, and scatter.
 constexpr Duration kSlowerThanPlanned = std::chrono::milliseconds{400};
+/// The run cell is written again, whatever it is to be.
+constexpr int kRunUnknown = -1;
 
 }  // namespace
 
@@ -169,6 +171,9 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
 bool WindowedMethod::answerLost(Instant) {
   // Whether it was carried out or not: `poll` repeats the request.
   m_waiting = false;
+  if (m_step == Step::Run) {
+    m_run = kRunUnknown;  // it may hold although it is to run again by now
+  }
   return true;
 }
 
@@ -306,8 +311,10 @@ void WindowedMethod::look(const Answer& answer, Instant now) {
   }
   // A late earlier write may have restored an old number or stop.
   m_renumber = m_owned && answer.readings[Delivered].number != static_cast<double>(m_delivered);
-  if (m_stopWanted && answer.readings[Run].number != WindowProtocol::kEnd) {
-    m_run = WindowProtocol::kHold;
+  // Not if somebody else has told the program to end.
+  const double run = answer.readings[Run].number;
+  if (run < WindowProtocol::kEnd && run != static_cast<double>(runWanted())) {
+    m_run = kRunUnknown;
   }
   observe(answer.readings[Latched].number,
           m_saysExecuted ? std::optional(answer.readings[Executed].number) : std::nullopt, answer,
