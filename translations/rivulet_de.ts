@@ -901,6 +901,18 @@
         <source>Another client has claimed the R-parameters of this run and is about to start. Nothing was changed. Wait until its run has ended.</source>
         <translation>Ein anderer Client hat die R-Parameter dieses Laufs belegt und startet gleich. Nichts wurde geändert. Warten Sie, bis sein Lauf beendet ist.</translation>
     </message>
+    <message>
+        <source>A block of the program moves at a feed that is not known: F is missing, G95 has no spindle speed, or G93 no length. Choose one feed for all moves.</source>
+        <translation>Ein Satz des Programms fährt mit einem Vorschub, der nicht bekannt ist: F fehlt, zu G95 fehlt die Drehzahl oder zu G93 die Länge. Einen Vorschub für alle Bewegungen wählen.</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published.</source>
+        <translation>Dieses Verfahren hat einen Vorschub für alle Bewegungen, wie veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>The override is out of range: choose 1 to 200 %.</source>
+        <translation>Der Override liegt außerhalb des Bereichs: 1 bis 200 % wählen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1813,6 +1825,46 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 on %2</source>
         <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>The feeds of the program at %1. It names none.</source>
+        <translation>Vorschübe des Programms bei %1. Es nennt keinen.</translation>
+    </message>
+    <message>
+        <source>That of the program, %1, at %2</source>
+        <translation>Der des Programms, %1, bei %2</translation>
+    </message>
+    <message>
+        <source>Those of the program, %1 to %2, at %3; each block its own</source>
+        <translation>Die des Programms, %1 bis %2, bei %3; jeder Satz seinen eigenen</translation>
+    </message>
+    <message>
+        <source>Rapids at %1 at most</source>
+        <translation>Eilgänge mit höchstens %1</translation>
+    </message>
+    <message>
+        <source>Blocks will be cut faster than programmed.</source>
+        <translation>Sätze werden schneller gefahren als programmiert.</translation>
+    </message>
+    <message>
+        <source>Use 100 %</source>
+        <translation>100 % verwenden</translation>
+    </message>
+    <message>
+        <source>%1 for every block: this method has one feed, as it was published</source>
+        <translation>%1 für jeden Satz: Dieses Verfahren hat einen Vorschub, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Use the feeds of the program</source>
+        <translation>Vorschübe des Programms verwenden</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest override without waiting: %1.</source>
+        <translation>Sicher, aber die Maschine wird auf Punkte warten. Größter Override ohne Warten: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest override %2</source>
+        <translation>Reserve %1 ×, größter Override %2</translation>
     </message>
 </context>
 <context>
@@ -3123,6 +3175,42 @@ GPL-3.0-or-later</translation>
         <source>Checking …</source>
         <translation>Wird geprüft …</translation>
     </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Of the program</source>
+        <translation>Aus dem Programm</translation>
+    </message>
+    <message>
+        <source>One for all moves</source>
+        <translation>Fester Vorschub</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Scales the feeds of the program, and its rapids up to the rapid feed of the machine</source>
+        <translation>Skaliert die Vorschübe des Programms und seine Eilgänge, diese höchstens bis zum Eilgang der Maschine</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published</source>
+        <translation>Dieses Verfahren hat einen Vorschub für alle Bewegungen, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Of the program: each move has the feed of its own block, rapids are rapids. One for all moves: rapids have it, too.</source>
+        <translation>Aus dem Programm: Jede Bewegung hat den Vorschub ihres Satzes, Eilgänge sind Eilgänge. Fester Vorschub: auch Eilgänge haben ihn.</translation>
+    </message>
+    <message>
+        <source>Largest override</source>
+        <translation>Größter Override</translation>
+    </message>
+    <message>
+        <source>Use override = %1&#xa0;%</source>
+        <translation>Override = %1 % verwenden</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -3149,6 +3237,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 The value stays %2.</source>
         <translation>%1 Der Wert bleibt %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number. Type it without separators.</source>
+        <translation>%1 ist keine ganze Zahl. Ohne Trennzeichen eingeben.</translation>
     </message>
 </context>
 <context>
@@ -4335,6 +4427,24 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Acknowledge</source>
         <translation>Quittieren</translation>
+    </message>
+</context>
+<context>
+    <name>LimitTexts</name>
+    <message>
+        <source>rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>line %1: %2, %3</source>
+        <translation>Zeile %1: %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Document</name>
+    <message>
+        <source>Line %1</source>
+        <translation>Zeile %1</translation>
     </message>
 </context>
 </TS>

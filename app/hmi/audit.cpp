@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "gcode/feeds.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -31,6 +32,8 @@ Audit::Details settingsFacts(const widgets::StreamSettings& settings) {
       {"method", std::string(base::methodName(parameters.method))},
       {"points", std::to_string(parameters.pointsPerLoop)},
       {"feed", base::formatFixed(base::mmPerMinFromMmPerS(settings.feedMmPerS), kDecimals)},
+      {"feeds", settings.usesProgramFeeds() ? "program" : "one"},
+      {"override", base::formatFixed(settings.overrideFactor, kDecimals)},
       {"delta", base::formatFixed(settings.deltaMm, kDecimals)},
       {"layout", std::string(templates::layoutName(parameters.layout))},
       {"windows", std::to_string(parameters.windows)},
@@ -59,6 +62,11 @@ void applySettings(widgets::StreamSettings& settings, const Audit::Details& fact
       parameters.baseCell = *whole;
     } else if (name == "feed" && number && *number > 0.0) {
       settings.feedMmPerS = base::mmPerSFromMmPerMin(*number);
+    } else if (name == "feeds") {
+      settings.programFeeds = value == "program";
+    } else if (name == "override" && number && *number >= gcode::kOverrideMin &&
+               *number <= gcode::kOverrideMax) {
+      settings.overrideFactor = *number;
     } else if (name == "delta" && number && *number > 0.0) {
       settings.deltaMm = *number;
     } else if (name == "correction_limit" && number && *number >= 0.0) {

@@ -24,10 +24,14 @@ constexpr double kToolMovedMm = 0.01;
 /// The times of a run are estimated again this long after the last change of a setting.
 constexpr int kEstimateMs = 400;
 constexpr std::size_t kPointsMin = 2;
+constexpr const char* kMachine = "dmu75";
 
 }  // namespace
 
-Document::Document(const widgets::StreamSettings& settings) : m_settings(settings) {
+Document::Document(const widgets::StreamSettings& settings)
+    : m_machineFeeds(report::programFeedsOf(*machine::loadPreset(kMachine), 1.0)),
+      m_settings(settings) {
+  m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   connect(&m_loader, &session::ProgramLoader::progressed, this,
           [this](double share) { Q_EMIT readingProgressed(share); });
   connect(&m_loader, &session::ProgramLoader::loaded, this, &Document::take);
@@ -94,7 +98,8 @@ void Document::readAgain(const session::Reading& reading) {
 void Document::read(const QString& path, const session::Reading& reading) {
   m_requestedPath = path;
   Q_EMIT readingProgressed(0.0);
-  m_loader.load({path, reading, m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop)});
+  m_loader.load(
+      {path, reading, m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop), m_machineFeeds});
 }
 
 void Document::take(const session::LoadedProgram& loaded) {
@@ -144,12 +149,14 @@ const std::vector<gcode::StreamPoint>& Document::points() const {
 
 void Document::setSettings(const widgets::StreamSettings& settings) {
   m_settings = settings;
+  m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   Q_EMIT settingsChanged();
   judge();
 }
 
 void Document::editSettings(const widgets::StreamSettings& settings) {
   m_settings = settings;
+  m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   judge();
 }
 
@@ -158,7 +165,36 @@ templates::TemplateParameters Document::parameters() const {
   if (m_view && base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = m_view->turnedAxes;
   }
+  parameters.feedPerPoint = m_view && m_settings.usesProgramFeeds() && m_feedCells.feedPerPoint;
   return parameters;
+}
+
+void Document::chooseFeedCells(const feasibility::AccessModel& access) {
+  if (!m_view || points().empty() || !m_settings.usesProgramFeeds()) {
+    return;
+  }
+  streaming::RunSettings settings = runSettings();
+  settings.parameters.feedPerPoint = false;
+  const auto turn = report::operatingPointOf(settings).turn();
+  const base::Duration accessTime = access.timePerNode(turn);
+  const templates::TemplateParameters& wanted = settings.parameters;
+  const templates::TemplateParameters& had = m_feedCells.parameters;
+  if (m_feedCells.view == m_view && m_feedCells.accessTime == accessTime &&
+      had.method == wanted.method && had.pointsPerLoop == wanted.pointsPerLoop &&
+      had.windows == wanted.windows && had.correctionLimitMm == wanted.correctionLimitMm) {
+    return;
+  }
+  m_feedCells = {m_view, wanted, accessTime,
+                 streaming::prefersFeedPerPoint(points(), settings, access)};
+}
+
+double Document::commandedMmPerS(std::size_t point) const {
+  if (!m_settings.usesProgramFeeds() || point >= points().size()) {
+    return m_settings.feedMmPerS;
+  }
+  return std::min(m_settings.overrideFactor * points()[point].feedMmPerS,
+                  points()[point].kind == gcode::MoveKind::Rapid ? m_machineFeeds.rapidMmPerS
+                                                                 : feedMmPerSMax());
 }
 
 streaming::RunSettings Document::runSettings() const {
@@ -168,6 +204,13 @@ streaming::RunSettings Document::runSettings() const {
   settings.parameters = parameters();
   settings.deltaMm = m_settings.deltaMm;
   settings.feedMmPerS = m_settings.feedMmPerS;
+  if (m_settings.usesProgramFeeds() && m_view) {
+    settings.programFeeds = m_machineFeeds;
+    settings.programFeeds->overrideFactor = m_settings.overrideFactor;
+    if (m_view->fastestMmPerS > 0.0) {
+      settings.feedMmPerS = m_settings.overrideFactor * m_view->fastestMmPerS;
+    }
+  }
   settings.transfer =
       m_settings.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
   settings.access = plan.choice;
@@ -214,18 +257,25 @@ void Document::setRunning(bool isRunning) {
   }
 }
 
-void Document::judge() {
-  const streaming::RunSettings settings = runSettings();
-  Findings found;
-  found.operatingPoint = report::operatingPointOf(settings);
-  found.source = m_source;
-  found.source.form = opcua::Grouping::List;
-  found.source.cellsMax = feasibility::turnOf(found.operatingPoint.turn()).content;
-  if (settings.calibration) {
-    found.source.form = streaming::accessPlan(m_settings.access, settings.parameters.method)
-                            .expected(settings.calibration.get());
-    found.access = report::accessModel(*settings.calibration, found.source.form);
+feasibility::AccessModel Document::accessModel(widgets::AccessSource& source) const {
+  source.form = opcua::Grouping::List;
+  if (!m_source.isUsed()) {
+    return {};
   }
+  const streaming::Calibration& calibration = m_source.record->calibration;
+  source.form =
+      streaming::accessPlan(m_settings.access, m_settings.parameters.method).expected(&calibration);
+  return report::accessModel(calibration, source.form);
+}
+
+void Document::judge() {
+  Findings found;
+  found.source = m_source;
+  found.access = accessModel(found.source);
+  chooseFeedCells(found.access);
+  const streaming::RunSettings settings = runSettings();
+  found.operatingPoint = report::operatingPointOf(settings);
+  found.source.cellsMax = feasibility::turnOf(found.operatingPoint.turn()).content;
   const auto cells = templates::planCells(settings.parameters);
   const auto text = templates::generateTemplate(settings.parameters);
   if (cells && text) {
@@ -236,10 +286,21 @@ void Document::judge() {
   }
   const int perLoop = found.operatingPoint.pointsPerLoop;
   if (points().size() >= kPointsMin) {
+    const bool isTimed = settings.programFeeds.has_value();
     if (m_view->distancesFor == perLoop) {
-      found.distances = m_view->distances;
+      found.distances = isTimed ? m_view->timedDistances : m_view->distances;
     } else if (perLoop >= 2) {
-      found.distances = feasibility::programDistances(points(), perLoop);
+      found.distances =
+          feasibility::programDistances(points(), perLoop, isTimed ? m_view->fastestMmPerS : 0.0);
+    }
+  }
+  if (m_view && !found.settingsError) {
+    if (const auto known = streaming::requireFeeds(m_view->lineWithoutFeed, settings); !known) {
+      found.settingsError = known.error();
+      if (known.error().code == streaming::StreamError::FeedUnknown) {
+        found.settingsError->context =
+            tr("Line %1").arg(m_view->lineWithoutFeed->value).toStdString();
+      }
     }
   }
   // Of a path that is not known nothing can be said.
@@ -248,6 +309,7 @@ void Document::judge() {
     auto verdict = feasibility::judge(found.operatingPoint, *found.distances, found.access);
     if (verdict) {
       found.verdict = *verdict;
+      found.overrideLimit = streaming::overrideLimit(*verdict, points(), settings, 1.0);
     } else {
       found.settingsError = verdict.error();
     }
@@ -266,7 +328,9 @@ void Document::judge() {
 }
 
 session::TimeSettings Document::timeSettings() const {
-  return {m_settings.parameters.method, m_settings.parameters.pointsPerLoop, m_settings.feedMmPerS};
+  const streaming::RunSettings settings = runSettings();
+  return {settings.parameters.method, settings.parameters.pointsPerLoop, settings.feedMmPerS,
+          settings.programFeeds, streaming::windowCut(settings).feedPerPoint};
 }
 
 void Document::estimateTimes() {
@@ -281,10 +345,10 @@ void Document::estimateTimes() {
 
 std::string Document::rehearsalKey() const {
   const feasibility::OperatingPoint& point = m_findings.operatingPoint;
-  return fmt::format("{} {} {} {} {} {} {} {} {} {}", program()->hash, points().size(),
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", program()->hash, points().size(),
                      m_view->startMm.x, m_view->startMm.y, m_view->startMm.z,
-                     m_findings.templateText, point.feedMmPerS, point.deltaMm,
-                     static_cast<int>(m_settings.access),
+                     m_findings.templateText, point.feedMmPerS, m_settings.usesProgramFeeds(),
+                     point.deltaMm, static_cast<int>(m_settings.access),
                      static_cast<const void*>(m_source.isUsed() ? m_source.record.get() : nullptr));
 }
 
@@ -300,6 +364,9 @@ void Document::rehearse() {
   m_rehearsed.reset();
   session::RehearsalJob job;
   job.points = points();
+  for (std::size_t i = 0; i < job.points.size(); ++i) {
+    job.points[i].feedMmPerS = m_settings.usesProgramFeeds() ? commandedMmPerS(i) : 0.0;
+  }
   const feasibility::ProgramDistances& distances = *m_findings.distances;
   job.tightest =
       (m_settings.parameters.method == base::MethodKind::Position ? distances.pointDistancePlace
@@ -334,7 +401,9 @@ std::shared_ptr<const widgets::PauseMap> Document::pauses() const {
   // Pauses of other settings would mislead.
   const session::TimeSettings settings = timeSettings();
   return m_pausesFor && m_pausesFor->method == settings.method &&
-                 m_pausesFor->pointsPerLoop == settings.pointsPerLoop
+                 m_pausesFor->pointsPerLoop == settings.pointsPerLoop &&
+                 m_pausesFor->programFeeds.has_value() == settings.programFeeds.has_value() &&
+                 m_pausesFor->feedPerPoint == settings.feedPerPoint
              ? m_pauses
              : nullptr;
 }

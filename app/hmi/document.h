@@ -20,6 +20,7 @@
 #include "session/program_timer.h"
 #include "session/rehearsal.h"
 #include "session/session_event.h"
+#include "streaming/feed_plan.h"
 #include "streaming/run.h"
 #include "streaming/start_policy.h"
 #include "widgets/calibration/access_source.h"
@@ -38,6 +39,8 @@ struct Findings {
   std::optional<base::Error> settingsError;  ///< why no flexible program or verdict can be had
   std::optional<feasibility::ProgramDistances> distances;
   std::optional<feasibility::Verdict> verdict;
+  /// With the feeds of the program: the largest override, and the block that limits it.
+  std::optional<streaming::OverrideLimit> overrideLimit;
   /// The simulation of the program with these settings; nothing: there is no verdict to check.
   std::optional<streaming::Rehearsed> rehearsed;
   std::shared_ptr<const session::RehearsalOutcome> rehearsal;  ///< null: not done (yet)
@@ -77,6 +80,10 @@ class Document final : public QObject {
   /// The settings with the rotary axes the program turns.
   [[nodiscard]] templates::TemplateParameters parameters() const;
   [[nodiscard]] streaming::RunSettings runSettings() const;
+  /// No feed can be larger, mm/s. No control reports its limits: those of the paper's machine.
+  [[nodiscard]] double feedMmPerSMax() const { return m_machineFeeds.feedMmPerSMax; }
+  /// Commanded feed of the move to a point, mm/s. @param point  index into `points`
+  [[nodiscard]] double commandedMmPerS(std::size_t point) const;
   [[nodiscard]] const Findings& findings() const { return m_findings; }
 
   /// Null: not known for the present settings (yet).
@@ -118,6 +125,9 @@ class Document final : public QObject {
   void take(const session::LoadedProgram& loaded);
   void takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
                   const std::shared_ptr<const widgets::ProgramView>& of);
+  /// What access costs with the present settings. @param source  its form is set
+  [[nodiscard]] feasibility::AccessModel accessModel(widgets::AccessSource& source) const;
+  void chooseFeedCells(const feasibility::AccessModel& access);
   void estimateTimes();
   /// Everything that the simulation depends on.
   [[nodiscard]] std::string rehearsalKey() const;
@@ -133,7 +143,16 @@ class Document final : public QObject {
   session::FileWatch m_watch;
   QTimer m_estimateTimer;  ///< settings change while an operator turns them: wait for a rest
 
+  gcode::ProgramFeeds m_machineFeeds;  ///< limits, at 100 %
   widgets::StreamSettings m_settings;
+  /// What `parameters` was last completed for, and the result: it takes a pass over the program.
+  struct FeedCells {
+    std::shared_ptr<const widgets::ProgramView> view;
+    templates::TemplateParameters parameters;
+    base::Duration accessTime{};
+    bool feedPerPoint = false;
+  };
+  FeedCells m_feedCells;
   std::shared_ptr<const widgets::ProgramView> m_view;
   QString m_path;
   QString m_requestedPath;

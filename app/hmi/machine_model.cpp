@@ -86,6 +86,7 @@ void MachineModel::takeLink(const session::LinkChanged& change) {
     m_view.programName.reset();
     m_view.message.reset();
     m_view.executed.reset();
+    m_view.feedSetMmPerS.reset();
     m_stateAtS.reset();
   }
   showAges();
@@ -153,7 +154,9 @@ void MachineModel::showRunning(const QString& programName) {
   showAges();
 }
 
-void MachineModel::showExecuted(std::size_t number, const base::Vec3& positionMm) {
+void MachineModel::showExecuted(std::size_t number, const base::Vec3& positionMm,
+                                double feedSetMmPerS) {
+  m_view.feedSetMmPerS = feedSetMmPerS;
   m_stateAtS = m_executedAtS = m_clock();
   if (number > 0) {
     m_view.executed = widgets::MachineView::Executed{number, positionMm, 0.0};

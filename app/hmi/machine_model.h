@@ -44,7 +44,7 @@ class MachineModel final : public QObject {
   void showRunning(const QString& programName);
   /// The stream has reported; this is the last point that it knows to be executed.
   /// @param number  1: the first of the program; 0: none yet
-  void showExecuted(std::size_t number, const base::Vec3& positionMm);
+  void showExecuted(std::size_t number, const base::Vec3& positionMm, double feedSetMmPerS);
   /// No run is in progress any more: no point stands in for the position.
   void forgetExecuted();
   void showSample(const trace::LiveSample& sample);

@@ -163,10 +163,14 @@ void MainWindow::buildPages() {
   rows->addWidget(m_resumeBar);
   rows->addWidget(makeRunPanel(models, central));
   setCentralWidget(central);
+  const auto complain = [this](const QString& reason) {
+    m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
+  };
   for (const auto* field : central->findChildren<widgets::NumberField*>()) {
-    connect(field, &widgets::NumberField::refused, this, [this](const QString& reason) {
-      m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
-    });
+    connect(field, &widgets::NumberField::refused, this, complain);
+  }
+  for (const auto* field : central->findChildren<widgets::WholeNumberField*>()) {
+    connect(field, &widgets::WholeNumberField::refused, this, complain);
   }
 }
 

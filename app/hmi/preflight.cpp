@@ -39,6 +39,10 @@ std::optional<std::pair<double, double>> programFeeds(const widgets::ProgramView
   return range;
 }
 
+QString percentText(double factor) {
+  return widgets::numberText(100.0 * factor, 0) + QStringLiteral("\u00A0%");
+}
+
 }  // namespace
 
 Preflight::Preflight(Document& document, MachineModel& machine, RunController& runs)
@@ -187,6 +191,31 @@ PreflightItem Preflight::resumeItem() const {
   return item;
 }
 
+PreflightItem Preflight::programFeedItem() const {
+  PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0};
+  const double overrideFactor = m_document.settings().overrideFactor;
+  const auto programmed = programFeeds(*m_document.view());
+  const QString percent = percentText(overrideFactor);
+  if (!programmed) {
+    item.text = tr("The feeds of the program at %1. It names none.").arg(percent);
+    return item;
+  }
+  const auto [least, largest] = *programmed;
+  item.text = least == largest
+                  ? tr("That of the program, %1, at %2").arg(widgets::feedText(least), percent)
+                  : tr("Those of the program, %1 to %2, at %3; each block its own")
+                        .arg(widgets::feedText(least), widgets::feedText(largest), percent);
+  item.text += QLatin1Char('\n') +
+               tr("Rapids at %1 at most").arg(widgets::feedText(m_document.feedMmPerSMax()));
+  if (overrideFactor > 1.0) {
+    item.status = Status::Attention;
+    item.text += QLatin1Char('\n') + tr("Blocks will be cut faster than programmed.");
+    item.remedy = tr("Use 100 %");
+    item.remedyId = UseProgramFeed;
+  }
+  return item;
+}
+
 PreflightItem Preflight::originItem() const {
   const streaming::RunOrigin origin = report::thisUser();
   PreflightItem item{Status::Plain, tr("Who starts"), {}, {}, 0};
@@ -197,10 +226,17 @@ PreflightItem Preflight::originItem() const {
 }
 
 PreflightItem Preflight::feedItem() const {
+  if (m_document.settings().usesProgramFeeds()) {
+    return programFeedItem();
+  }
   const double feedMmPerS = m_document.settings().feedMmPerS;
   PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0};
   const auto programmed = programFeeds(*m_document.view());
-  const QString fixed = tr("%1 for every block, set here").arg(widgets::feedText(feedMmPerS));
+  const bool isPublished = base::isPublished(m_document.settings().parameters.method);
+  const QString fixed =
+      (isPublished ? tr("%1 for every block: this method has one feed, as it was published")
+                   : tr("%1 for every block, set here"))
+          .arg(widgets::feedText(feedMmPerS));
   if (!programmed) {
     item.text = tr("%1. The program names no feed.").arg(fixed);
     return item;
@@ -216,7 +252,8 @@ PreflightItem Preflight::feedItem() const {
     item.status = Status::Attention;
     item.text += QLatin1Char(' ') + tr("Some blocks will be cut %1 times as fast as programmed.")
                                         .arg(widgets::factorText(feedMmPerS / programmed->first));
-    item.remedy = tr("Use F = %1").arg(widgets::feedText(programmed->first));
+    item.remedy = isPublished ? tr("Use F = %1").arg(widgets::feedText(programmed->first))
+                              : tr("Use the feeds of the program");
     item.remedyId = UseProgramFeed;
   }
   return item;
@@ -230,13 +267,21 @@ PreflightItem Preflight::methodItem() const {
     item.text = tr("There is no verdict.");
   } else if (findings.verdict->waits) {
     item.status = Status::Attention;
-    item.text = tr("Safe, but the machine will wait for points. Largest feed without waiting: %1.")
-                    .arg(widgets::feedText(findings.verdict->feedMmPerSMax));
+    item.text = findings.overrideLimit
+                    ? tr("Safe, but the machine will wait for points. Largest override without "
+                         "waiting: %1.")
+                          .arg(widgets::overrideLimitText(*findings.overrideLimit))
+                    : tr("Safe, but the machine will wait for points. Largest feed without "
+                         "waiting: %1.")
+                          .arg(widgets::feedText(findings.verdict->feedMmPerSMax));
   } else {
     item.status = findings.verdict->feasible ? Status::Good : Status::Fault;
-    item.text = tr("Margin %1 ×, largest feed %2")
-                    .arg(widgets::factorText(findings.verdict->limiting.margin),
-                         widgets::feedText(findings.verdict->feedMmPerSMax));
+    const QString margin = widgets::factorText(findings.verdict->limiting.margin);
+    item.text = findings.overrideLimit
+                    ? tr("Margin %1 ×, largest override %2")
+                          .arg(margin, widgets::overrideLimitText(*findings.overrideLimit))
+                    : tr("Margin %1 ×, largest feed %2")
+                          .arg(margin, widgets::feedText(findings.verdict->feedMmPerSMax));
   }
   return item;
 }
@@ -282,7 +327,14 @@ void Preflight::remedy(int remedyId) {
     m_document.readAgain(m_document.reading());
   } else if (const auto feeds = programFeeds(*m_document.view()); feeds) {
     widgets::StreamSettings settings = m_document.settings();
-    settings.feedMmPerS = feeds->first;
+    if (settings.usesProgramFeeds()) {
+      settings.overrideFactor = 1.0;
+    } else if (base::isPublished(settings.parameters.method)) {
+      settings.feedMmPerS = feeds->first;
+    } else {
+      settings.programFeeds = true;
+      settings.overrideFactor = 1.0;
+    }
     m_document.setSettings(settings);
   }
 }

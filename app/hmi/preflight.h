@@ -58,6 +58,7 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem resumeItem() const;
   [[nodiscard]] widgets::PreflightItem originItem() const;
   [[nodiscard]] widgets::PreflightItem feedItem() const;
+  [[nodiscard]] widgets::PreflightItem programFeedItem() const;
   [[nodiscard]] widgets::PreflightItem methodItem() const;
   [[nodiscard]] widgets::PreflightItem accessItem() const;
   [[nodiscard]] widgets::PreflightItem releaseItem() const;

@@ -352,7 +352,8 @@ void RunController::showExecuted() {
   const auto& points = m_document.points();
   const std::size_t number = m_update.counters.executed;
   if (m_firstMotion && number <= points.size()) {
-    m_machine.showExecuted(number, number > 0 ? points[number - 1].positionMm : base::Vec3{});
+    m_machine.showExecuted(number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
+                           m_document.commandedMmPerS(std::min(number, points.size() - 1)));
   }
 }
 

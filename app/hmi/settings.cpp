@@ -4,10 +4,12 @@
 #include "hmi/settings.h"
 
 #include <QSettings>
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "base/units.h"
+#include "gcode/feeds.h"
 #include "hmi/users.h"
 #include "journal/line_file.h"
 
@@ -25,6 +27,8 @@ constexpr std::array<std::pair<streaming::AccessPreference, const char*>, 4> kAc
     {streaming::AccessPreference::List, "list"},
     {streaming::AccessPreference::Single, "single"},
 }};
+
+constexpr const char* kFixedFeed = "fixed";
 
 /// A positive number, or what was there before: a damaged file must not become an order.
 double positive(const QVariant& value, double otherwise) {
@@ -79,6 +83,11 @@ Settings loadSettings() {
     stream.parameters.correctionLimitMm = correctionMm;
   }
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
+  stream.programFeeds =
+      store.value(QStringLiteral("stream/feed")).toString() != QLatin1String(kFixedFeed);
+  stream.overrideFactor =
+      std::clamp(positive(store.value(QStringLiteral("stream/overridePercent")), 100.0) / 100.0,
+                 gcode::kOverrideMin, gcode::kOverrideMax);
   stream.feedMmPerS =
       base::mmPerSFromMmPerMin(positive(store.value(QStringLiteral("stream/feedMmPerMin")),
                                         base::mmPerMinFromMmPerS(stream.feedMmPerS)));
@@ -104,6 +113,9 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/points"), stream.parameters.pointsPerLoop);
   store.setValue(QStringLiteral("stream/deltaMm"), stream.deltaMm);
   store.setValue(QStringLiteral("stream/correctionLimitMm"), stream.parameters.correctionLimitMm);
+  store.setValue(QStringLiteral("stream/feed"),
+                 stream.programFeeds ? QStringLiteral("program") : QString::fromLatin1(kFixedFeed));
+  store.setValue(QStringLiteral("stream/overridePercent"), 100.0 * stream.overrideFactor);
   store.setValue(QStringLiteral("stream/feedMmPerMin"),
                  base::mmPerMinFromMmPerS(stream.feedMmPerS));
 }

@@ -89,7 +89,8 @@ void ProgramLoader::load(LoadRequest request) {
     auto view = widgets::makeProgramView(
         std::make_shared<const gcode::Program>(*std::move(program)), request.startMm,
         request.pointsPerLoop,
-        [&](double share) { return progress(kReadShare + (1.0 - kReadShare) * share); });
+        [&](double share) { return progress(kReadShare + (1.0 - kReadShare) * share); },
+        request.feeds);
     if (view) {
       tell([loaded = LoadedProgram{request, stamp, std::move(view)}](ProgramLoader& loader) {
         loader.m_stop.reset();
@@ -107,8 +108,9 @@ void ProgramLoader::place(std::shared_ptr<const widgets::ProgramView> view, base
   m_placing = std::make_shared<std::atomic<bool>>(false);
   QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), stop = m_placing,
                                         view = std::move(view), startMm, pointsPerLoop] {
-    auto placed = widgets::makeProgramView(view->program, startMm, pointsPerLoop,
-                                           [&stop](double) { return !stop->load(); });
+    auto placed = widgets::makeProgramView(
+        view->program, startMm, pointsPerLoop, [&stop](double) { return !stop->load(); },
+        view->feeds);
     QMetaObject::invokeMethod(
         qApp,
         [self, placed = std::move(placed), view] {

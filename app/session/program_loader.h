@@ -34,6 +34,8 @@ struct LoadRequest {
   Reading reading;
   base::Vec3 startMm;     ///< present tool position, all finite
   int pointsPerLoop = 2;  ///< N of the distances
+  /// Limits of the feeds of the program, at 100 %.
+  std::optional<gcode::ProgramFeeds> feeds{};
 };
 
 struct LoadedProgram {

@@ -41,11 +41,12 @@ bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineCo
 /// The time of a run. @return nothing: cancelled
 std::optional<experiments::PathTime> reckonStreamed(const widgets::ProgramView& view,
                                                     const machine::MachineConfig& machine,
-                                                    double feedMmPerS,
+                                                    const TimeSettings& settings,
                                                     const widgets::PauseMap& pauses,
                                                     const std::function<bool(double)>& progress) {
   experiments::PathTimeOptions options;
-  options.feedMmPerS = feedMmPerS;
+  options.feedMmPerS = settings.feedMmPerS;
+  options.programFeeds = settings.programFeeds;
   options.pauseS = base::toSeconds(machine.standstillMean);
   options.pausesBehind.resize(pauses.count());
   std::merge(pauses.offCut.begin(), pauses.offCut.end(), pauses.inCut.begin(), pauses.inCut.end(),
@@ -58,8 +59,11 @@ std::shared_ptr<const widgets::PauseMap> planPauses(const widgets::ProgramView& 
                                                     const TimeSettings& settings) {
   auto map = std::make_shared<widgets::PauseMap>();
   const auto perLoop = static_cast<std::size_t>(std::max(1, settings.pointsPerLoop));
+  // With one feed for all moves, windows do not end where that of the program changes.
+  streaming::WindowCut cut;
+  cut.feedPerPoint = !settings.programFeeds || settings.feedPerPoint;
   for (const streaming::PlannedPause& pause :
-       streaming::plannedPauses(view.points.points, settings.method, perLoop)) {
+       streaming::plannedPauses(view.points.points, settings.method, perLoop, cut)) {
     (pause.inCut ? map->inCut : map->offCut).push_back(pause.point);
   }
   return map;
@@ -123,14 +127,14 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
       });
     }
     if (!unpaused || unpaused->feedMmPerS != settings.feedMmPerS ||
-        !(unpaused->startMm == view->startMm)) {
-      const auto time = reckonStreamed(*view, *machine, settings.feedMmPerS, {}, progress);
+        unpaused->programFeeds != settings.programFeeds || !(unpaused->startMm == view->startMm)) {
+      const auto time = reckonStreamed(*view, *machine, settings, {}, progress);
       if (!time) {
         return;
       }
-      unpaused = Unpaused{settings.feedMmPerS, view->startMm, time->totalS};
+      unpaused = Unpaused{settings.feedMmPerS, settings.programFeeds, view->startMm, time->totalS};
     }
-    const auto time = reckonStreamed(*view, *machine, settings.feedMmPerS, *pauses, progress);
+    const auto time = reckonStreamed(*view, *machine, settings, *pauses, progress);
     if (!time) {
       return;
     }

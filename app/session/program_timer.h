@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/method_kind.h"
+#include "gcode/feeds.h"
 #include "widgets/program/program_view.h"
 
 namespace rivulet::session {
@@ -22,7 +23,9 @@ namespace rivulet::session {
 struct TimeSettings {
   base::MethodKind method = base::MethodKind::Signal;
   int pointsPerLoop = 2;
-  double feedMmPerS = 0.0;  ///< > 0
+  double feedMmPerS = 0.0;                            ///< > 0
+  std::optional<gcode::ProgramFeeds> programFeeds{};  ///< instead of it
+  bool feedPerPoint = false;                          ///< see `streaming::WindowCut`
   friend bool operator==(const TimeSettings&, const TimeSettings&) = default;
 };
 
@@ -54,6 +57,7 @@ class ProgramTimer final : public QObject {
   /// Time without pauses, at the feed of a run, from a position of the tool.
   struct Unpaused {
     double feedMmPerS = 0.0;
+    std::optional<gcode::ProgramFeeds> programFeeds;
     base::Vec3 startMm;
     double totalS = 0.0;
   };

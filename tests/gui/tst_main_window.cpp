@@ -560,6 +560,25 @@ class TestMainWindow : public QObject {
     m_window->setTheme(widgets::Theme::Light);
   }
 
+  /// Each move has the feed of its own block: verdict, preflight and run go by the override.
+  void streamsWithTheFeedsOfTheProgram() {
+    widgets::StreamSettings stream = streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0);
+    stream.programFeeds = true;
+    stream.overrideFactor = 0.9;
+    open(stream);
+    // The block that limits is the one that the command line names.
+    QTRY_VERIFY_WITH_TIMEOUT(shows(m_window.get(), QStringLiteral("line 246: F")), kSoonMs);
+    QTest::mouseClick(m_window->findChild<widgets::HoldButton*>(QStringLiteral("start")),
+                      Qt::LeftButton);
+    QVERIFY(shows(m_window.get(), QStringLiteral("Those of the program")));
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/preflight-feeds.png")));
+    const auto report = runToEnd();
+    QVERIFY(report && report->isFaultless());
+    QVERIFY(report->settings.programFeeds.has_value());
+    QCOMPARE(report->settings.programFeeds->overrideFactor, 0.9);
+    QCOMPARE(report->counters.executed, kScorpionPoints);
+  }
+
   void streamsByPosition() {
     open(streamSettings(base::MethodKind::Position, 9, 0.75, 1400.0));
     QVERIFY(m_window->verdict()->feasible);

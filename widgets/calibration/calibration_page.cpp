@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -20,6 +19,7 @@
 #include "feasibility/access_model.h"
 #include "widgets/calibration/calibration_charts.h"
 #include "widgets/calibration/calibration_models.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
@@ -50,13 +50,13 @@ QTableView* makeTable(QAbstractItemModel* model, QHeaderView::ResizeMode columns
 CalibrationPage::CalibrationPage(QWidget* parent)
     : Page(parent),
       m_cellsName(new QLabel(this)),
-      m_firstCell(new QSpinBox(this)),
+      m_firstCell(new WholeNumberField(this)),
       m_to(new QLabel(this)),
-      m_lastCell(new QSpinBox(this)),
+      m_lastCell(new WholeNumberField(this)),
       m_shotsName(new QLabel(this)),
-      m_shots(new QSpinBox(this)),
+      m_shots(new WholeNumberField(this)),
       m_budgetName(new QLabel(this)),
-      m_budget(new QSpinBox(this)),
+      m_budget(new WholeNumberField(this)),
       m_arrays(new QCheckBox(this)),
       m_confirm(new QCheckBox(this)),
       m_start(makeTouchButton(this)),
@@ -71,7 +71,7 @@ CalibrationPage::CalibrationPage(QWidget* parent)
       m_series(new SeriesModel(this)),
       m_histogram(new HistogramChart(this)),
       m_histogramLegend(new LegendStrip(this)) {
-  for (QSpinBox* cell : {m_firstCell, m_lastCell}) {
+  for (WholeNumberField* cell : {m_firstCell, m_lastCell}) {
     cell->setRange(0, kCellMax);
     cell->setPrefix(QStringLiteral("R"));
   }
@@ -146,10 +146,10 @@ void CalibrationPage::buildTabs() {
 }
 
 void CalibrationPage::connectFields() {
-  for (QSpinBox* cell : {m_firstCell, m_lastCell}) {
+  for (WholeNumberField* cell : {m_firstCell, m_lastCell}) {
     connect(cell, &QSpinBox::valueChanged, this, &CalibrationPage::cellsChanged);
   }
-  for (QSpinBox* figure : {m_shots, m_budget}) {
+  for (WholeNumberField* figure : {m_shots, m_budget}) {
     connect(figure, &QSpinBox::valueChanged, this, &CalibrationPage::refresh);
   }
   connect(m_arrays, &QCheckBox::toggled, this, &CalibrationPage::refresh);

@@ -18,7 +18,6 @@ class QGroupBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 class QTableView;
 class QTabWidget;
 
@@ -29,6 +28,7 @@ class HistogramChart;
 class LegendStrip;
 class LinesChart;
 class SeriesModel;
+class WholeNumberField;
 
 class CalibrationPage final : public Page {
   Q_OBJECT
@@ -72,13 +72,13 @@ class CalibrationPage final : public Page {
   std::optional<streaming::CalibrationProgress> m_progressShown;
 
   QLabel* m_cellsName;
-  QSpinBox* m_firstCell;
+  WholeNumberField* m_firstCell;
   QLabel* m_to;
-  QSpinBox* m_lastCell;
+  WholeNumberField* m_lastCell;
   QLabel* m_shotsName;
-  QSpinBox* m_shots;
+  WholeNumberField* m_shots;
   QLabel* m_budgetName;
-  QSpinBox* m_budget;
+  WholeNumberField* m_budget;
   QCheckBox* m_arrays;
   QCheckBox* m_confirm;
   QPushButton* m_start;

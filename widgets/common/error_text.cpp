@@ -262,9 +262,13 @@ struct ErrorTexts {
             "The program has been changed since the interrupted run. Restore it, or start from the "
             "beginning.");
       case StreamError::FeedUnknown:
+        return tr(
+            "A block of the program moves at a feed that is not known: F is missing, G95 has no "
+            "spindle speed, or G93 no length. Choose one feed for all moves.");
       case StreamError::OneFeedOnly:
+        return tr("This method has one feed for all moves, as it was published.");
       case StreamError::BadOverride:
-        break;  // the window has one feed for all moves
+        return tr("The override is out of range: choose 1 to 200 %.");
     }
     return {};
   }

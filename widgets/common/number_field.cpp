@@ -3,9 +3,11 @@
 
 #include "widgets/common/number_field.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
+#include <algorithm>
 
 #include "widgets/common/number_format.h"
 
@@ -55,45 +57,119 @@ TypedNumber parseTyped(const QString& text, QChar decimalPoint) {
              : TypedNumber{0.0, NumberProblem::NotANumber};
 }
 
-NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
-  setKeyboardTracking(false);  // half a number is not a value
-  setGroupSeparatorShown(false);
-  setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
-  setFocusPolicy(Qt::StrongFocus);
+TypedNumber parseTypedWhole(const QString& text, QChar decimalPoint) {
+  const TypedNumber number = parseTyped(text, decimalPoint);
+  const bool hasSeparator = std::any_of(text.begin(), text.end(), isSeparator);
+  // "1.200" of a language with decimal points is 1.2 there and 1200 elsewhere.
+  return number.problem == NumberProblem::None && hasSeparator
+             ? TypedNumber{0.0, NumberProblem::NotWhole}
+             : number;
 }
 
-QString NumberField::typed(QString text) const {
-  if (!suffix().isEmpty() && text.endsWith(suffix())) {
-    text.chop(suffix().size());
+namespace {
+
+using Parse = TypedNumber (*)(const QString& text, QChar decimalPoint);
+
+/// What both kinds of fields do with a text.
+struct FieldText {
+  Q_DECLARE_TR_FUNCTIONS(rivulet::widgets::NumberField)
+
+ public:
+  Parse parse;
+  const QAbstractSpinBox& field;
+  QString suffix;
+  double minimum;
+  double maximum;
+
+  [[nodiscard]] QString typed(QString text) const {
+    if (!suffix.isEmpty() && text.endsWith(suffix)) {
+      text.chop(suffix.size());
+    }
+    return text.trimmed();
   }
-  return text.trimmed();
+  [[nodiscard]] TypedNumber read(const QString& text) const {
+    return parse(typed(text), decimalPointOf(field.locale()));
+  }
+  [[nodiscard]] bool isSpecial(const QString& text) const {
+    return !field.specialValueText().isEmpty() && text == field.specialValueText();
+  }
+  [[nodiscard]] QValidator::State validate(const QString& text) const {
+    const TypedNumber parsed = read(text);
+    if (isSpecial(text) || (parsed.problem == NumberProblem::None && parsed.value >= minimum &&
+                            parsed.value <= maximum)) {
+      return QValidator::Acceptable;
+    }
+    const QString number = typed(text);
+    const bool isNumber = std::all_of(number.begin(), number.end(), [](QChar character) {
+      return character.isDigit() || isSeparator(character) || character == QLatin1Char('-') ||
+             character == QChar(0x2212);
+    });
+    // To be refused with a sentence, not by a dead key.
+    return isNumber ? QValidator::Intermediate : QValidator::Invalid;
+  }
+  /// Why the text does not count; nothing: it does. @param show  a value as the field shows it
+  template <class Show>
+  [[nodiscard]] std::optional<QString> refusal(const QString& text, const Show& show) const {
+    if (validate(text) == QValidator::Acceptable) {
+      return std::nullopt;
+    }
+    const QString number = typed(text);
+    switch (read(text).problem) {
+      case NumberProblem::Ambiguous:
+        return tr("%1 can be read in two ways. Type it without a separator between thousands, or "
+                  "with %2 before the decimals.")
+            .arg(number, decimalPointOf(field.locale()));
+      case NumberProblem::Grouped:
+        return tr("%1 has more than one separator. Type it without separators between thousands.")
+            .arg(number);
+      case NumberProblem::NotWhole:
+        return tr("%1 is not a whole number. Type it without separators.").arg(number);
+      case NumberProblem::NotANumber:
+        return number.isEmpty() ? tr("The field was empty.")
+                                : tr("%1 is not a number.").arg(number);
+      case NumberProblem::None:
+        break;
+    }
+    return tr("%1 is out of range: %2 to %3.").arg(number, show(minimum), show(maximum));
+  }
+  [[nodiscard]] static QString withValue(const QString& reason, const QString& value) {
+    return tr("%1 The value stays %2.").arg(reason, value);
+  }
+};
+
+void setUpTyping(QAbstractSpinBox& field) {
+  field.setKeyboardTracking(false);  // half a number is not a value
+  field.setGroupSeparatorShown(false);
+  field.setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
+  field.setFocusPolicy(Qt::StrongFocus);
+}
+
+FieldText textOf(const QDoubleSpinBox& field) {
+  return {&parseTyped, field, field.suffix(), field.minimum(), field.maximum()};
+}
+
+FieldText textOf(const QSpinBox& field) {
+  return {&parseTypedWhole, field, field.suffix(), static_cast<double>(field.minimum()),
+          static_cast<double>(field.maximum())};
+}
+
+bool isEnter(const QKeyEvent& event) {
+  return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+}
+
+}  // namespace
+
+NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
+  setUpTyping(*this);
 }
 
 QValidator::State NumberField::validate(QString& text, int& /*position*/) const {
-  if (!specialValueText().isEmpty() && text == specialValueText()) {
-    return QValidator::Acceptable;
-  }
-  const QString number = typed(text);
-  const TypedNumber parsed = parseTyped(number, decimalPointOf(locale()));
-  if (parsed.problem == NumberProblem::None && parsed.value >= minimum() &&
-      parsed.value <= maximum()) {
-    return QValidator::Acceptable;
-  }
-  for (const QChar character : number) {
-    const bool isPart = character.isDigit() || isSeparator(character) ||
-                        character == QLatin1Char('-') || character == QChar(0x2212);
-    if (!isPart) {
-      return QValidator::Invalid;
-    }
-  }
-  return QValidator::Intermediate;  // to be refused with a sentence, not by a dead key
+  return textOf(*this).validate(text);
 }
 
 double NumberField::valueFromText(const QString& text) const {
-  if (!specialValueText().isEmpty() && text == specialValueText()) {
-    return minimum();
-  }
-  return parseTyped(typed(text), decimalPointOf(locale())).value;
+  const FieldText field = textOf(*this);
+  return field.isSpecial(text) ? minimum() : field.read(text).value;
 }
 
 QString NumberField::textFromValue(double value) const {
@@ -102,34 +178,10 @@ QString NumberField::textFromValue(double value) const {
   return plain.toString(value, 'f', decimals());
 }
 
-std::optional<QString> NumberField::refusal() const {
-  QString text = lineEdit()->text();
-  int position = 0;
-  if (validate(text, position) == QValidator::Acceptable) {
-    return std::nullopt;
-  }
-  const QString number = typed(text);
-  const TypedNumber parsed = parseTyped(number, decimalPointOf(locale()));
-  switch (parsed.problem) {
-    case NumberProblem::Ambiguous:
-      return tr("%1 can be read in two ways. Type it without a separator between thousands, or "
-                "with %2 before the decimals.")
-          .arg(number, decimalPointOf(locale()));
-    case NumberProblem::Grouped:
-      return tr("%1 has more than one separator. Type it without separators between thousands.")
-          .arg(number);
-    case NumberProblem::NotANumber:
-      return number.isEmpty() ? tr("The field was empty.") : tr("%1 is not a number.").arg(number);
-    case NumberProblem::None:
-      break;
-  }
-  return tr("%1 is out of range: %2 to %3.")
-      .arg(number, textFromValue(minimum()), textFromValue(maximum()));
-}
-
 void NumberField::complain() {
-  if (const std::optional<QString> reason = refusal()) {
-    Q_EMIT refused(tr("%1 The value stays %2.").arg(*reason, textFromValue(value()) + suffix()));
+  const auto show = [this](double value) { return textFromValue(value); };
+  if (const auto reason = textOf(*this).refusal(lineEdit()->text(), show)) {
+    Q_EMIT refused(FieldText::withValue(*reason, textFromValue(value()) + suffix()));
   }
 }
 
@@ -139,10 +191,49 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+  if (isEnter(*event)) {
     complain();
   }
   QDoubleSpinBox::keyPressEvent(event);
+}
+
+WholeNumberField::WholeNumberField(QWidget* parent) : QSpinBox(parent) {
+  setUpTyping(*this);
+}
+
+QValidator::State WholeNumberField::validate(QString& text, int& /*position*/) const {
+  return textOf(*this).validate(text);
+}
+
+int WholeNumberField::valueFromText(const QString& text) const {
+  const FieldText field = textOf(*this);
+  // Also asked for what does not count.
+  const double value = std::clamp(field.read(text).value, static_cast<double>(minimum()),
+                                  static_cast<double>(maximum()));
+  return field.isSpecial(text) ? minimum() : static_cast<int>(value);
+}
+
+QString WholeNumberField::textFromValue(int value) const {
+  return QString::number(value);
+}
+
+void WholeNumberField::complain() {
+  const auto show = [this](double value) { return textFromValue(static_cast<int>(value)); };
+  if (const auto reason = textOf(*this).refusal(lineEdit()->text(), show)) {
+    Q_EMIT refused(FieldText::withValue(*reason, textFromValue(value()) + suffix()));
+  }
+}
+
+void WholeNumberField::focusOutEvent(QFocusEvent* event) {
+  complain();
+  QSpinBox::focusOutEvent(event);
+}
+
+void WholeNumberField::keyPressEvent(QKeyEvent* event) {
+  if (isEnter(*event)) {
+    complain();
+  }
+  QSpinBox::keyPressEvent(event);
 }
 
 }  // namespace rivulet::widgets

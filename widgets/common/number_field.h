@@ -10,6 +10,7 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <QSpinBox>
 #include <functional>
 #include <optional>
 
@@ -18,6 +19,7 @@ namespace rivulet::widgets {
 enum class NumberProblem {
   None,
   NotANumber,
+  NotWhole,   ///< decimals where a whole number is wanted
   Ambiguous,  ///< "1,200" where the decimal separator is a point: 1.2 or 1200
   Grouped,    ///< more than one separator
 };
@@ -29,6 +31,8 @@ struct TypedNumber {
 
 /// @param decimalPoint  of the language: its own separator is never ambiguous
 [[nodiscard]] TypedNumber parseTyped(const QString& text, QChar decimalPoint);
+/// The same for a whole number: it has no separators, and one with decimals is NotWhole.
+[[nodiscard]] TypedNumber parseTypedWhole(const QString& text, QChar decimalPoint);
 
 class NumberField final : public QDoubleSpinBox {
   Q_OBJECT
@@ -51,9 +55,30 @@ class NumberField final : public QDoubleSpinBox {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  [[nodiscard]] QString typed(QString text) const;
-  /// Why the text does not count; nothing: it does.
-  [[nodiscard]] std::optional<QString> refusal() const;
+  void complain();
+};
+
+/// The same for whole numbers.
+class WholeNumberField final : public QSpinBox {
+  Q_OBJECT
+
+ public:
+  explicit WholeNumberField(QWidget* parent = nullptr);
+
+  [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+  void fixup(QString& /*text*/) const override {}
+  [[nodiscard]] int valueFromText(const QString& text) const override;
+  [[nodiscard]] QString textFromValue(int value) const override;
+
+ Q_SIGNALS:
+  /// As `NumberField::refused`.
+  void refused(const QString& reason);
+
+ protected:
+  void focusOutEvent(QFocusEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
   void complain();
 };
 

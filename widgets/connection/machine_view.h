@@ -40,6 +40,7 @@ struct MachineView {
   base::RotarySet rotaryAxes{};  ///< those that the machine is known to have
   std::optional<base::RotaryDeg> rotaryDeg;
   std::optional<double> feedMmPerS;
+  std::optional<double> feedSetMmPerS;  ///< commanded for the move in progress; nothing: no run
   bool isVirtualMachine = false;
 
   /// How long ago each group was read, in s; nothing: never, or before the connection was lost.

@@ -28,6 +28,7 @@ constexpr int kMarginPx = 12;
 /// The longest values that are to fit.
 const QString kLongestAxis = QStringLiteral("\u22120000.000");
 const QString kLongestFeed = QStringLiteral("00000 mm/min");
+const QString kLongestFeeds = QStringLiteral("00,000/00,000 mm/min");  ///< actual and commanded
 
 QFont sized(QFont font, double pointSize) {
   font.setPointSizeF(pointSize);
@@ -73,10 +74,11 @@ QSize PositionLine::minimumSizeHint() const {
 }
 
 void PositionLine::setMachineState(const MachineView& machine) {
-  const bool sameAxes = machine.rotaryAxes == m_machine.rotaryAxes;
+  const bool sameWidth = machine.rotaryAxes == m_machine.rotaryAxes &&
+                         machine.feedSetMmPerS.has_value() == m_machine.feedSetMmPerS.has_value();
   m_machine = machine;
   showAll();
-  if (!sameAxes) {
+  if (!sameWidth) {
     fitFonts();
   }
 }
@@ -122,13 +124,20 @@ void PositionLine::showAll() {
          !isFresh(m_machine.positionAgeS));
     m_readouts[readout].group->setVisible(m_machine.rotaryAxes[axis]);
   }
-  show(kFeed,
-       m_machine.feedMmPerS
-           ? QStringLiteral("%1\u00A0mm/min")
-                 .arg(numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0))
-           : noValue(),
-       !isFresh(m_machine.feedAgeS));
+  show(kFeed, feedLine(), !isFresh(m_machine.feedAgeS));
   showFreshness();
+}
+
+QString PositionLine::feedLine() const {
+  if (!m_machine.feedMmPerS) {
+    return noValue();
+  }
+  const QString actual = numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0);
+  if (!m_machine.feedSetMmPerS) {
+    return QStringLiteral("%1\u00A0mm/min").arg(actual);
+  }
+  return QStringLiteral("%1/%2\u00A0mm/min")
+      .arg(actual, numberText(base::mmPerMinFromMmPerS(*m_machine.feedSetMmPerS), 0));
 }
 
 void PositionLine::showFreshness() {
@@ -151,6 +160,7 @@ void PositionLine::fitFonts() {
   // As large as the width permits, measured at one size and scaled.
   constexpr double kProbePt = 10.0;
   const QFontMetrics metrics(sized(font(), kProbePt));
+  const QString& longestFeed = m_machine.feedSetMmPerS ? kLongestFeeds : kLongestFeed;
   double atProbe = 0.0;
   double fixed = 2.0 * kMarginPx + kGroupGapPx;
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
@@ -158,7 +168,7 @@ void PositionLine::fitFonts() {
       continue;
     }
     atProbe += metrics.horizontalAdvance(m_readouts[i].name->text()) +
-               metrics.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis);
+               metrics.horizontalAdvance(i == kFeed ? longestFeed : kLongestAxis);
     fixed += 2.0 * kGroupGapPx + kGapPx;
   }
   // A fifth of the line says how old it is.
@@ -174,7 +184,7 @@ void PositionLine::fitFonts() {
     readout.value->setFont(value);
     // The same width whatever the value is: digits that move cannot be read.
     readout.value->setFixedWidth(
-        QFontMetrics(fitting).horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
+        QFontMetrics(fitting).horizontalAdvance(i == kFeed ? longestFeed : kLongestAxis) + 2);
     readout.name->setFont(fitting);
   }
 }

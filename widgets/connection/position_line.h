@@ -43,6 +43,8 @@ class PositionLine final : public Page {
 
   void showAll();
   void showFreshness();
+  /// Actual feed and, during a run, the commanded one.
+  [[nodiscard]] QString feedLine() const;
   void fitFonts();
 
   MachineView m_machine;

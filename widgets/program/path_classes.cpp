@@ -113,7 +113,7 @@ PathClasses classesByFeed(const ProgramView& view) {
 }
 
 std::vector<float> localMargins(const ProgramView& view, const feasibility::OperatingPoint& point,
-                                const feasibility::AccessModel& access) {
+                                const feasibility::AccessModel& access, bool ownFeeds) {
   const std::vector<gcode::StreamPoint>& points = view.points.points;
   const feasibility::SafetyFactors safety;
   std::vector<float> margins(points.size(), std::numeric_limits<float>::infinity());
@@ -123,7 +123,9 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
   std::vector<double> stepsMm;
   stepsMm.reserve(points.size() - 1);
   for (std::size_t i = 1; i < points.size(); ++i) {
-    stepsMm.push_back(base::distance(points[i - 1].positionMm, points[i].positionMm));
+    const double stepMm = base::distance(points[i - 1].positionMm, points[i].positionMm);
+    const bool hasOwn = ownFeeds && points[i].feedMmPerS > 0.0;
+    stepsMm.push_back(hasOwn ? stepMm * view.fastestMmPerS / points[i].feedMmPerS : stepMm);
   }
   // Both margins are proportional to the length: one evaluation is enough for all.
   double perMm = 0.0;
@@ -154,14 +156,14 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
 }
 
 PathClasses classesByMargin(const ProgramView& view, const feasibility::OperatingPoint& point,
-                            const feasibility::AccessModel& access) {
+                            const feasibility::AccessModel& access, bool ownFeeds) {
   PathClasses classes;
   classes.colouring = PathColouring::Margin;
   classes.count = kMarginClasses;
   classes.highestWins = true;
   classes.borders = {kMarginAmple, kMarginFair, kMarginNone};
   classes.ofPoint.reserve(view.points.points.size());
-  for (const float margin : localMargins(view, point, access)) {
+  for (const float margin : localMargins(view, point, access, ownFeeds)) {
     const bool keeps = static_cast<double>(margin) > kMarginNone;
     classes.ofPoint.push_back(margin >= static_cast<float>(kMarginAmple)  ? 0
                               : margin >= static_cast<float>(kMarginFair) ? 1

@@ -50,14 +50,17 @@ inline constexpr std::size_t kTimeClasses = 5;
 /// By the margin of each move: with method position from its own length in (1); with signal from
 /// the shortest window of ⌊N/2⌋ steps it belongs to, in (3); with window from that of M steps, in
 /// the reach. Moves drawn as one show their smallest margin. @param access  as in the verdict
+/// @param ownFeeds  each move has its own feed; that of `point` is the largest
 [[nodiscard]] PathClasses classesByMargin(const ProgramView& view,
                                           const feasibility::OperatingPoint& point,
-                                          const feasibility::AccessModel& access = {});
+                                          const feasibility::AccessModel& access = {},
+                                          bool ownFeeds = false);
 /// The margins themselves; infinite for the first point, because no move of the program leads to
 /// it.
 [[nodiscard]] std::vector<float> localMargins(const ProgramView& view,
                                               const feasibility::OperatingPoint& point,
-                                              const feasibility::AccessModel& access = {});
+                                              const feasibility::AccessModel& access = {},
+                                              bool ownFeeds = false);
 
 /// @param atS  one per streamed point, ascending
 [[nodiscard]] PathClasses classesByTime(const std::vector<float>& atS);

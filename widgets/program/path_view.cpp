@@ -162,11 +162,13 @@ void PathView::showPauses() {
 }
 
 void PathView::setOperatingPoint(const feasibility::OperatingPoint& point,
-                                 const feasibility::AccessModel& access) {
-  const bool same = point.turn() == m_point.turn() && point.feedMmPerS == m_point.feedMmPerS &&
+                                 const feasibility::AccessModel& access, bool ownFeeds) {
+  const bool same = ownFeeds == m_ownFeeds && point.turn() == m_point.turn() &&
+                    point.feedMmPerS == m_point.feedMmPerS &&
                     access.timePerNode(point.turn()) == m_access.timePerNode(point.turn());
   m_point = point;
   m_access = access;
+  m_ownFeeds = ownFeeds;
   if (!same && m_colouring == PathColouring::Margin) {
     recolour();
   }
@@ -265,7 +267,7 @@ void PathView::recolour() {
         classes = classesByFeed(*m_program);
         break;
       case PathColouring::Margin:
-        classes = classesByMargin(*m_program, m_point, m_access);
+        classes = classesByMargin(*m_program, m_point, m_access, m_ownFeeds);
         break;
       case PathColouring::Time:
         // Until the times are known the path is shown as one class.

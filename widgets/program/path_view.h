@@ -40,8 +40,9 @@ class PathView final : public Page {
   /// Pauses are marked on the path, if they are known.
   void setPausesShown(bool shown);
   /// The settings for which margins are computed.
+  /// @param ownFeeds  each move has its own feed; that of `point` is the largest
   void setOperatingPoint(const feasibility::OperatingPoint& point,
-                         const feasibility::AccessModel& access = {});
+                         const feasibility::AccessModel& access = {}, bool ownFeeds = false);
   /// Counts in the streamed points.
   void setExecuted(std::size_t count);
   /// @param positionMm  workpiece frame; nothing hides the tool
@@ -86,6 +87,7 @@ class PathView final : public Page {
   std::shared_ptr<const PauseMap> m_pauses;
   feasibility::OperatingPoint m_point;
   feasibility::AccessModel m_access;
+  bool m_ownFeeds = false;
   PathColouring m_colouring = PathColouring::Kind;
   PathClasses m_classes;  ///< without `ofPoint`
   std::vector<bool> m_present;

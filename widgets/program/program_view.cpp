@@ -124,15 +124,21 @@ std::vector<std::uint32_t> ProgramView::pointsOfLine(base::LineNumber line) cons
   return found;
 }
 
-std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::Program> program,
-                                                   base::Vec3 startMm, int pointsPerLoop,
-                                                   const std::function<bool(double)>& progress) {
+std::shared_ptr<const ProgramView> makeProgramView(
+    std::shared_ptr<const gcode::Program> program, base::Vec3 startMm, int pointsPerLoop,
+    const std::function<bool(double)>& progress, const std::optional<gcode::ProgramFeeds>& feeds) {
   RIVULET_ASSERT(program != nullptr);
   const auto goesOn = [&](double share) { return !progress || progress(share); };
   auto view = std::make_shared<ProgramView>();
   view->program = std::move(program);
   view->startMm = startMm;
-  view->points = gcode::streamPoints(view->program->trajectory, startMm);
+  view->feeds = feeds;
+  view->points =
+      gcode::streamPoints(view->program->trajectory, startMm, {}, feeds ? &*feeds : nullptr);
+  for (const gcode::StreamPoint& point : view->points.points) {
+    view->fastestMmPerS = std::max(view->fastestMmPerS, point.feedMmPerS);
+  }
+  view->lineWithoutFeed = gcode::lineWithoutFeed(view->program->trajectory);
   view->turnedAxes = gcode::turnedAxes(view->program->trajectory);
   takeMoves(*view);
   if (!goesOn(0.1)) {
@@ -150,6 +156,8 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
     }
     view->distancesFor = pointsPerLoop;
     view->distances = feasibility::programDistances(view->points.points, pointsPerLoop);
+    view->timedDistances =
+        feasibility::programDistances(view->points.points, pointsPerLoop, view->fastestMmPerS);
   }
   if (!goesOn(0.5)) {
     return nullptr;

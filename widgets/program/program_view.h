@@ -17,6 +17,7 @@
 
 #include "feasibility/path_statistics.h"
 #include "feasibility/verdict.h"
+#include "gcode/feeds.h"
 #include "gcode/program.h"
 #include "widgets/program/path_levels.h"
 #include "widgets/program/text_index.h"
@@ -37,7 +38,11 @@ struct ProgramView {
   /// The program leaves coordinates open: its points depend on the tool's position.
   bool dependsOnStart = false;
 
+  /// With the feeds of the program at 100 %, within the limits of `feeds`.
   gcode::PointList points;
+  std::optional<gcode::ProgramFeeds> feeds;         ///< at 100 %; nothing: the points have no feeds
+  double fastestMmPerS = 0.0;                       ///< largest of those feeds
+  std::optional<base::LineNumber> lineWithoutFeed;  ///< see `gcode::lineWithoutFeed`
   base::RotarySet turnedAxes{};  ///< rotary axes that the program moves on its path
   /// One per streamed point: the move that ends there.
   std::vector<gcode::MoveKind> kinds;
@@ -51,6 +56,8 @@ struct ProgramView {
   std::vector<double> smallestDistancesMm;  ///< ascending, at most 200: shown in the region
   /// d_min and d_min^N for the requested N; nothing for fewer than two points.
   std::optional<feasibility::ProgramDistances> distances;
+  /// The same as long as the largest feed goes in the time of each move.
+  std::optional<feasibility::ProgramDistances> timedDistances;
   int distancesFor = 0;  ///< that N
 
   /// Indices of the streamed points that come from a line, ascending.
@@ -63,10 +70,12 @@ struct ProgramView {
 /// @param startMm        present tool position, all finite
 /// @param pointsPerLoop  N of the distances, >= 2
 /// @param progress  called with the share done, 0 to 1; false: cancel
+/// @param feeds  limits of the feeds of the program, at 100 %; nothing: its feeds are not used
 /// @return null if it was cancelled
 [[nodiscard]] std::shared_ptr<const ProgramView> makeProgramView(
     std::shared_ptr<const gcode::Program> program, base::Vec3 startMm, int pointsPerLoop,
-    const std::function<bool(double)>& progress = {});
+    const std::function<bool(double)>& progress = {},
+    const std::optional<gcode::ProgramFeeds>& feeds = {});
 
 /// How long a run takes: with its feed and its pauses.
 struct RunTime {

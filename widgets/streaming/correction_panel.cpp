@@ -40,7 +40,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
       m_sourceName(new QLabel(this)),
       m_source(new QComboBox(this)),
       m_portName(new QLabel(this)),
-      m_port(new QSpinBox(this)),
+      m_port(new WholeNumberField(this)),
       m_silenceName(new QLabel(this)),
       m_silence(new NumberField(this)),
       m_status(new StatusLabel(this)) {

@@ -22,11 +22,11 @@ class QLabel;
 class QLayout;
 class QPushButton;
 class QSlider;
-class QSpinBox;
 
 namespace rivulet::widgets {
 
 class StatusLabel;
+class WholeNumberField;
 
 /// Where corrections come from.
 struct CorrectionInput {
@@ -102,7 +102,7 @@ class CorrectionPanel final : public Page {
   QLabel* m_sourceName;
   QComboBox* m_source;
   QLabel* m_portName;
-  QSpinBox* m_port;
+  WholeNumberField* m_port;
   QLabel* m_silenceName;
   QDoubleSpinBox* m_silence;
   StatusLabel* m_status;

@@ -11,7 +11,6 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +28,10 @@ using streaming::AccessPreference;
 namespace {
 
 constexpr double kFeedMmPerMinMin = 0.1;
+constexpr double kPercent = 100.0;
+/// Places in the choice of feeds.
+constexpr int kFeedOfProgram = 0;
+constexpr int kOneFeed = 1;
 
 /// Smallest δ to be suggested: just above the limit, rounded up to 0.001 mm.
 double offeredDeltaMm(double deltaMmMin) {
@@ -51,6 +54,20 @@ std::optional<double> offeredFeedMmPerS(double feedMmPerSMax) {
 }
 
 namespace {
+
+struct LimitTexts {
+  Q_DECLARE_TR_FUNCTIONS(LimitTexts)
+
+ public:
+  static QString percent(const streaming::OverrideLimit& limit) {
+    return QStringLiteral("%1\u00A0%").arg(numberText(kPercent * limit.overrideFactor, 0));
+  }
+  static QString block(const streaming::OverrideLimit& limit) {
+    const QString feed =
+        limit.isRapid ? tr("rapid") : QStringLiteral("F\u00A0%1").arg(feedText(limit.feedMmPerS));
+    return tr("line %1: %2, %3").arg(countText(limit.line.value), feed, lengthText(limit.stepMm));
+  }
+};
 
 struct RehearsalTexts {
   Q_DECLARE_TR_FUNCTIONS(RehearsalTexts)
@@ -78,21 +95,29 @@ QString rehearsalText(const RehearsalView& rehearsal) {
   return RehearsalTexts::text(rehearsal);
 }
 
+QString overrideLimitText(const streaming::OverrideLimit& limit) {
+  return QStringLiteral("%1 (%2)").arg(LimitTexts::percent(limit), LimitTexts::block(limit));
+}
+
 MethodPanel::MethodPanel(QWidget* parent)
     : Page(parent),
       m_settingsGroup(new QGroupBox(this)),
       m_methodLabel(new QLabel(this)),
       m_method(new QComboBox(this)),
       m_pointsLabel(new QLabel(this)),
-      m_points(new QSpinBox(this)),
+      m_points(new WholeNumberField(this)),
       m_deltaLabel(new QLabel(this)),
       m_delta(new NumberField(this)),
       m_feedLabel(new QLabel(this)),
       m_feed(new NumberField(this)),
+      m_feedSourceLabel(new QLabel(this)),
+      m_feedSource(new QComboBox(this)),
       m_layoutLabel(new QLabel(this)),
       m_layout(new QComboBox(this)),
       m_correctionLabel(new QLabel(this)),
       m_correction(new NumberField(this)),
+      m_overrideLabel(new QLabel(this)),
+      m_override(new NumberField(this)),
       m_accessLabel(new QLabel(this)),
       m_access(new QComboBox(this)),
       m_transferLabel(new QLabel(this)),
@@ -142,20 +167,25 @@ void MethodPanel::buildSettings() {
     m_access->addItem(QString(), static_cast<int>(access));
   }
   m_points->setRange(1, 9999);
-  m_points->setKeyboardTracking(false);
   m_delta->setDecimals(3);
   m_delta->setRange(0.001, 100.0);
   m_delta->setSingleStep(0.05);
   m_delta->setSuffix(QStringLiteral("\u00A0mm"));
   m_feed->setDecimals(1);
-  m_feed->setRange(kFeedMmPerMinMin, 100'000.0);
+  m_feed->setMinimum(kFeedMmPerMinMin);
+  setFeedMax(base::mmPerSFromMmPerMin(40'000.0));
   m_feed->setSingleStep(50.0);
   m_feed->setSuffix(QStringLiteral("\u00A0mm/min"));
+  m_feedSource->addItems({QString(), QString()});
+  m_override->setDecimals(0);
+  m_override->setRange(kPercent * gcode::kOverrideMin, kPercent * gcode::kOverrideMax);
+  m_override->setSingleStep(5.0);
+  m_override->setSuffix(QStringLiteral("\u00A0%"));
   m_correction->setDecimals(3);
   m_correction->setRange(0.0, templates::kCorrectionLimitMmMax);
   m_correction->setSingleStep(0.01);
   m_correction->setSuffix(QStringLiteral("\u00A0mm"));
-  auto* form = new QFormLayout(m_settingsGroup);
+  auto* form = m_form = new QFormLayout(m_settingsGroup);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setHorizontalSpacing(16);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -168,7 +198,9 @@ void MethodPanel::buildSettings() {
   addRow(m_methodLabel, m_method);
   addRow(m_pointsLabel, m_points);
   addRow(m_deltaLabel, m_delta);
+  addRow(m_feedSourceLabel, m_feedSource);
   addRow(m_feedLabel, m_feed);
+  addRow(m_overrideLabel, m_override);  // one of these two is shown
   addRow(m_layoutLabel, m_layout);
   addRow(m_correctionLabel, m_correction);
   addRow(m_accessLabel, m_access);
@@ -214,16 +246,12 @@ void MethodPanel::connectFields() {
   connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_byHand, &QCheckBox::toggled, this, &MethodPanel::takeSettings);
   connect(m_points, &QSpinBox::valueChanged, this, &MethodPanel::takeSettings);
+  connect(m_feedSource, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
+  connect(m_override, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_delta, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_correction, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
   connect(m_feed, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
-  connect(m_useFeed, &QPushButton::clicked, this, [this] {
-    if (const auto offer = offeredFeed()) {
-      m_settings.feedMmPerS = *offer;
-      showSettings();
-      Q_EMIT settingsChanged(m_settings);
-    }
-  });
+  connect(m_useFeed, &QPushButton::clicked, this, &MethodPanel::takeOffer);
   connect(m_useDelta, &QPushButton::clicked, this, [this] {
     if (m_verdict) {
       m_settings.deltaMm = offeredDeltaMm(m_verdict->deltaMmMin);
@@ -245,6 +273,18 @@ void MethodPanel::setVerdict(const std::optional<feasibility::Verdict>& verdict,
   showVerdict();
 }
 
+void MethodPanel::setOverrideLimit(const std::optional<streaming::OverrideLimit>& limit,
+                                   double fastestMmPerS) {
+  m_overrideLimit = limit;
+  m_fastestMmPerS = fastestMmPerS;
+}
+
+void MethodPanel::setFeedMax(double feedMmPerS) {
+  const bool wasShowing = std::exchange(m_isShowing, true);
+  m_feed->setMaximum(base::mmPerMinFromMmPerS(feedMmPerS));
+  m_isShowing = wasShowing;
+}
+
 void MethodPanel::setRehearsal(const std::optional<RehearsalView>& rehearsal) {
   m_rehearsal = rehearsal;
   showVerdict();
@@ -262,6 +302,29 @@ std::optional<double> MethodPanel::offeredFeed() const {
       m_rehearsal->safeFeedMmPerS ? offeredFeedMmPerS(*m_rehearsal->safeFeedMmPerS) : std::nullopt;
   return byEquation && bySimulation ? std::optional(std::min(*byEquation, *bySimulation))
                                     : std::nullopt;
+}
+
+std::optional<double> MethodPanel::offeredOverride() const {
+  if (!m_overrideLimit || !(m_fastestMmPerS > 0.0)) {
+    return std::nullopt;
+  }
+  double factor = m_overrideLimit->overrideFactor;
+  if (hasFailedRehearsal()) {
+    factor = std::min(factor, m_rehearsal->safeFeedMmPerS.value_or(0.0) / m_fastestMmPerS);
+  }
+  const double offered = std::floor(kPercent * factor * 0.999) / kPercent;
+  return offered >= gcode::kOverrideMin ? std::optional(std::min(offered, gcode::kOverrideMax))
+                                        : std::nullopt;
+}
+
+void MethodPanel::takeOffer() {
+  if (m_settings.usesProgramFeeds()) {
+    m_settings.overrideFactor = offeredOverride().value_or(m_settings.overrideFactor);
+  } else {
+    m_settings.feedMmPerS = offeredFeed().value_or(m_settings.feedMmPerS);
+  }
+  showSettings();
+  Q_EMIT settingsChanged(m_settings);
 }
 
 void MethodPanel::setPauses(const std::optional<PauseSummary>& pauses) {
@@ -290,6 +353,13 @@ void MethodPanel::retranslate() {
          "Credit: like window, without a stop between windows; it starts only on a control that "
          "has passed the test of rivulet-cli commission."));
   m_deltaLabel->setText(tr("δ (point reached)"));
+  m_feedSourceLabel->setText(tr("Feed"));
+  m_feedSource->setItemText(kFeedOfProgram, tr("Of the program"));
+  m_feedSource->setItemText(kOneFeed, tr("One for all moves"));
+  m_overrideLabel->setText(tr("Override"));
+  m_override->setToolTip(
+      tr("Scales the feeds of the program, and its rapids up to the rapid feed of the machine"));
+  m_overrideLabel->setToolTip(m_override->toolTip());
   m_feedLabel->setText(tr("F (path feed)"));
   m_layoutLabel->setText(tr("Cells"));
   m_correctionLabel->setText(tr("Correction up to"));
@@ -354,6 +424,7 @@ void MethodPanel::showSettings() {
   m_points->setValue(m_settings.parameters.pointsPerLoop);
   m_delta->setValue(m_settings.deltaMm);
   m_feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
+  showFeedFields();
   for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_points),
                          static_cast<QWidget*>(m_feed), static_cast<QWidget*>(m_access),
                          static_cast<QWidget*>(m_byHand)}) {
@@ -378,6 +449,23 @@ void MethodPanel::showSettings() {
   m_isShowing = wasShowing;
 }
 
+void MethodPanel::showFeedFields() {
+  const bool isPublished = base::isPublished(m_settings.parameters.method);
+  const bool ofProgram = m_settings.usesProgramFeeds();
+  m_feedSource->setCurrentIndex(ofProgram ? kFeedOfProgram : kOneFeed);
+  m_feedSource->setEnabled(m_editable && !isPublished);
+  m_feedSource->setToolTip(
+      isPublished
+          ? tr("This method has one feed for all moves, as it was published")
+          : tr("Of the program: each move has the feed of its own block, rapids are rapids. "
+               "One for all moves: rapids have it, too."));
+  m_feedSourceLabel->setToolTip(m_feedSource->toolTip());
+  m_override->setValue(kPercent * m_settings.overrideFactor);
+  m_override->setEnabled(m_editable);
+  m_form->setRowVisible(m_override, ofProgram);
+  m_form->setRowVisible(m_feed, !ofProgram);
+}
+
 void MethodPanel::takeSettings() {
   if (m_isShowing) {
     return;
@@ -391,6 +479,12 @@ void MethodPanel::takeSettings() {
   // The fields round; a value the operator did not touch keeps its digits.
   if (std::abs(m_delta->value() - m_settings.deltaMm) > 5e-4) {
     m_settings.deltaMm = m_delta->value();
+  }
+  if (!base::isPublished(m_settings.parameters.method) && m_feedSource->isEnabled()) {
+    m_settings.programFeeds = m_feedSource->currentIndex() == kFeedOfProgram;
+  }
+  if (std::abs(m_override->value() - kPercent * m_settings.overrideFactor) > 0.5) {
+    m_settings.overrideFactor = m_override->value() / kPercent;
   }
   const double feedMmPerS = base::mmPerSFromMmPerMin(m_feed->value());
   if (std::abs(feedMmPerS - m_settings.feedMmPerS) > base::mmPerSFromMmPerMin(0.05)) {
@@ -449,6 +543,42 @@ void MethodPanel::showHeadline() {
   }
 }
 
+void MethodPanel::showLimit() {
+  const auto& place = m_verdict->limiting.place;
+  if (m_overrideLimit) {
+    m_limitLabel->setText(tr("Largest override"));
+    m_limit->setText(LimitTexts::percent(*m_overrideLimit));
+    m_place->setText(LimitTexts::block(*m_overrideLimit));
+    return;
+  }
+  m_limitLabel->setText(isWindow() ? tr("Largest feed without waiting") : tr("Largest feed"));
+  m_limit->setText(feedText(m_verdict->feedMmPerSMax));
+  if (!place || place->lastLine.value == 0) {
+    m_place->setText(noValue());
+  } else if (place->firstLine == place->lastLine) {
+    m_place->setText(tr("line %1").arg(countText(place->lastLine.value)));
+  } else {
+    m_place->setText(
+        tr("lines %1–%2").arg(countText(place->firstLine.value), countText(place->lastLine.value)));
+  }
+}
+
+void MethodPanel::showOffer(const QString& reason) {
+  const bool ofProgram = m_settings.usesProgramFeeds();
+  const auto factor = ofProgram ? offeredOverride() : std::nullopt;
+  const auto feed = ofProgram ? std::nullopt : offeredFeed();
+  if (factor || feed) {
+    m_useFeed->setText(factor
+                           ? tr("Use override = %1\u00A0%").arg(numberText(kPercent * *factor, 0))
+                           : tr("Use F = %1").arg(feedText(*feed)));
+    m_useFeed->setVisible(true);
+    m_useFeed->setEnabled(m_editable);
+  } else if (!hasFailedRehearsal()) {
+    m_reason->setText(reason + QLatin1Char('\n') +
+                      tr("No feed is slow enough: two points of the program nearly coincide."));
+  }
+}
+
 void MethodPanel::showVerdict() {
   const bool judged = m_verdict.has_value();
   for (QWidget* widget : {m_marginLabel, m_margin, m_limitLabel, m_limit, m_placeLabel, m_place}) {
@@ -466,7 +596,7 @@ void MethodPanel::showVerdict() {
 
   showHeadline();
   const bool waits = m_verdict->waits;
-  m_limitLabel->setText(isWindow() ? tr("Largest feed without waiting") : tr("Largest feed"));
+  showLimit();
   const feasibility::Condition& limiting = m_verdict->limiting;
   QString reason = (waits                 ? tr("The machine will wait for points: %1")
                     : m_verdict->feasible ? tr("Closest limit: %1")
@@ -478,18 +608,6 @@ void MethodPanel::showVerdict() {
   m_reason->setText(reason);
   m_margin->setText((isWindow() ? tr("%1 × (waits below 1)") : tr("%1 × (must exceed 1)"))
                         .arg(factorText(limiting.margin)));
-  m_limit->setText(feedText(m_verdict->feedMmPerSMax));
-  if (limiting.place && limiting.place->lastLine.value > 0) {
-    const feasibility::Place& place = *limiting.place;
-    m_place->setText(
-        place.firstLine == place.lastLine
-            ? tr("line %1").arg(countText(place.lastLine.value))
-            : tr("lines %1–%2")
-                  .arg(countText(place.firstLine.value), countText(place.lastLine.value)));
-  } else {
-    m_place->setText(noValue());
-  }
-
   if (m_verdict->feasible && !waits && !hasFailedRehearsal()) {
     return;
   }
@@ -504,14 +622,7 @@ void MethodPanel::showVerdict() {
     m_useDelta->setVisible(true);
     m_useDelta->setEnabled(m_editable);
   }
-  if (const auto offer = offeredFeed()) {
-    m_useFeed->setText(tr("Use F = %1").arg(feedText(*offer)));
-    m_useFeed->setVisible(true);
-    m_useFeed->setEnabled(m_editable);
-  } else if (!hasFailedRehearsal()) {
-    m_reason->setText(reason + QLatin1Char('\n') +
-                      tr("No feed is slow enough: two points of the program nearly coincide."));
-  }
+  showOffer(reason);
 }
 
 }  // namespace rivulet::widgets

@@ -10,25 +10,30 @@
 #include <optional>
 
 #include "feasibility/verdict.h"
+#include "streaming/feed_plan.h"
 #include "widgets/common/page.h"
 #include "widgets/streaming/stream_settings.h"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QGroupBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace rivulet::widgets {
 
 class StatusLabel;
+class WholeNumberField;
 
 /// Largest feed to be suggested: just below the limit, rounded down to a value that an operator
 /// would type.
 /// @return mm/s; nothing if no such feed is left
 [[nodiscard]] std::optional<double> offeredFeedMmPerS(double feedMmPerSMax);
+
+/// "62 % (line 214: F 2,000 mm/min, 0.300 mm)"
+[[nodiscard]] QString overrideLimitText(const streaming::OverrideLimit& limit);
 
 /// The pauses of a run, as known before its start.
 struct PauseSummary {
@@ -65,6 +70,11 @@ class MethodPanel final : public Page {
   /// @param verdict  nothing: not judged  @param problem  why it could not be judged
   void setVerdict(const std::optional<feasibility::Verdict>& verdict,
                   const std::optional<QString>& problem);
+  /// With the feeds of the program, before `setVerdict`. @param limit  nothing: one feed for all
+  /// @param fastestMmPerS  largest feed of the program at 100 %
+  void setOverrideLimit(const std::optional<streaming::OverrideLimit>& limit, double fastestMmPerS);
+  /// Largest feed that may be typed: that of the machine.
+  void setFeedMax(double feedMmPerS);
   /// The verdict is the stricter of both. @param rehearsal  nothing: there is none
   void setRehearsal(const std::optional<RehearsalView>& rehearsal);
   /// @param pauses  nothing: not known
@@ -88,6 +98,12 @@ class MethodPanel final : public Page {
   void showHeadline();
   /// The feed that is offered, by the stricter of equation and simulation.
   [[nodiscard]] std::optional<double> offeredFeed() const;
+  /// The same as an override on the feeds of the program; whole percent.
+  [[nodiscard]] std::optional<double> offeredOverride() const;
+  void takeOffer();
+  void showOffer(const QString& reason);
+  void showFeedFields();
+  void showLimit();
   [[nodiscard]] bool hasFailedRehearsal() const { return m_rehearsal && m_rehearsal->hasFailed(); }
   void showPauses();
   void takeSettings();
@@ -98,6 +114,8 @@ class MethodPanel final : public Page {
   StreamSettings m_settings;
   std::optional<feasibility::Verdict> m_verdict;
   std::optional<QString> m_problem;
+  std::optional<streaming::OverrideLimit> m_overrideLimit;
+  double m_fastestMmPerS = 0.0;
   std::optional<PauseSummary> m_pauses;
   std::optional<RehearsalView> m_rehearsal;
   bool m_editable = true;
@@ -107,15 +125,20 @@ class MethodPanel final : public Page {
   QLabel* m_methodLabel;
   QComboBox* m_method;
   QLabel* m_pointsLabel;
-  QSpinBox* m_points;
+  WholeNumberField* m_points;
   QLabel* m_deltaLabel;
   QDoubleSpinBox* m_delta;
   QLabel* m_feedLabel;
   QDoubleSpinBox* m_feed;
+  QLabel* m_feedSourceLabel;
+  QComboBox* m_feedSource;
+  QFormLayout* m_form = nullptr;
   QLabel* m_layoutLabel;
   QComboBox* m_layout;
   QLabel* m_correctionLabel;
   QDoubleSpinBox* m_correction;
+  QLabel* m_overrideLabel;
+  QDoubleSpinBox* m_override;
   QLabel* m_accessLabel;
   QComboBox* m_access;
   QLabel* m_transferLabel;

@@ -13,9 +13,16 @@ namespace rivulet::widgets {
 struct StreamSettings {
   templates::TemplateParameters parameters;  ///< method, N, layout, axes
   double deltaMm = 0.3;                      ///< δ, > 0; used by method position
-  double feedMmPerS = 500.0 / 60.0;          ///< > 0
+  double feedMmPerS = 500.0 / 60.0;          ///< > 0; of all moves, unless `usesProgramFeeds`
+  bool programFeeds = false;                 ///< each move has the feed of its own block
+  double overrideFactor = 1.0;               ///< on those feeds
   streaming::AccessPreference access = streaming::AccessPreference::Automatic;
   bool transferByHand = false;  ///< a person brings the template to the control; not remembered
+
+  /// The methods of [P1] have one feed, as published.
+  [[nodiscard]] bool usesProgramFeeds() const {
+    return programFeeds && !base::isPublished(parameters.method);
+  }
 };
 
 }  // namespace rivulet::widgets

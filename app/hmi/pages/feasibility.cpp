@@ -21,13 +21,19 @@ constexpr std::size_t kSimulatedPoints = 200;
 session::RegionJob jobOf(const Document& document, const widgets::SimulationWanted& wanted) {
   const feasibility::ProgramDistances& distances = *document.findings().distances;
   session::RegionJob job;
-  job.settings.parameters = document.parameters();
-  job.settings.deltaMm = document.settings().deltaMm;
-  job.settings.feedMmPerS = document.settings().feedMmPerS;
+  const streaming::RunSettings settings = document.runSettings();
+  job.settings.parameters = settings.parameters;
+  job.settings.deltaMm = settings.deltaMm;
+  job.settings.feedMmPerS = settings.feedMmPerS;
+  job.settings.programFeeds = settings.programFeeds;
   const feasibility::Place& tightest = job.settings.parameters.method == base::MethodKind::Position
                                            ? distances.pointDistancePlace
                                            : distances.windowPlace;
-  job.points = experiments::stretchOf(document.points(), tightest.point.value, kSimulatedPoints);
+  std::vector<gcode::StreamPoint> points = document.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].feedMmPerS = settings.programFeeds ? document.commandedMmPerS(i) : 0.0;
+  }
+  job.points = experiments::stretchOf(points, tightest.point.value, kSimulatedPoints);
   job.axis = wanted.axis;
   job.feedsMmPerS = wanted.feedsMmPerS;
   const int fits = templates::pointsPerLoopMax(job.settings.parameters);
@@ -109,14 +115,23 @@ QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, page,
                    [page, document] { showFindings(page, *document); });
-  QObject::connect(page, &FeasibilityPage::operatingPointRequested, &models.document,
-                   [models](const feasibility::OperatingPoint& point) {
-                     widgets::StreamSettings settings = models.document.settings();
-                     settings.parameters.pointsPerLoop = point.pointsPerLoop;
-                     settings.deltaMm = point.deltaMm;
-                     settings.feedMmPerS = point.feedMmPerS;
-                     models.document.setSettings(settings);
-                   });
+  QObject::connect(
+      page, &FeasibilityPage::operatingPointRequested, &models.document,
+      [models](const feasibility::OperatingPoint& point) {
+        widgets::StreamSettings settings = models.document.settings();
+        settings.parameters.pointsPerLoop = point.pointsPerLoop;
+        settings.deltaMm = point.deltaMm;
+        if (const double fastest = settings.usesProgramFeeds() && models.document.view()
+                                       ? models.document.view()->fastestMmPerS
+                                       : 0.0;
+            fastest > 0.0) {
+          settings.overrideFactor =
+              std::clamp(point.feedMmPerS / fastest, gcode::kOverrideMin, gcode::kOverrideMax);
+        } else {
+          settings.feedMmPerS = point.feedMmPerS;
+        }
+        models.document.setSettings(settings);
+      });
   const RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::permissionsChanged, page,
                    [page, runs] { page->setEditable(runs->canChangeSettings()); });

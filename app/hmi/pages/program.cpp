@@ -143,7 +143,8 @@ void connectLoading(ProgramPage* page, const Models& models) {
 void connectPath(PathView* path, const Models& models) {
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, path, [path, document] {
-    path->setOperatingPoint(document->findings().operatingPoint, document->findings().access);
+    path->setOperatingPoint(document->findings().operatingPoint, document->findings().access,
+                            document->settings().usesProgramFeeds());
   });
   QObject::connect(document, &Document::pausesChanged, path, [path, document] {
     if (path->pauses() != document->pauses()) {

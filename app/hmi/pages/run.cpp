@@ -91,11 +91,14 @@ void connectFeed(CorrectionPanel* panel, const Models& models) {
 QWidget* makeMethodPanel(const Models& models) {
   auto* panel = new MethodPanel;
   Document* document = &models.document;
+  panel->setFeedMax(document->feedMmPerSMax());
   panel->setSettings(document->settings());
   QObject::connect(panel, &MethodPanel::settingsChanged, document, &Document::editSettings);
   QObject::connect(document, &Document::settingsChanged, panel,
                    [panel, document] { panel->setSettings(document->settings()); });
   QObject::connect(document, &Document::judged, panel, [panel, document] {
+    panel->setOverrideLimit(document->findings().overrideLimit,
+                            document->view() ? document->view()->fastestMmPerS : 0.0);
     panel->setRehearsal(rehearsalView(document->findings()));
     panel->setVerdict(document->findings().verdict, RunTexts::problem(*document));
   });

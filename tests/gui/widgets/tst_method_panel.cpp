@@ -99,7 +99,8 @@ class TestMethodPanel : public QObject {
     QVERIFY(test::visibleText(panel).contains("Feasible"));
     QVERIFY(buttonWith(panel, "Use F = ") == nullptr);
     for (const QComboBox* box : panel.findChildren<QComboBox*>()) {
-      QCOMPARE(box->isEnabled(), box->count() > 2);  // the layout is that of the method
+      // The layout is that of the method.
+      QCOMPARE(box->isEnabled(), !box->itemText(0).startsWith(QStringLiteral("Paper")));
     }
   }
 
@@ -257,6 +258,115 @@ class TestMethodPanel : public QObject {
     QCOMPARE(base::mmPerMinFromMmPerS(panel.settings().feedMmPerS),
              isRefused ? 600.0 : feedMmPerMin);
     QCOMPARE(feed->value(), isRefused ? 600.0 : feedMmPerMin);
+  }
+
+  /// The limit of a typed feed is that of the machine.
+  void noFeedAboveTheMachineIsTaken() {
+    test::Language language;
+    MethodPanel panel;
+    panel.setFeedMax(base::mmPerSFromMmPerMin(8000.0));
+    StreamSettings settings;
+    settings.feedMmPerS = 10.0;
+    panel.setSettings(settings);
+    panel.show();
+    auto* feed = panel.findChildren<NumberField*>().at(1);
+    QSignalSpy refused(feed, &NumberField::refused);
+    feed->selectAll();
+    QTest::keyClicks(feed, QStringLiteral("8001"));
+    QTest::keyClick(feed, Qt::Key_Return);
+    QCOMPARE(refused.count(), 1);
+    QVERIFY(refused.first().first().toString().contains("8000"));
+    QCOMPARE(base::mmPerMinFromMmPerS(panel.settings().feedMmPerS), 600.0);
+  }
+
+  void wholeNumbersAreReadAsTyped_data() {
+    QTest::addColumn<bool>("isGerman");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<int>("points");  // 0: refused
+    for (const bool isGerman : {false, true}) {
+      const char* language = isGerman ? "de" : "en";
+      QTest::addRow("%s 1200", language) << isGerman << QStringLiteral("1200") << 1200;
+      for (const char* wrong : {"1,200", "1.200", "9.5", "9,0", "12000", "0", "-3", ""}) {
+        QTest::addRow("%s %s", language, wrong) << isGerman << QString::fromLatin1(wrong) << 0;
+      }
+    }
+  }
+  void wholeNumbersAreReadAsTyped() {
+    QFETCH(bool, isGerman);
+    QFETCH(QString, typed);
+    QFETCH(int, points);
+    test::Language language;
+    MethodPanel panel;
+    panel.setSettings({});
+    panel.show();
+    if (isGerman) {
+      language.german();
+    }
+    auto* field = panel.findChild<WholeNumberField*>();
+    QSignalSpy refused(field, &WholeNumberField::refused);
+    field->selectAll();
+    QTest::keyClick(field, Qt::Key_Delete);
+    QTest::keyClicks(field, typed);
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(refused.count(), points == 0 ? 1 : 0);
+    QCOMPARE(field->value(), points == 0 ? 7 : points);
+    QCOMPARE(field->text(), QString::number(field->value()));
+    QCOMPARE(panel.settings().parameters.pointsPerLoop, field->value());
+  }
+
+  void feedsOfTheProgramHaveAnOverride() {
+    test::Language language;
+    MethodPanel panel;
+    QSignalSpy changes(&panel, &MethodPanel::settingsChanged);
+    StreamSettings settings;
+    settings.programFeeds = true;
+    panel.setSettings(settings);
+    panel.show();
+    const auto fields = panel.findChildren<NumberField*>();
+    NumberField* feed = fields.at(1);
+    NumberField* factor = fields.at(2);
+    QVERIFY(!feed->isVisible());
+    QVERIFY(factor->isVisible());
+    factor->setValue(80.0);
+    QCOMPARE(changes.count(), 1);
+    QCOMPARE(panel.settings().overrideFactor, 0.8);
+
+    // The block that limits is named, and what it leaves is offered.
+    feasibility::Verdict verdict = verdictOf(settings);
+    verdict.waits = true;
+    verdict.limiting.margin = 0.5;
+    panel.setOverrideLimit(
+        streaming::OverrideLimit{0.624, {214}, base::mmPerSFromMmPerMin(2000.0), 0.3, false}, 50.0);
+    panel.setVerdict(verdict, std::nullopt);
+    const QString text = test::visibleText(panel);
+    QVERIFY2(text.contains("62") && text.contains("line 214") && text.contains("2,000") &&
+                 text.contains("0.300"),
+             qPrintable(text));
+    QPushButton* offer = buttonWith(panel, QStringLiteral("override = 62"));
+    QVERIFY(offer != nullptr);
+    offer->click();
+    QCOMPARE(panel.settings().overrideFactor, 0.62);
+    QVERIFY(panel.settings().programFeeds);
+  }
+
+  /// The methods of the paper have one feed; the choice comes back with the other methods.
+  void publishedMethodsHaveOneFeed() {
+    test::Language language;
+    MethodPanel panel;
+    StreamSettings settings;
+    settings.programFeeds = true;
+    settings.parameters.method = base::MethodKind::Signal;
+    panel.setSettings(settings);
+    panel.show();
+    const auto fields = panel.findChildren<NumberField*>();
+    QVERIFY(fields.at(1)->isVisible());
+    QVERIFY(!fields.at(2)->isVisible());
+    QVERIFY(!panel.settings().usesProgramFeeds());
+    fields.at(1)->setValue(700.0);
+    auto* method = panel.findChild<QComboBox*>();
+    method->setCurrentIndex(0);
+    QVERIFY(panel.settings().usesProgramFeeds());
+    QVERIFY(fields.at(2)->isVisible());
   }
 
   void numbersFollowTheLanguage() {
