@@ -19,6 +19,13 @@ std::string subprogram(int file) {
   return fmt::format("RIVULET_W{}", file + 1);
 }
 
+/// To the digits of an F word, and never faster than commanded.
+double roundedDown(double feedMmPerMin) {
+  constexpr double kPerStep = 1e6;
+  constexpr double kOfAStep = 1e-3;  // 299.9999999999 is 300
+  return std::floor(feedMmPerMin * kPerStep + kOfAStep) / kPerStep;
+}
+
 }  // namespace
 
 base::Result<void> FileTemplate::check(const TemplateParameters& parameters) const {
@@ -133,9 +140,7 @@ std::string windowFileText(const CellMap& cells, const WindowFile& window) {
     const bool isSame = feedMmPerMin == motion.feedMmPerMin;
     feedMmPerMin = motion.feedMmPerMin;
     out.line("G1{}{}", words,
-             isSame
-                 ? ""
-                 : fmt::format(" F{}", base::formatNumber(std::round(feedMmPerMin * 1e6) / 1e6)));
+             isSame ? "" : fmt::format(" F{}", base::formatNumber(roundedDown(feedMmPerMin))));
   }
   out.line("RIV_END:");
   out.line("M17");
