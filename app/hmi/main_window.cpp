@@ -29,6 +29,7 @@
 #include "widgets/common/focus_frame.h"
 #include "widgets/common/folding_columns.h"
 #include "widgets/common/help_page.h"
+#include "widgets/common/notice_area.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/side_tabs.h"
 #include "widgets/common/theme.h"
@@ -137,6 +138,8 @@ void MainWindow::buildPages() {
   setUpRows->addWidget(makeCorrectionPanel(models));
   setUpRows->addWidget(makeMethodPanel(models), 1);
   m_columns = new widgets::FoldingColumns(m_centre, makeConnectionPanel(models), setUp, central);
+  // The page takes what header, notices and strip leave.
+  m_columns->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   rows->addWidget(m_columns, 1);
   for (int i = 0; i < std::min(m_tabs->count(), 9); ++i) {
     auto* key = new QShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(i + 1)), this);
@@ -155,12 +158,14 @@ void MainWindow::buildPages() {
 
   m_closeBar = new widgets::CloseBar(central);
   connect(m_closeBar, &widgets::CloseBar::stopAndCloseRequested, this, &MainWindow::stopAndClose);
-  rows->addWidget(m_closeBar);
-  rows->addWidget(makeWrongMotionBar(models, central));
   m_foundBar = makeFoundRunBar(models, central);
-  rows->addWidget(m_foundBar);
   m_resumeBar = makeResumeBar(models, central);
-  rows->addWidget(m_resumeBar);
+  auto* notices = new widgets::NoticeArea(central);
+  notices->add(m_closeBar);
+  notices->add(makeWrongMotionBar(models, central));
+  notices->add(m_foundBar);
+  notices->add(m_resumeBar);
+  rows->addWidget(notices);
   rows->addWidget(makeRunPanel(models, central));
   setCentralWidget(central);
   const auto complain = [this](const QString& reason) {

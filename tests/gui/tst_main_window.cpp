@@ -46,6 +46,7 @@
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
 #include "widgets/streaming/correction_panel.h"
+#include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/preflight_sheet.h"
 #include "widgets/streaming/resume_bar.h"
 #include "widgets/streaming/run_panel.h"
@@ -225,6 +226,8 @@ class TestMainWindow : public QObject {
   }
 
   void init() {
+    // A run that an earlier test left would be offered.
+    QDir(qEnvironmentVariable("XDG_STATE_HOME")).removeRecursively();
     startMachine();
     openWindow();
   }
@@ -319,6 +322,16 @@ class TestMainWindow : public QObject {
         m_window->resize(size);
         for (int page = 0; page < m_window->pages()->count(); ++page) {
           m_window->pages()->setCurrentIndex(page);
+          // A notice is above the strip on every second page.
+          widgets::FoundRunView run;
+          run.kind = widgets::FoundRunView::Kind::Waiting;
+          run.number = 123456;
+          run.program = QStringLiteral("a program with a rather long name.nc");
+          run.user = QStringLiteral("anna");
+          run.computer = QStringLiteral("cell-computer-of-the-shop");
+          run.startedAtUtc = QStringLiteral("2026-01-01T00:00:00Z");
+          m_window->findChild<widgets::FoundRunBar*>()->setRun(page % 2 == 1 ? std::optional(run)
+                                                                             : std::nullopt);
           QCoreApplication::processEvents();
           for (const char* name : {"stop", "start", "state"}) {
             const auto* widget = m_window->findChild<QWidget*>(QLatin1String(name));
@@ -328,6 +341,7 @@ class TestMainWindow : public QObject {
           QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("start"))->height() >= 56);
         }
         QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+        m_window->findChild<widgets::FoundRunBar*>()->setRun(std::nullopt);
         m_window->pages()->setCurrentIndex(0);
         m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/frame-%1-%2%3.png")
                                   .arg(QString::number(size.width()), language,
