@@ -187,12 +187,14 @@ QWidget* UsersPage::makeForm() {
   m_idle = new QSpinBox(form);  // the focus goes the way one reads
   m_answer = new QLabel(form);
   m_answer->setWordWrap(true);
+  m_role->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   m_pinTitle->setWordWrap(true);
   m_pin->setEchoMode(QLineEdit::Password);
   m_idle->setRange(0, kIdleMinutesMax);
   m_idle->setKeyboardTracking(false);
   auto* grid = new QGridLayout(form);
   grid->setContentsMargins(0, 8, 0, 0);
+  grid->setHorizontalSpacing(4);
   grid->addWidget(m_nameTitle, 0, 0);
   grid->addWidget(m_name, 1, 0);
   grid->addWidget(m_roleTitle, 0, 1);
