@@ -164,6 +164,8 @@ class TestLook : public QObject {
   }
 
   void init() {
+    // A run that an earlier test left would be offered.
+    QDir(qEnvironmentVariable("XDG_STATE_HOME")).removeRecursively();
     m_faults.clear();
     m_machine = std::make_unique<tests::SimulatedControl>("dmu75", kInteractivePace);
     hmi::Settings settings;

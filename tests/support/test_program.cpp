@@ -3,6 +3,7 @@
 
 #include "support/test_program.h"
 
+#include <QTemporaryDir>
 #include <QtTest>
 #include <clocale>
 #include <cstdio>
@@ -32,7 +33,11 @@ std::string stem(std::string_view path) {
   return std::string(name.substr(0, name.find('.')));
 }
 
+/// Each test has folders of its own for what a user keeps: it finds no runs or machines of others.
 int run(rivulet::tests::MakeTest make, std::vector<char*> arguments) {
+  const QTemporaryDir home;
+  qputenv("XDG_DATA_HOME", home.filePath(QStringLiteral("data")).toUtf8());
+  qputenv("XDG_STATE_HOME", home.filePath(QStringLiteral("state")).toUtf8());
   return QTest::qExec(make().get(), static_cast<int>(arguments.size()), arguments.data());
 }
 
