@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 
 namespace rivulet::journal {
@@ -96,20 +97,6 @@ int openLocked(const fs::path& path) {
   }
 }
 
-/// @return 0 or the system's error number
-int writeAll(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = write(descriptor, text.data(), text.size());
-    if (count < 0 && errno != EINTR) {
-      return errno;
-    }
-    text.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
-  }
-  const bool failed =
-      fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP;
-  return failed ? errno : 0;
-}
-
 }  // namespace
 
 fs::path stateFolderOfUser() {
@@ -160,7 +147,8 @@ base::Result<void> appendLine(const fs::path& path, const MakeLine& make, std::u
   }
   const Tail tail = tailOf(file.number(), facts.st_size);
   const std::string line = (tail.isCut ? "\n" : "") + make(tail.last) + '\n';
-  const int error = writeAll(file.number(), line);
+  int error = base::writeWhole(file.number(), line);
+  error = error == 0 ? base::syncToDisk(file.number()) : error;
   return error == 0 ? base::Result<void>{} : notWritable(path, error);
 }
 

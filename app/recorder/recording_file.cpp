@@ -16,6 +16,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 
 namespace rivulet::recorder {
@@ -25,23 +26,8 @@ namespace {
 /// Pieces of at least this size are lists: see `append`.
 constexpr std::size_t kListBytes = std::size_t{32} << 10U;
 
-/// Writes everything. @return 0 or the system's error number
-int writeAll(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = write(descriptor, text.data(), text.size());
-    if (count < 0 && errno != EINTR) {
-      return errno;
-    }
-    text.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
-  }
-  return 0;
-}
-
-/// Pipes and devices refuse to be synchronized, which is not an error.
 int syncAndClose(int descriptor) {
-  const bool failed =
-      fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP;
-  const int error = failed ? errno : 0;
+  const int error = base::syncToDisk(descriptor);
   return close(descriptor) != 0 && error == 0 ? errno : error;
 }
 
@@ -83,7 +69,7 @@ void RecordingFile::State::work() {
     int failure = 0;
     for (std::size_t at = 0; at < text.size() && failure == 0; at += kPiece) {
       const std::string_view piece = std::string_view(text).substr(at, kPiece);
-      failure = writeAll(descriptor, piece);
+      failure = base::writeWhole(descriptor, piece);
       const std::lock_guard counted(mutex);
       inFlight -= piece.size();
       written += piece.size();

@@ -14,6 +14,8 @@
 #if defined(__unix__)
 #include <fcntl.h>
 #include <unistd.h>
+
+#include "base/descriptor.h"
 #endif
 
 namespace rivulet::base {
@@ -50,10 +52,9 @@ int writeAll(File file, std::string_view text) {
     return errno != 0 ? errno : EIO;
   }
 #if defined(__unix__)
-  // The new name must not become visible before the content is on the disk. Pipes and devices
-  // refuse this, which is not an error.
-  if (fsync(fileno(file.get())) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) {
-    return errno;
+  // The new name must not become visible before the content is on the disk.
+  if (const int error = syncToDisk(fileno(file.get())); error != 0) {
+    return error;
   }
 #endif
   // Some file systems report a full disk only here.
