@@ -16,10 +16,10 @@
 #include <QThreadPool>
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <utility>
 
 #include "base/file.h"
+#include "folders/user_folders.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -34,11 +34,6 @@ constexpr int kMsPerS = 1000;
 constexpr quint64 kHashBytes = 32;
 constexpr const char* kNoEngineer =
     QT_TRANSLATE_NOOP("UserTexts", "At least one user must be an engineer.");
-
-std::filesystem::path variable(const char* name) {
-  const char* value = std::getenv(name);
-  return {value == nullptr ? "" : value};
-}
 
 QByteArray newSalt() {
   std::array<quint32, 4> words{};
@@ -92,8 +87,7 @@ QByteArray pinHash(const QString& pin, const QByteArray& salt) {
 }
 
 std::filesystem::path Users::fileOfUser() {
-  const std::filesystem::path config = variable("XDG_CONFIG_HOME");
-  return (config.is_absolute() ? config : variable("HOME") / ".config") / "rivulet" / "users.json";
+  return folders::configHome() / "rivulet" / "users.json";
 }
 
 Users::Users(std::filesystem::path file, QString systemUser)

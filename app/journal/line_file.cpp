@@ -11,22 +11,17 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <system_error>
 
 #include "base/descriptor.h"
 #include "base/file.h"
+#include "folders/user_folders.h"
 
 namespace rivulet::journal {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path variable(const char* name) {
-  const char* value = std::getenv(name);
-  return {value == nullptr ? "" : value};
-}
 
 tl::unexpected<base::Error> notWritable(const fs::path& path, int error) {
   return base::fail(
@@ -100,8 +95,7 @@ int openLocked(const fs::path& path) {
 }  // namespace
 
 fs::path stateFolderOfUser() {
-  const fs::path state = variable("XDG_STATE_HOME");
-  return (state.is_absolute() ? state : variable("HOME") / ".local/state") / "rivulet";
+  return folders::stateHome() / "rivulet";
 }
 
 base::Result<Lines> readLines(const fs::path& path) {

@@ -8,11 +8,11 @@
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
-#include <cstdlib>
 #include <mutex>
 #include <utility>
 
 #include "base/error.h"
+#include "folders/user_folders.h"
 
 namespace rivulet::log {
 
@@ -52,11 +52,6 @@ class ListenerSink final : public spdlog::sinks::base_sink<std::mutex> {
   std::function<void(const Line&)> m_heard;
 };
 
-fs::path variable(const char* name) {
-  const char* value = std::getenv(name);
-  return {value == nullptr ? "" : value};
-}
-
 }  // namespace
 
 std::vector<std::string> levelNames() {
@@ -69,13 +64,8 @@ std::vector<std::string> levelNames() {
 }
 
 fs::path recordingsFolder() {
-  const fs::path data = variable("XDG_DATA_HOME");
-  const fs::path home = variable("HOME");
-  if (data.is_absolute()) {
-    return data / "Rivulet" / "Rivulet" / "runs";
-  }
-  return home.is_absolute() ? home / ".local" / "share" / "Rivulet" / "Rivulet" / "runs"
-                            : fs::path();
+  const fs::path data = folders::dataHome();
+  return data.is_absolute() ? data / "Rivulet" / "Rivulet" / "runs" : fs::path();
 }
 
 base::Result<void> setUp(const Settings& settings) {

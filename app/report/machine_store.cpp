@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "folders/user_folders.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
 
@@ -31,11 +31,6 @@ constexpr const char* kCreditTestKey = "credit_test";
 /// Files of earlier versions: a calibration by itself, and a profile with a `credit_test`.
 constexpr const char* kEarlierCalibrationKey = "rivulet_calibration";
 constexpr const char* kEarlierProfileKey = "rivulet_machine_profile";
-
-fs::path variable(const char* name) {
-  const char* value = std::getenv(name);
-  return {value == nullptr ? "" : value};
-}
 
 /// Whether a calibration or a credit test was made on this machine.
 bool isOf(const ordered_json& fact, const std::string& endpoint,
@@ -74,10 +69,7 @@ MachineFolders MachineFolders::below(const fs::path& data, const fs::path& confi
 }
 
 MachineFolders MachineFolders::ofUser() {
-  const fs::path data = variable("XDG_DATA_HOME");
-  const fs::path config = variable("XDG_CONFIG_HOME");
-  return below(data.is_absolute() ? data : variable("HOME") / ".local/share",
-               config.is_absolute() ? config : variable("HOME") / ".config");
+  return below(folders::dataHome(), folders::configHome());
 }
 
 fs::path MachineStore::pathOf(const std::string& endpoint,
