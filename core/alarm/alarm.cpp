@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "base/contract.h"
-
-// Marks a sentence for translation; see scripts/translations.
-#define RIVULET_SENTENCE(context, sentence) sentence
+#include "base/sentence.h"
 
 namespace rivulet::alarm {
 

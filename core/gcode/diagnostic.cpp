@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/sentence.h"
 #include "base/text.h"
 
 namespace rivulet::gcode {
@@ -82,8 +83,8 @@ constexpr std::array kTexts{
             "The increment of %1 starts at an unknown position: program %1 with G90 before it.")},
     CodeText{DiagnosticCode::FeedMissing, "feed-missing",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "A block moves with G1, G2 or G3 before a feed F is programmed: the "
-                              "feed of the run is used.")},
+                              "A block moves with G1, G2 or G3 before a feed F is programmed: only "
+                              "a fixed feed can be used.")},
     CodeText{DiagnosticCode::FeedNotPositive, "feed-not-positive",
              RIVULET_SENTENCE("DiagnosticTexts", "The feed F%1 is not greater than 0.")},
     CodeText{DiagnosticCode::ValueOutOfRange, "value-out-of-range",

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/contract.h"
+#include "base/sentence.h"
 
 namespace rivulet::nc {
 

@@ -169,10 +169,6 @@ using Expected = tl::expected<T, Fault>;
          (code >= FaultCode::NoTarget && code <= FaultCode::CallsTooDeep);
 }
 
-/// Marks a sentence that is shown: in English by the log and the command line, and the source of
-/// its translation, which lupdate finds by this name. "%1" is its parameter.
-#define RIVULET_SENTENCE(context, sentence) sentence
-
 /// The sentence with its parameter in it.
 [[nodiscard]] std::string filled(std::string_view sentence, std::string_view parameter);
 
