@@ -189,10 +189,10 @@ streaming::RunSettings settingsOf(Members& members) {
 }
 
 streaming::Checkpoint checkpointOf(Members& members) {
-  constexpr double kRunNumberMax = 999'999;
   streaming::Checkpoint checkpoint;
   const auto flag = [&members](const char* at) { return members.flag(at); };
-  checkpoint.runNumber = members.integer<int>("/checkpoint/run_number", 1, kRunNumberMax);
+  checkpoint.runNumber =
+      members.integer<int>("/checkpoint/run_number", 1, streaming::kRunNumberMax);
   checkpoint.firstPoint = members.integer<std::size_t>("/checkpoint/first_point", 0, kCountMax);
   checkpoint.granted = true;
   members.ifThere("/checkpoint/granted", checkpoint.granted, flag);

@@ -20,7 +20,7 @@ using base::Result;
 
 constexpr Duration kPollInterval = std::chrono::milliseconds{100};
 /// A claim is −(number + this · beats).
-constexpr double kPerBeat = 1e6;
+constexpr double kPerBeat = kRunNumberMax + 1.0;
 /// Times that the cell may be found changed by something else than a claim.
 constexpr int kTriesMax = 5;
 

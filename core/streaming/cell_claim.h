@@ -53,7 +53,7 @@ class CellClaim final : public opcua::Link {
     std::function<void()> waits;        ///< once: for the claim of a client that may be dead
   };
 
-  /// @param cell  R number  @param number  of the run, 1 to 999 999
+  /// @param cell  R number  @param number  of the run, 1 to `kRunNumberMax`
   /// @param deadline  of one request
   CellClaim(opcua::Link& link, int cell, int number, base::Duration deadline)
       : m_link(link), m_cell(cell), m_number(number), m_deadline(deadline) {}

@@ -11,7 +11,8 @@ std::error_code make_error_code(StreamError code) {
 }
 
 int runNumberFrom(std::uint64_t entropy) {
-  constexpr std::uint64_t kNumbers = 999'983;
+  constexpr std::uint64_t kNumbers = 999'983;  // a prime
+  static_assert(kNumbers <= kRunNumberMax);
   std::uint64_t mixed = entropy ^ (entropy >> 29U);
   mixed *= 0x9E3779B97F4A7C15ULL;
   return static_cast<int>((mixed >> 20U) % kNumbers) + 1;

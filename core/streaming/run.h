@@ -69,6 +69,9 @@ enum class StreamError {
 /// The states an operator sees.
 enum class RunState { Idle, Armed, Running, Stopping, Done, Aborted, Holding, Stopped };
 
+/// Six digits: a checkpoint, the claim of the cells and the control know a run by its number.
+inline constexpr int kRunNumberMax = 999'999;
+
 /// The number of a run: 1 to 999 983.
 [[nodiscard]] int runNumberFrom(std::uint64_t entropy);
 
@@ -159,8 +162,8 @@ struct RunSettings {
   base::Duration nominalPause = std::chrono::milliseconds{40};  ///< of an inferred pause
   /// Method credit: this control has passed the commissioning test. Without it nothing starts.
   bool isCommissioned = false;
-  /// Methods window and credit: identifies this run for the control, 1 to 999 999; 0: derived from
-  /// the time and the program.
+  /// Methods window and credit: identifies this run for the control, 1 to `kRunNumberMax`; 0:
+  /// derived from the time and the program.
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
   TransferWay transfer = TransferWay::Link;
