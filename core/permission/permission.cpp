@@ -19,7 +19,7 @@ struct Facts {
   bool worksLocked;
 };
 
-constexpr std::array<Facts, 22> kFacts{{
+constexpr std::array<Facts, 21> kFacts{{
     {Act::Stop, "stop", false, true},
     {Act::Hold, "hold", false, false},
     {Act::Continue, "continue", false, false},
@@ -39,7 +39,6 @@ constexpr std::array<Facts, 22> kFacts{{
     {Act::LogIn, "log-in", false, true},
     {Act::LogInFailed, "log-in-failed", false, true},
     {Act::Lock, "lock", false, true},
-    {Act::Override, "override", false, false},
     {Act::ProgramStart, "program-start", false, true},
     {Act::ProgramEnd, "program-end", false, true},
 }};

@@ -41,7 +41,6 @@ enum class Act {
   LogIn,
   LogInFailed,
   Lock,
-  Override,      ///< of the feed
   ProgramStart,  ///< of Rivulet
   ProgramEnd,
 };

@@ -68,8 +68,6 @@ struct AuditTexts {
         return tr("Wrong PIN");
       case Act::Lock:
         return tr("Locked");
-      case Act::Override:
-        return tr("Override");
       case Act::ProgramStart:
         return tr("Rivulet started");
       case Act::ProgramEnd:
