@@ -13,6 +13,7 @@
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/loopback_machine.h"
+#include "support/silent_run.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -51,14 +52,6 @@ class NotingLink final : public opcua::Link {
   opcua::Link& m_link;
 };
 
-class Silent final : public streaming::RunSink, public streaming::RunOrders {
- public:
-  void update(const streaming::LiveUpdate&) override {}
-  void access(const trace::Access&) override {}
-  void note(const trace::Note&) override {}
-  bool stopRequested(base::Instant) override { return false; }
-};
-
 struct Seen {
   std::vector<std::pair<int, double>> writes;
   std::vector<base::Vec3> executed;
@@ -68,7 +61,7 @@ struct Seen {
 Seen run(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
          const streaming::RunSettings& settings) {
   NotingLink noting(link);
-  Silent silent;
+  tests::SilentRun silent;
   Seen seen;
   seen.report = streaming::runJob(noting, control, program, settings, silent, silent);
   seen.writes = std::move(noting.writes);

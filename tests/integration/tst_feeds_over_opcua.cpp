@@ -13,6 +13,7 @@
 #include "streaming/feed_plan.h"
 #include "streaming/job.h"
 #include "support/loopback_machine.h"
+#include "support/silent_run.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -23,14 +24,6 @@ namespace {
 
 constexpr const char* kProgram =
     "G90 G94 G64\nG0 X0 Y0 Z50\nG1 X8 F600\nX30 F1800\nG0 X60\nG1 Y10 F1200\nX52 F900\nM30\n";
-
-class Silent final : public streaming::RunSink, public streaming::RunOrders {
- public:
-  void update(const streaming::LiveUpdate&) override {}
-  void access(const trace::Access&) override {}
-  void note(const trace::Note&) override {}
-  bool stopRequested(base::Instant) override { return false; }
-};
 
 /// How long each move took, s; waiting between them is not counted.
 std::vector<double> secondsOf(const trace::ControlTrace& trace) {
@@ -87,7 +80,7 @@ class TestFeedsOverOpcua : public QObject {
     settings.parameters.slowDown = false;
     settings.programFeeds = gcode::ProgramFeeds{1.0, config.rapidMmPerS, config.feedMmPerSMax()};
     settings.isCommissioned = true;
-    Silent silent;
+    tests::SilentRun silent;
     const streaming::RunReport report =
         streaming::runJob(*link, *link, *program, settings, silent, silent);
     QVERIFY2(report.isFaultless(), report.error.text().c_str());

@@ -20,6 +20,7 @@
 #include "streaming/resume.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/scenario.h"
+#include "support/silent_run.h"
 #include "support/test_program.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
@@ -91,14 +92,6 @@ RunSettings settingsOf(MethodKind method, std::optional<gcode::ProgramFeeds> pro
   return settings;
 }
 
-class Silent final : public streaming::RunSink, public streaming::RunOrders {
- public:
-  void update(const streaming::LiveUpdate&) override {}
-  void access(const trace::Access&) override {}
-  void note(const trace::Note&) override {}
-  bool stopRequested(base::Instant) override { return false; }
-};
-
 /// What the client has written for each point of a run: mm/min, in order.
 struct Commanded {
   RunReport report;
@@ -125,7 +118,7 @@ Commanded run(const gcode::Program& program, const RunSettings& settings,
       }
     }
   };
-  Silent silent;
+  tests::SilentRun silent;
   seen.report = streaming::runJob(link, link, program, settings, silent, silent);
   if (seen.report.controlTrace) {
     for (const trace::ExecutedBlock& block : seen.report.controlTrace->blocks) {
@@ -224,7 +217,7 @@ class TestFeeds : public QObject {
     const auto textAt = [&](double factor) {
       machine::Machine machine(*machine::loadPreset("ideal"), 1);
       streaming::FaultyLink link(machine, {}, 1);
-      Silent silent;
+      tests::SilentRun silent;
       const RunReport report = streaming::runJob(
           link, link, program, settingsOf(MethodKind::File, feeds(factor), false), silent, silent);
       return report.isFaultless() ? *machine.programText("RIVULET_W1.SPF") : std::string();
