@@ -330,10 +330,6 @@
         <translation>Gesperrt</translation>
     </message>
     <message>
-        <source>Override</source>
-        <translation>Override</translation>
-    </message>
-    <message>
         <source>Rivulet started</source>
         <translation>Rivulet gestartet</translation>
     </message>
@@ -547,10 +543,6 @@
         <translation>Das Kettenmaß von %1 beginnt an unbekannter Position: vorher %1 mit G90 programmieren.</translation>
     </message>
     <message>
-        <source>A block moves with G1, G2 or G3 before a feed F is programmed: the feed of the run is used.</source>
-        <translation>Ein Satz fährt mit G1, G2 oder G3, bevor ein Vorschub F programmiert ist: Es gilt der Vorschub des Laufs.</translation>
-    </message>
-    <message>
         <source>The feed F%1 is not greater than 0.</source>
         <translation>Der Vorschub F%1 ist nicht größer als 0.</translation>
     </message>
@@ -637,6 +629,10 @@
     <message>
         <source>%1 give the tool direction. The points keep it, but only the control could convert it to rotary axes. Post-process the program with A, B or C.</source>
         <translation>%1 geben die Werkzeugrichtung an. Die Punkte behalten sie, aber nur die Steuerung könnte sie in Rundachsen umrechnen. Das Programm mit A, B oder C ausgeben.</translation>
+    </message>
+    <message>
+        <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
+        <translation>Ein Satz fährt mit G1, G2 oder G3, bevor ein Vorschub F programmiert ist: Es kann nur ein fester Vorschub verwendet werden.</translation>
     </message>
 </context>
 <context>
@@ -1340,6 +1336,17 @@
     </message>
 </context>
 <context>
+    <name>LimitTexts</name>
+    <message>
+        <source>rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>line %1: %2, %3</source>
+        <translation>Zeile %1: %2, %3</translation>
+    </message>
+</context>
+<context>
     <name>Pages</name>
     <message>
         <source>Program</source>
@@ -1554,6 +1561,13 @@
     </message>
 </context>
 <context>
+    <name>rivulet::hmi::Document</name>
+    <message>
+        <source>Line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::FoundRuns</name>
     <message>
         <source>The run that was watched has ended.</source>
@@ -1658,10 +1672,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>&amp;About Rivulet</source>
         <translation>&amp;Über Rivulet</translation>
-    </message>
-    <message>
-        <source>A run is in progress. Press Stop, wait until the run has ended, then close.</source>
-        <translation>Ein Lauf ist aktiv. Stopp drücken, das Ende des Laufs abwarten, dann schließen.</translation>
     </message>
     <message>
         <source>Method, feed and verdict</source>
@@ -3209,7 +3219,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Use override = %1&#xa0;%</source>
-        <translation>Override = %1 % verwenden</translation>
+        <translation>Override = %1&#xa0;% verwenden</translation>
     </message>
 </context>
 <context>
@@ -4427,24 +4437,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Acknowledge</source>
         <translation>Quittieren</translation>
-    </message>
-</context>
-<context>
-    <name>LimitTexts</name>
-    <message>
-        <source>rapid</source>
-        <translation>Eilgang</translation>
-    </message>
-    <message>
-        <source>line %1: %2, %3</source>
-        <translation>Zeile %1: %2, %3</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::hmi::Document</name>
-    <message>
-        <source>Line %1</source>
-        <translation>Zeile %1</translation>
     </message>
 </context>
 </TS>
