@@ -59,10 +59,12 @@ int main(int argc, char** argv) {
       QStringLiteral("demo"),
       QStringLiteral("Press Start, leave pictures and the report in this folder, and quit."),
       QStringLiteral("FOLDER"));
-  const QCommandLineOption languageOption(QStringLiteral("language"), QStringLiteral("en or de."),
+  const QCommandLineOption languageOption(QStringLiteral("language"),
+                                          QStringLiteral("en, de, fr, it or es."),
                                           QStringLiteral("LANGUAGE"));
-  const QCommandLineOption themeOption(
-      QStringLiteral("theme"), QStringLiteral("light, dark, contrast or system."), QStringLiteral("THEME"));
+  const QCommandLineOption themeOption(QStringLiteral("theme"),
+                                       QStringLiteral("light, dark, contrast or system."),
+                                       QStringLiteral("THEME"));
   const QCommandLineOption logOption(
       QStringLiteral("log-level"),
       QStringLiteral("What is logged on standard error (default: warning) and in the log file "

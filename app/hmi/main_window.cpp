@@ -239,15 +239,13 @@ void MainWindow::buildMenu() {
   menu->addSeparator();
   m_languageMenu = menu->addMenu(QString());
   m_languages = new QActionGroup(this);
-  const auto addLanguage = [this](const QString& name, const QString& code) {
-    // A language is named in itself, so that everybody finds the own one.
-    QAction* action = m_languageMenu->addAction(name, this, [this, code] { setLanguage(code); });
+  for (const Language& language : languages()) {
+    QAction* action = m_languageMenu->addAction(
+        language.name, this, [this, code = language.code] { setLanguage(code); });
     action->setCheckable(true);
-    action->setChecked(m_translator.language() == code);
+    action->setChecked(m_translator.language() == language.code);
     m_languages->addAction(action);
-  };
-  addLanguage(QStringLiteral("English"), QStringLiteral("en"));
-  addLanguage(QStringLiteral("Deutsch"), QStringLiteral("de"));
+  }
   m_themeMenu = menu->addMenu(QString());
   m_themes = new QActionGroup(this);
   for (const widgets::Theme theme : {widgets::Theme::Light, widgets::Theme::Dark,

@@ -18,7 +18,7 @@ namespace rivulet::hmi {
 struct Settings {
   QString endpoint = QStringLiteral("opc.tcp://127.0.0.1:4840");
   QStringList recentFiles;
-  QString language;  ///< "en", "de"; empty: the system's
+  QString language;  ///< one of `languages()`; empty: the system's
   widgets::Theme theme = widgets::Theme::System;
   widgets::StreamSettings stream;
   QByteArray geometry;

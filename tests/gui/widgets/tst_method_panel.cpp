@@ -39,6 +39,13 @@ QPushButton* buttonWith(const QWidget& widget, const QString& text) {
   return nullptr;
 }
 
+/// Numbers as in a language; its texts have tests of their own.
+void inLanguage(QWidget& widget, const QString& code) {
+  QLocale::setDefault(QLocale(code));
+  QEvent change(QEvent::LanguageChange);
+  QCoreApplication::sendEvent(&widget, &change);
+}
+
 }  // namespace
 
 class TestMethodPanel : public QObject {
@@ -215,37 +222,42 @@ class TestMethodPanel : public QObject {
   }
 
   void numbersAreReadAsTyped_data() {
-    QTest::addColumn<bool>("isGerman");
+    QTest::addColumn<QString>("language");
     QTest::addColumn<QString>("typed");
     QTest::addColumn<double>("feedMmPerMin");  // 0: refused
-    for (const bool isGerman : {false, true}) {
-      const char* language = isGerman ? "de" : "en";
-      QTest::addRow("%s 1200.5", language) << isGerman << QStringLiteral("1200.5") << 1200.5;
-      QTest::addRow("%s 1200,5", language) << isGerman << QStringLiteral("1200,5") << 1200.5;
-      QTest::addRow("%s 1200", language) << isGerman << QStringLiteral("1200") << 1200.0;
-      QTest::addRow("%s 1,200.5", language) << isGerman << QStringLiteral("1,200.5") << 0.0;
-      QTest::addRow("%s 120000000", language) << isGerman << QStringLiteral("120000000") << 0.0;
-      QTest::addRow("%s nothing", language) << isGerman << QString() << 0.0;
+    const auto row = [](const char* language, const char* typed, double feedMmPerMin) {
+      QTest::addRow("%s %s", language, typed)
+          << QString::fromLatin1(language) << QString::fromLatin1(typed) << feedMmPerMin;
+    };
+    for (const char* language : {"en", "de", "fr", "it", "es"}) {
+      for (const char* typed : {"1200.5", "1200,5"}) {
+        row(language, typed, 1200.5);
+      }
+      row(language, "1200", 1200.0);
+      for (const char* typed : {"1,200.5", "1.200,5", "120000000", ""}) {
+        row(language, typed, 0.0);
+      }
     }
-    QTest::addRow("en 1,200") << false << QStringLiteral("1,200") << 0.0;
-    QTest::addRow("de 1.200") << true << QStringLiteral("1.200") << 0.0;
+    row("en", "1,200", 0.0);
+    for (const char* language : {"de", "fr", "it", "es"}) {
+      row(language, "1.200", 0.0);
+      row(language, "1,200", 1.2);
+    }
   }
 
-  /// Point and comma are decimal separators in both languages; what could be read in two ways keeps
+  /// Point and comma are decimal separators in every language; what could be read in two ways keeps
   /// the former value and says so.
   void numbersAreReadAsTyped() {
-    QFETCH(bool, isGerman);
+    QFETCH(QString, language);
     QFETCH(QString, typed);
     QFETCH(double, feedMmPerMin);
-    test::Language language;
+    const test::Language english;
     MethodPanel panel;
     StreamSettings settings;
     settings.feedMmPerS = 10.0;
     panel.setSettings(settings);
     panel.show();
-    if (isGerman) {
-      language.german();
-    }
+    inLanguage(panel, language);
     auto* feed = panel.findChildren<NumberField*>().at(1);
     QVERIFY(feed->text().startsWith("600"));
     QSignalSpy refused(feed, &NumberField::refused);
@@ -280,28 +292,26 @@ class TestMethodPanel : public QObject {
   }
 
   void wholeNumbersAreReadAsTyped_data() {
-    QTest::addColumn<bool>("isGerman");
+    QTest::addColumn<QString>("language");
     QTest::addColumn<QString>("typed");
     QTest::addColumn<int>("points");  // 0: refused
-    for (const bool isGerman : {false, true}) {
-      const char* language = isGerman ? "de" : "en";
-      QTest::addRow("%s 1200", language) << isGerman << QStringLiteral("1200") << 1200;
+    for (const char* language : {"en", "de", "fr", "it", "es"}) {
+      const QString code = QString::fromLatin1(language);
+      QTest::addRow("%s 1200", language) << code << QStringLiteral("1200") << 1200;
       for (const char* wrong : {"1,200", "1.200", "9.5", "9,0", "12000", "0", "-3", ""}) {
-        QTest::addRow("%s %s", language, wrong) << isGerman << QString::fromLatin1(wrong) << 0;
+        QTest::addRow("%s %s", language, wrong) << code << QString::fromLatin1(wrong) << 0;
       }
     }
   }
   void wholeNumbersAreReadAsTyped() {
-    QFETCH(bool, isGerman);
+    QFETCH(QString, language);
     QFETCH(QString, typed);
     QFETCH(int, points);
-    test::Language language;
+    const test::Language english;
     MethodPanel panel;
     panel.setSettings({});
     panel.show();
-    if (isGerman) {
-      language.german();
-    }
+    inLanguage(panel, language);
     auto* field = panel.findChild<WholeNumberField*>();
     QSignalSpy refused(field, &WholeNumberField::refused);
     field->selectAll();

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// German is complete: every text of the sources is in the file, and each one is translated.
+// Every translation is complete: every text of the sources is in its file, and each one is
+// translated, with the same placeholders and keys.
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QProcessEnvironment>
@@ -48,16 +50,32 @@ QList<Message> messagesOf(const QString& path) {
   return messages;
 }
 
-QStringList placeholders(const QString& text) {
-  static const QRegularExpression pattern(QStringLiteral("%\\d"));
-  QStringList found;
-  for (auto match = pattern.globalMatch(text); match.hasNext();) {
-    found.append(match.next().captured());
+/// What the pattern finds, sorted, each once.
+QStringList found(const char* pattern, const QString& text) {
+  QStringList all;
+  for (auto match = QRegularExpression(QLatin1String(pattern)).globalMatch(text);
+       match.hasNext();) {
+    all.append(match.next().captured());
   }
-  found.sort();
-  found.removeDuplicates();
-  return found;
+  all.sort();
+  all.removeDuplicates();
+  return all;
 }
+
+QStringList filesOf(const QString& folder) {
+  QStringList paths;
+  for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.ts")})) {
+    paths.append(file.filePath());
+  }
+  return paths;
+}
+
+QString where(const QString& path, const Message& message) {
+  return QStringLiteral("%1: %2: %3 -> %4")
+      .arg(QFileInfo(path).baseName(), message.context, message.source, message.translation);
+}
+
+const QString kFolder = QStringLiteral(RIVULET_SOURCE_DIR "/translations");
 
 }  // namespace
 
@@ -65,31 +83,60 @@ class TestTranslations : public QObject {
   Q_OBJECT
 
  private slots:
-  void germanIsComplete() {
+  void everyTextIsTranslated() {
     QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("rivulet_de.ts"));
-    QVERIFY(QFile::copy(QStringLiteral(RIVULET_SOURCE_DIR "/translations/rivulet_de.ts"), path));
-    QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+    for (const QString& path : filesOf(kFolder)) {
+      const QString copy = folder.filePath(QFileInfo(path).fileName());
+      QVERIFY(QFile::copy(path, copy));
+      QVERIFY(QFile::setPermissions(copy, QFile::ReadOwner | QFile::WriteOwner));
+    }
+    const QStringList copies = filesOf(folder.path());
+    QVERIFY(copies.size() >= 4);
     QProcess update;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("LUPDATE"), QStringLiteral(RIVULET_LUPDATE));
     update.setProcessEnvironment(environment);
-    update.start(QStringLiteral(RIVULET_SOURCE_DIR "/scripts/translations"), {path});
+    update.start(QStringLiteral(RIVULET_SOURCE_DIR "/scripts/translations"), copies);
     QVERIFY(update.waitForFinished());
     QCOMPARE(update.exitCode(), 0);
-    const QList<Message> messages = messagesOf(path);
-    QVERIFY(messages.size() > 300);
-    for (const Message& message : messages) {
-      QVERIFY2(message.isFinished && !message.translation.isEmpty(),
-               qPrintable(message.context + ": " + message.source));
+    for (const QString& path : copies) {
+      const QList<Message> messages = messagesOf(path);
+      QVERIFY(messages.size() > 300);
+      for (const Message& message : messages) {
+        QVERIFY2(message.isFinished && !message.translation.isEmpty(),
+                 qPrintable(where(path, message)));
+      }
     }
   }
 
-  void everyPlaceholderIsKept() {
-    for (const Message& message :
-         messagesOf(QStringLiteral(RIVULET_SOURCE_DIR "/translations/rivulet_de.ts"))) {
-      QVERIFY2(placeholders(message.source) == placeholders(message.translation),
-               qPrintable(message.source));
+  void placeholdersAndBreaksAreKept() {
+    for (const QString& path : filesOf(kFolder)) {
+      for (const Message& message : messagesOf(path)) {
+        for (const char* pattern : {"%[\\dp]", "<[^>]*>"}) {
+          QVERIFY2(found(pattern, message.source) == found(pattern, message.translation),
+                   qPrintable(where(path, message)));
+        }
+        QVERIFY2(
+            message.source.count(QLatin1Char('\n')) == message.translation.count(QLatin1Char('\n')),
+            qPrintable(where(path, message)));
+      }
+    }
+  }
+
+  /// A text has a key where the English one has, and no other of its window has the same.
+  void keysAreKeptAndUnique() {
+    for (const QString& path : filesOf(kFolder)) {
+      QMap<QString, QString> textOfKey;
+      for (const Message& message : messagesOf(path)) {
+        const QStringList keys = found("&\\S", message.translation);
+        QVERIFY2(keys.size() == found("&\\S", message.source).size(),
+                 qPrintable(where(path, message)));
+        for (const QString& key : keys) {
+          QString& text = textOfKey[message.context + key.toLower()];
+          QVERIFY2(text.isEmpty(), qPrintable(where(path, message) + ", also " + text));
+          text = message.translation;
+        }
+      }
     }
   }
 };

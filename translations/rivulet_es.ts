@@ -1,0 +1,4442 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>AccessTexts</name>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
+        <translation>Acceso supuesto como en [P1]: %1 por celda. Véase Calibración.</translation>
+    </message>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
+        <translation>Acceso supuesto como en [P1]: %1 por celda. La calibración del %2 corresponde a otra versión del servidor y no se utiliza.</translation>
+    </message>
+    <message>
+        <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
+        <translation>Acceso calibrado el %1 (%2): t = %3; lectura %4, escritura %5.</translation>
+    </message>
+    <message>
+        <source>99 % of the writes of %1 cells end within %2.</source>
+        <translation>El 99&#xa0;% de las escrituras de %1 celdas termina en menos de %2.</translation>
+    </message>
+    <message>
+        <source>Up to %1 cells were measured.</source>
+        <translation>Se midieron hasta %1 celdas.</translation>
+    </message>
+    <message>
+        <source>list</source>
+        <translation>lista</translation>
+    </message>
+    <message>
+        <source>one by one</source>
+        <translation>de una en una</translation>
+    </message>
+    <message>
+        <source>array, by count</source>
+        <translation>matriz, por número</translation>
+    </message>
+    <message>
+        <source>array, by range</source>
+        <translation>matriz, por rango</translation>
+    </message>
+    <message>
+        <source>a server without a name</source>
+        <translation>un servidor sin nombre</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmTexts</name>
+    <message>
+        <source>The control reports alarm %1.</source>
+        <translation>El control notifica la alarma %1.</translation>
+    </message>
+    <message>
+        <source>The control has stopped or limits the machine; the number says why.</source>
+        <translation>El control ha parado la máquina o la limita; el número indica el motivo.</translation>
+    </message>
+    <message>
+        <source>Look up alarm %1 at the control, remove its cause, then press reset there.</source>
+        <translation>Consultar la alarma %1 en el control, eliminar la causa y pulsar allí Reset.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost.</source>
+        <translation>Se ha perdido la conexión con %1.</translation>
+    </message>
+    <message>
+        <source>No connection to %1.</source>
+        <translation>Sin conexión con %1.</translation>
+    </message>
+    <message>
+        <source>Check address, network and control, then connect again.</source>
+        <translation>Comprobar dirección, red y control, y volver a conectar.</translation>
+    </message>
+    <message>
+        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
+        <translation>Movimiento erróneo en %1: %2 puntos repetidos, %3 omitidos. La pieza puede estar dañada.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings.</source>
+        <translation>Los puntos llegaron demasiado tarde para este avance con estos ajustes.</translation>
+    </message>
+    <message>
+        <source>Check workpiece and tool. Choose a smaller feed, or method window.</source>
+        <translation>Comprobar pieza y herramienta. Elegir un avance menor o el método Ventana.</translation>
+    </message>
+    <message>
+        <source>The run of %1 was ended by a fault.</source>
+        <translation>Un fallo terminó la ejecución de %1.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece, remove the cause, then resume or start again.</source>
+        <translation>Comprobar herramienta y pieza, eliminar la causa y después reanudar o volver a iniciar.</translation>
+    </message>
+    <message>
+        <source>%1 ended before its end: %2 of %3 points were executed.</source>
+        <translation>%1 terminó antes de su final: se ejecutaron %2 de %3 puntos.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace lacks the last points.</source>
+        <translation>En el registro del control faltan los últimos puntos.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece before you go on.</source>
+        <translation>Comprobar herramienta y pieza antes de continuar.</translation>
+    </message>
+    <message>
+        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <translation>No se sabe si %1 se ejecutó sin fallos.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace could not be read, or is shorter than the run.</source>
+        <translation>El registro del control no se pudo leer o es más corto que la ejecución.</translation>
+    </message>
+    <message>
+        <source>Check the workpiece.</source>
+        <translation>Comprobar la pieza.</translation>
+    </message>
+    <message>
+        <source>The run is not recorded.</source>
+        <translation>La ejecución no se graba.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>No se puede crear la carpeta %1.</translation>
+    </message>
+    <message>
+        <source>Check the folder, its permissions and the free space.</source>
+        <translation>Comprobar la carpeta, sus permisos y el espacio libre.</translation>
+    </message>
+    <message>
+        <source>The program file %1 has changed since it was read.</source>
+        <translation>El archivo de programa %1 ha cambiado desde que se leyó.</translation>
+    </message>
+    <message>
+        <source>Another program has written the file.</source>
+        <translation>Otro programa ha escrito el archivo.</translation>
+    </message>
+    <message>
+        <source>Reload the file before you start.</source>
+        <translation>Recargar el archivo antes de iniciar.</translation>
+    </message>
+    <message>
+        <source>The program file %1 is no longer there.</source>
+        <translation>El archivo de programa %1 ya no está.</translation>
+    </message>
+    <message>
+        <source>It was deleted or moved, or its drive is not connected.</source>
+        <translation>Se ha borrado o movido, o su unidad no está conectada.</translation>
+    </message>
+    <message>
+        <source>Bring the file back, or go on with what was read before it disappeared.</source>
+        <translation>Recuperar el archivo, o continuar con lo que se leyó antes de que desapareciera.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 has failed.</source>
+        <translation>La calibración de %1 ha fallado.</translation>
+    </message>
+    <message>
+        <source>Remove the cause, then measure again.</source>
+        <translation>Eliminar la causa y volver a medir.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 is not saved.</source>
+        <translation>La calibración de %1 no se ha guardado.</translation>
+    </message>
+    <message>
+        <source>Check the folder and the free space, then measure again.</source>
+        <translation>Comprobar la carpeta y el espacio libre, y volver a medir.</translation>
+    </message>
+    <message>
+        <source>The history of alarms is not written to %1.</source>
+        <translation>El historial de alarmas no se escribe en %1.</translation>
+    </message>
+    <message>
+        <source>The audit trail is not written to %1.</source>
+        <translation>El registro de auditoría no se escribe en %1.</translation>
+    </message>
+    <message>
+        <source>The audit trail %1 was changed: see line %2.</source>
+        <translation>El registro de auditoría %1 ha sido modificado: véase la línea %2.</translation>
+    </message>
+    <message>
+        <source>A line was edited, inserted or removed after it was written.</source>
+        <translation>Una línea se modificó, insertó o borró después de escribirla.</translation>
+    </message>
+    <message>
+        <source>Keep a copy of the file and find out who changed it.</source>
+        <translation>Guardar una copia del archivo y averiguar quién lo cambió.</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Control</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Ordenador</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Activa</translation>
+    </message>
+    <message>
+        <source>Active, acknowledged</source>
+        <translation>Activa, acusada</translation>
+    </message>
+    <message>
+        <source>Gone, not acknowledged</source>
+        <translation>Desaparecida, sin acusar</translation>
+    </message>
+    <message>
+        <source>Shelved</source>
+        <translation>Aplazada</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>Aparecida</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>Desaparecida</translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation>Acusada</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Recuperada</translation>
+    </message>
+    <message>
+        <source>Shelving expired</source>
+        <translation>Aplazamiento vencido</translation>
+    </message>
+    <message>
+        <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
+        <translation>Mirar la máquina: todavía puede moverse. Comprobar cable y control, y volver a conectar.</translation>
+    </message>
+</context>
+<context>
+    <name>AuditTexts</name>
+    <message>
+        <source>Stop</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Suspensión</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reanudación</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Corrección en línea</translation>
+    </message>
+    <message>
+        <source>Program opened</source>
+        <translation>Programa abierto</translation>
+    </message>
+    <message>
+        <source>Settings changed</source>
+        <translation>Ajustes modificados</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Desconexión</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Aprobado</translation>
+    </message>
+    <message>
+        <source>Release taken back</source>
+        <translation>Aprobación retirada</translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged</source>
+        <translation>Alarma acusada</translation>
+    </message>
+    <message>
+        <source>Alarm shelved</source>
+        <translation>Alarma aplazada</translation>
+    </message>
+    <message>
+        <source>Users set up</source>
+        <translation>Usuarios configurados</translation>
+    </message>
+    <message>
+        <source>Logged in</source>
+        <translation>Sesión iniciada</translation>
+    </message>
+    <message>
+        <source>Wrong PIN</source>
+        <translation>PIN incorrecto</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Bloqueado</translation>
+    </message>
+    <message>
+        <source>Rivulet started</source>
+        <translation>Rivulet iniciado</translation>
+    </message>
+    <message>
+        <source>Rivulet ended</source>
+        <translation>Rivulet cerrado</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operario</translation>
+    </message>
+    <message>
+        <source>Engineer</source>
+        <translation>Preparador</translation>
+    </message>
+</context>
+<context>
+    <name>BlockedTexts</name>
+    <message>
+        <source>A run is in progress.</source>
+        <translation>Hay una ejecución en curso.</translation>
+    </message>
+    <message>
+        <source>Asking the control where the run was left.</source>
+        <translation>Se pregunta al control dónde se interrumpió la ejecución.</translation>
+    </message>
+    <message>
+        <source>A calibration is in progress.</source>
+        <translation>Hay una calibración en curso.</translation>
+    </message>
+    <message>
+        <source>Connect to a control first.</source>
+        <translation>Conectar primero con un control.</translation>
+    </message>
+    <message>
+        <source>Open a program first.</source>
+        <translation>Abrir primero un programa.</translation>
+    </message>
+    <message>
+        <source>The file of the program has changed: reload it.</source>
+        <translation>El archivo del programa ha cambiado: recargarlo.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis.</source>
+        <translation>El programa no mueve ningún eje.</translation>
+    </message>
+    <message>
+        <source>The program needs a transformation of the control. No method can stream it.</source>
+        <translation>El programa necesita una transformación del control. Ningún método puede transmitirlo de forma continua.</translation>
+    </message>
+    <message>
+        <source>Parts of the program&apos;s path are not known: see the findings.</source>
+        <translation>Hay partes de la trayectoria que no se conocen: véanse las observaciones.</translation>
+    </message>
+    <message>
+        <source>The program moves rotary axes: choose method window.</source>
+        <translation>El programa mueve ejes giratorios: elegir el método Ventana.</translation>
+    </message>
+    <message>
+        <source>The program moves %1, but the control does not have all of these axes.</source>
+        <translation>El programa mueve %1, pero el control no tiene todos estos ejes.</translation>
+    </message>
+    <message>
+        <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
+        <translation>No viable: el control repetiría puntos. Cambiar F, N o δ.</translation>
+    </message>
+    <message>
+        <source>Method credit starts only on a control that has passed its test: choose method window.</source>
+        <translation>El método Crédito solo se inicia en un control que ha superado su prueba: elegir el método Ventana.</translation>
+    </message>
+    <message>
+        <source>The control reports an alarm.</source>
+        <translation>El control notifica una alarma.</translation>
+    </message>
+    <message>
+        <source>A program is running on the control.</source>
+        <translation>Hay un programa en marcha en el control.</translation>
+    </message>
+    <message>
+        <source>There is no interrupted run of method window.</source>
+        <translation>No hay ninguna ejecución interrumpida del método Ventana.</translation>
+    </message>
+    <message>
+        <source>Only method window can resume an interrupted run.</source>
+        <translation>Solo el método Ventana puede reanudar una ejecución interrumpida.</translation>
+    </message>
+    <message>
+        <source>The program is being simulated.</source>
+        <translation>Se está simulando el programa.</translation>
+    </message>
+    <message>
+        <source>The simulation of this program failed in %1 of %2 runs. Change F, N or δ.</source>
+        <translation>La simulación de este programa falló en %1 de %2 pasadas. Cambiar F, N o δ.</translation>
+    </message>
+    <message>
+        <source>The window is locked: log in.</source>
+        <translation>La ventana está bloqueada: iniciar sesión.</translation>
+    </message>
+    <message>
+        <source>Only an engineer may do this.</source>
+        <translation>Solo para el preparador.</translation>
+    </message>
+    <message>
+        <source>Not released: an engineer has to release this program with these settings.</source>
+        <translation>Sin aprobar: un preparador debe aprobar este programa con estos ajustes.</translation>
+    </message>
+</context>
+<context>
+    <name>ConnectionTexts</name>
+    <message>
+        <source>Not connected</source>
+        <translation>Sin conexión</translation>
+    </message>
+    <message>
+        <source>Connecting …</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Conectado</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Conexión perdida</translation>
+    </message>
+</context>
+<context>
+    <name>DiagnosticTexts</name>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Advertencia</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: the run does not wait here, and no tool is changed.</source>
+        <translation>%1 no se envía al control: la ejecución no espera aquí y no se cambia ninguna herramienta.</translation>
+    </message>
+    <message>
+        <source>A block with &quot;/&quot; is executed: Rivulet reads the program with block skip off.</source>
+        <translation>Se ejecuta una secuencia con «/»: Rivulet lee el programa sin omisión de secuencias.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: set spindle, tool and coolant there.</source>
+        <translation>%1 no se envía al control: ajustar allí cabezal, herramienta y refrigerante.</translation>
+    </message>
+    <message>
+        <source>The character &quot;%1&quot; has no meaning here: remove it or put it into a comment.</source>
+        <translation>El carácter «%1» no tiene aquí ningún significado: borrarlo o ponerlo en un comentario.</translation>
+    </message>
+    <message>
+        <source>The word %1 has no number.</source>
+        <translation>A la palabra %1 le falta el número.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number: write digits with a decimal point.</source>
+        <translation>«%1» no es un número: escribir cifras con punto decimal.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened but not closed in this line: the rest of the line is not read.</source>
+        <translation>En esta línea se abre un paréntesis que no se cierra: el resto de la línea no se lee.</translation>
+    </message>
+    <message>
+        <source>Rivulet does not know the G function %1: its effect on the path is unknown.</source>
+        <translation>Rivulet no conoce la función G %1: se desconoce su efecto en la trayectoria.</translation>
+    </message>
+    <message>
+        <source>The word %1 is not understood here: its effect on the path is unknown.</source>
+        <translation>La palabra %1 no se entiende aquí: se desconoce su efecto en la trayectoria.</translation>
+    </message>
+    <message>
+        <source>%1 changes the path or the feed in a way that Rivulet does not support: post-process the program without it.</source>
+        <translation>%1 cambia la trayectoria o el avance de una forma que Rivulet no admite: posprocesar el programa sin esta función.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: it does not change the path.</source>
+        <translation>%1 no se envía al control: no cambia la trayectoria.</translation>
+    </message>
+    <message>
+        <source>%1 contradict each other in one block: keep one of them.</source>
+        <translation>%1 se contradicen en una misma secuencia: dejar solo una.</translation>
+    </message>
+    <message>
+        <source>The word %1 appears twice in one block: keep one of them.</source>
+        <translation>La palabra %1 aparece dos veces en una misma secuencia: dejar solo una.</translation>
+    </message>
+    <message>
+        <source>The arc has no centre: give I, J, K, or a radius with an end point that differs from the start.</source>
+        <translation>El arco no tiene centro: indicar I, J, K, o un radio con un punto final distinto del inicial.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius differs by %1 mm between start and end: check the centre, which is read as an increment from the start.</source>
+        <translation>El radio del arco difiere en %1 mm entre el inicio y el final: comprobar el centro, que se lee como incremento desde el inicio.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius is too small to reach its end point (radius &lt; half chord, mm: %1).</source>
+        <translation>El radio del arco es demasiado pequeño para llegar a su punto final (radio &lt; media cuerda, mm: %1).</translation>
+    </message>
+    <message>
+        <source>The arc starts at an unknown position: program %1 with G0 or G1 before it.</source>
+        <translation>El arco empieza en una posición desconocida: programar antes %1 con G0 o G1.</translation>
+    </message>
+    <message>
+        <source>The increment of %1 starts at an unknown position: program %1 with G90 before it.</source>
+        <translation>La cota incremental de %1 parte de una posición desconocida: programar antes %1 con G90.</translation>
+    </message>
+    <message>
+        <source>The feed F%1 is not greater than 0.</source>
+        <translation>El avance F%1 no es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>The value of %1 is outside the range that Rivulet accepts.</source>
+        <translation>El valor de %1 está fuera del rango que acepta Rivulet.</translation>
+    </message>
+    <message>
+        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
+        <translation>Las secuencias a partir de aquí están después del final del programa (M30, M2, M17 o %): no se leen.</translation>
+    </message>
+    <message>
+        <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
+        <translation>Se programa un eje antes de cualquiera de G0 a G3: se supone G1, como después de un Reset del control.</translation>
+    </message>
+    <message>
+        <source>The centre word %1 is not in the plane of the arc: check G17, G18, G19.</source>
+        <translation>La palabra de centro %1 no está en el plano del arco: comprobar G17, G18, G19.</translation>
+    </message>
+    <message>
+        <source>The program has more than %1 points: it is not read further. Split it.</source>
+        <translation>El programa tiene más de %1 puntos: no se sigue leyendo. Dividirlo.</translation>
+    </message>
+    <message>
+        <source>%1 more findings from here on are not listed.</source>
+        <translation>A partir de aquí hay %1 observaciones más que no se muestran.</translation>
+    </message>
+    <message>
+        <source>Rivulet does not execute &quot;%1&quot;: its effect on the path is unknown.</source>
+        <translation>Rivulet no ejecuta «%1»: se desconoce su efecto en la trayectoria.</translation>
+    </message>
+    <message>
+        <source>The loop that ends here does not terminate: reading stopped after %1 repeated blocks. Check its condition.</source>
+        <translation>El bucle que acaba aquí no termina: la lectura se detuvo tras %1 secuencias repetidas. Comprobar su condición.</translation>
+    </message>
+    <message>
+        <source>The calculation has no result: %1.</source>
+        <translation>El cálculo no tiene resultado: %1.</translation>
+    </message>
+    <message>
+        <source>The sequence of the blocks is not known from here on: %1.</source>
+        <translation>A partir de aquí no se conoce el orden de las secuencias: %1.</translation>
+    </message>
+    <message>
+        <source>The subprogram %1 is neither in this file nor in a file beside it: its points are missing.</source>
+        <translation>El subprograma %1 no está ni en este archivo ni en otro archivo junto a él: faltan sus puntos.</translation>
+    </message>
+    <message>
+        <source>%1 is a cycle of the control: its motions are missing here.</source>
+        <translation>%1 es un ciclo del control: aquí faltan sus movimientos.</translation>
+    </message>
+    <message>
+        <source>%1 moves in machine coordinates, whose position in the workpiece is not known: the move is left out.</source>
+        <translation>%1 se mueve en coordenadas de máquina, cuya posición en la pieza no se conoce: se omite el movimiento.</translation>
+    </message>
+    <message>
+        <source>The file holds bytes that do not occur in NC text: choose a text file, not an archive or a picture.</source>
+        <translation>El archivo contiene bytes que no aparecen en un texto CN: elegir un archivo de texto, no un archivo comprimido ni una imagen.</translation>
+    </message>
+    <message>
+        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
+        <translation>%1 es un ciclo de torneado, así que el programa es para un torno: X se lee como diámetro, U y W como incrementos, y el plano es Z X.</translation>
+    </message>
+    <message>
+        <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
+        <translation>%1 se omite porque usted lo aceptó: la trayectoria puede diferir de la del control.</translation>
+    </message>
+    <message>
+        <source>All arcs of the program fit if I, J and K are read as %1: check how the post-processor writes them, and load the program that way.</source>
+        <translation>Todos los arcos del programa encajan si I, J y K se leen como %1: comprobar cómo los escribe el posprocesador y cargar así el programa.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
+        <translation>El programa no mueve ningún eje: no hay nada que transmitir. Elegir un programa con G0, G1, G2 o G3 y X, Y o Z.</translation>
+    </message>
+    <message>
+        <source>%1 moves on the path: only method window streams it, and only if this axis is selected.</source>
+        <translation>%1 se mueve en la trayectoria: solo lo transmite el método Ventana, y solo si este eje está seleccionado.</translation>
+    </message>
+    <message>
+        <source>With %1, X, Y and Z are those of the tool tip while rotary axes turn, and no method switches it on at the control. Post-process the program for the axes of the machine.</source>
+        <translation>Con %1, X, Y y Z son los de la punta de la herramienta mientras giran los ejes giratorios, y ningún método lo activa en el control. Posprocesar el programa para los ejes de la máquina.</translation>
+    </message>
+    <message>
+        <source>%1 give the tool direction. The points keep it, but only the control could convert it to rotary axes. Post-process the program with A, B or C.</source>
+        <translation>%1 indican la dirección de la herramienta. Los puntos la conservan, pero solo el control podría convertirla en ejes giratorios. Posprocesar el programa con A, B o C.</translation>
+    </message>
+    <message>
+        <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
+        <translation>Una secuencia se mueve con G1, G2 o G3 antes de programar un avance F: solo se puede usar un avance fijo.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorTexts</name>
+    <message>
+        <source>The file cannot be read. Check that it exists and that you may read it.</source>
+        <translation>No se puede leer el archivo. Comprobar que existe y que se tiene permiso para leerlo.</translation>
+    </message>
+    <message>
+        <source>The file is too large. Split the program into parts.</source>
+        <translation>El archivo es demasiado grande. Dividir el programa en partes.</translation>
+    </message>
+    <message>
+        <source>The program is empty. Choose a file with NC blocks.</source>
+        <translation>El programa está vacío. Elegir un archivo con secuencias CN.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis. Choose a program with G0, G1, G2 or G3.</source>
+        <translation>El programa no mueve ningún eje. Elegir un programa con G0, G1, G2 o G3.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not understood. See the list of findings.</source>
+        <translation>Hay partes del programa que no se entienden. Véase la lista de observaciones.</translation>
+    </message>
+    <message>
+        <source>The feed F must be greater than zero.</source>
+        <translation>El avance F debe ser mayor que cero.</translation>
+    </message>
+    <message>
+        <source>The distance δ must be greater than zero.</source>
+        <translation>La distancia δ debe ser mayor que cero.</translation>
+    </message>
+    <message>
+        <source>N is too small. Choose at least 2 points per loop.</source>
+        <translation>N es demasiado pequeño. Elegir al menos 2 puntos por bucle.</translation>
+    </message>
+    <message>
+        <source>N is too small for this method. Choose more points per loop.</source>
+        <translation>N es demasiado pequeño para este método. Elegir más puntos por bucle.</translation>
+    </message>
+    <message>
+        <source>N points do not fit the R-parameters of the control. Choose a smaller N, the contiguous layout, or enlarge MD28050.</source>
+        <translation>N puntos no caben en los parámetros R del control. Elegir un N menor o la disposición contigua, o aumentar MD28050.</translation>
+    </message>
+    <message>
+        <source>No axis is chosen. Choose at least one axis.</source>
+        <translation>No hay ningún eje seleccionado. Seleccionar al menos uno.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder.</source>
+        <translation>No se puede escribir el archivo. Elegir otra carpeta.</translation>
+    </message>
+    <message>
+        <source>This file is not a Rivulet recording.</source>
+        <translation>Este archivo no es una grabación de Rivulet.</translation>
+    </message>
+    <message>
+        <source>The recording was written by a newer Rivulet. Update this program to read it.</source>
+        <translation>La grabación es de un Rivulet más nuevo. Actualizar este programa para leerla.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged. Everything before the damage was kept.</source>
+        <translation>La grabación está dañada. Se conservó todo lo anterior al daño.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Check the folder and the free space.</source>
+        <translation>No se puede escribir el archivo. Comprobar la carpeta y el espacio libre.</translation>
+    </message>
+    <message>
+        <source>The program has been changed since the interrupted run. Restore it, or start from the beginning.</source>
+        <translation>El programa ha cambiado desde la ejecución interrumpida. Restaurarlo o empezar desde el principio.</translation>
+    </message>
+    <message>
+        <source>No OPC UA server answers at this endpoint. Check address, port and network.</source>
+        <translation>Ningún servidor OPC UA responde en esta dirección. Comprobar dirección, puerto y red.</translation>
+    </message>
+    <message>
+        <source>The connection to the control is lost. Check the machine, then connect again.</source>
+        <translation>Se ha perdido la conexión con el control. Comprobar la máquina y volver a conectar.</translation>
+    </message>
+    <message>
+        <source>The control did not answer in time. Check the network and its load.</source>
+        <translation>El control no respondió a tiempo. Comprobar la red y su carga.</translation>
+    </message>
+    <message>
+        <source>The control does not have a variable that Rivulet needs. Check the configuration of the server.</source>
+        <translation>Al control le falta una variable que Rivulet necesita. Comprobar la configuración del servidor.</translation>
+    </message>
+    <message>
+        <source>A variable is write-protected. Give this user write access on the control.</source>
+        <translation>Una variable está protegida contra escritura. Dar a este usuario permiso de escritura en el control.</translation>
+    </message>
+    <message>
+        <source>A value cannot be used; nothing was sent.</source>
+        <translation>Un valor no es utilizable; no se ha enviado nada.</translation>
+    </message>
+    <message>
+        <source>The control rejected the request.</source>
+        <translation>El control rechazó la petición.</translation>
+    </message>
+    <message>
+        <source>The server is not a SINUMERIK (no SinumerikVarProvider). Check the endpoint.</source>
+        <translation>El servidor no es un SINUMERIK (falta SinumerikVarProvider). Comprobar la dirección.</translation>
+    </message>
+    <message>
+        <source>The server does not offer this function.</source>
+        <translation>El servidor no ofrece esta función.</translation>
+    </message>
+    <message>
+        <source>There is no such program on the control. Send the template first.</source>
+        <translation>Este programa no existe en el control. Enviar primero la plantilla.</translation>
+    </message>
+    <message>
+        <source>The channel is not in reset. Press reset at the control, then try again.</source>
+        <translation>El canal no está en Reset. Pulsar Reset en el control y volver a intentarlo.</translation>
+    </message>
+    <message>
+        <source>A program of this name is already on the control.</source>
+        <translation>En el control ya hay un programa con este nombre.</translation>
+    </message>
+    <message>
+        <source>The request is larger than the server accepts. Choose a smaller N.</source>
+        <translation>La petición es mayor de lo que acepta el servidor. Elegir un N menor.</translation>
+    </message>
+    <message>
+        <source>This program cannot be streamed. See the list of findings.</source>
+        <translation>Este programa no se puede transmitir de forma continua. Véase la lista de observaciones.</translation>
+    </message>
+    <message>
+        <source>The control does not run the expected template. Select and start the template for these settings.</source>
+        <translation>En el control no está en marcha la plantilla esperada. Seleccionar e iniciar la plantilla de estos ajustes.</translation>
+    </message>
+    <message>
+        <source>Another program is running on the control. Wait until it has ended, or reset the channel.</source>
+        <translation>En el control está en marcha otro programa. Esperar a que termine o hacer un Reset del canal.</translation>
+    </message>
+    <message>
+        <source>Cycle start was not pressed in time. Start the run again.</source>
+        <translation>No se pulsó Marcha CN a tiempo. Volver a iniciar la ejecución.</translation>
+    </message>
+    <message>
+        <source>The control is running, but the stream makes no progress. Check feed override and feed hold at the control.</source>
+        <translation>El control está en marcha, pero la transmisión no progresa. Comprobar en el control el override de avance y la parada de avance.</translation>
+    </message>
+    <message>
+        <source>The control did not confirm the stop in time. Check the machine.</source>
+        <translation>El control no confirmó la parada a tiempo. Comprobar la máquina.</translation>
+    </message>
+    <message>
+        <source>The control ended the program with an alarm. Clear its cause at the control.</source>
+        <translation>El control terminó el programa con una alarma. Eliminar su causa en el control.</translation>
+    </message>
+    <message>
+        <source>The program on the control ended before all points were sent.</source>
+        <translation>El programa del control terminó antes de que se enviaran todos los puntos.</translation>
+    </message>
+    <message>
+        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>Las celdas del método Ventana están fuera de rango. Comprobar base, paso y número de ventanas.</translation>
+    </message>
+    <message>
+        <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
+        <translation>Otro cliente está usando el programa del control. Rivulet no escribe nada más: esperar a que el otro cliente termine, o hacer un Reset del control.</translation>
+    </message>
+    <message>
+        <source>The program on the control was restarted during the run. Reset the control, then resume.</source>
+        <translation>El programa del control se reinició durante la ejecución. Hacer un Reset del control y reanudar.</translation>
+    </message>
+    <message>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
+        <translation>El control rechazó una ventana que no coincidía con su número de comprobación y no la ejecutó. Alguna otra cosa escribe estos parámetros R: averiguar qué es y reanudar.</translation>
+    </message>
+    <message>
+        <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>
+        <translation>El control terminó su programa porque no recibió nada de Rivulet durante demasiado tiempo. Comprobar la red y reanudar.</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation>Se canceló la carga.</translation>
+    </message>
+    <message>
+        <source>It is not known for certain where the run was left. Start from the beginning.</source>
+        <translation>No se sabe con certeza dónde se interrumpió la ejecución. Empezar desde el principio.</translation>
+    </message>
+    <message>
+        <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
+        <translation>El control no permite a Rivulet escribir y leer programas de pieza. Dar estos permisos al usuario OPC UA, o copiar a mano la plantilla en el control.</translation>
+    </message>
+    <message>
+        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
+        <translation>Estas celdas no son utilizables. Elegir parámetros R que existan (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
+        <translation>Hay un programa en marcha en el control: la medición ha terminado. Las celdas tienen sus valores anteriores.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The cells have their old values.</source>
+        <translation>Se canceló la calibración. Las celdas tienen sus valores anteriores.</translation>
+    </message>
+    <message>
+        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
+        <translation>Las celdas no se pudieron restaurar y pueden contener valores de prueba. Ajustarlas en el control.</translation>
+    </message>
+    <message>
+        <source>Only method window streams rotary axes. Choose it.</source>
+        <translation>Solo el método Ventana transmite ejes giratorios. Elegir este método.</translation>
+    </message>
+    <message>
+        <source>Too many axes. Choose at most five.</source>
+        <translation>Demasiados ejes. Elegir cinco como máximo.</translation>
+    </message>
+    <message>
+        <source>These are not axes. Choose from X, Y, Z, A, B and C.</source>
+        <translation>Estos no son ejes. Elegir entre X, Y, Z, A, B y C.</translation>
+    </message>
+    <message>
+        <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
+        <translation>El programa necesita un eje que no se transmite. Llevarlo a la posición del programa, o transmitirlo también.</translation>
+    </message>
+    <message>
+        <source>The control lacks an axis that the program moves. Use a program for the axes of this machine.</source>
+        <translation>Al control le falta un eje que el programa mueve. Usar un programa para los ejes de esta máquina.</translation>
+    </message>
+    <message>
+        <source>No prediction is possible for this method.</source>
+        <translation>No hay predicción posible para este método.</translation>
+    </message>
+    <message>
+        <source>The test was aborted. Reset the control if its program is still running.</source>
+        <translation>La prueba se interrumpió. Hacer un Reset del control si su programa sigue en marcha.</translation>
+    </message>
+    <message>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
+        <translation>El método Crédito es experimental y solo se inicia en un control que ha superado su prueba. Ejecutar rivulet-cli commission para este control, o elegir el método Ventana.</translation>
+    </message>
+    <message>
+        <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
+        <translation>La corrección en línea es posible con el método Ventana, para X, Y y Z, hasta 1 mm.</translation>
+    </message>
+    <message>
+        <source>An overlay is already active on the axes. Remove it at the control: press reset, wait, and check that $AA_OFF is 0.</source>
+        <translation>Ya hay una superposición activa en los ejes. Quitarla en el control: pulsar Reset, esperar y comprobar que $AA_OFF es 0.</translation>
+    </message>
+    <message>
+        <source>The control adds up overlaid values (MD36750 bit 0). Set the bit to 0, or do without online correction.</source>
+        <translation>El control suma los valores superpuestos (MD36750 bit 0). Poner el bit a 0, o prescindir de la corrección en línea.</translation>
+    </message>
+    <message>
+        <source>This is not a machine file of Rivulet. Move the file away.</source>
+        <translation>Este no es un archivo de máquina de Rivulet. Moverlo a otro sitio.</translation>
+    </message>
+    <message>
+        <source>This was written by another version of Rivulet. Measure again.</source>
+        <translation>El archivo es de otra versión de Rivulet. Volver a medir.</translation>
+    </message>
+    <message>
+        <source>The calibration is damaged. Measure again.</source>
+        <translation>La calibración está dañada. Volver a medir.</translation>
+    </message>
+    <message>
+        <source>Another client has claimed the R-parameters of this run and is about to start. Nothing was changed. Wait until its run has ended.</source>
+        <translation>Otro cliente ha reservado los parámetros R de esta ejecución y está a punto de iniciar. No se ha cambiado nada. Esperar a que termine su ejecución.</translation>
+    </message>
+    <message>
+        <source>A block of the program moves at a feed that is not known: F is missing, G95 has no spindle speed, or G93 no length. Choose one feed for all moves.</source>
+        <translation>Una secuencia del programa se mueve con un avance que no se conoce: falta F, a G95 le falta la velocidad del cabezal o a G93 la longitud. Elegir un solo avance para todos los movimientos.</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published.</source>
+        <translation>Este método tiene un solo avance para todos los movimientos, tal como se publicó.</translation>
+    </message>
+    <message>
+        <source>The override is out of range: choose 1 to 200 %.</source>
+        <translation>El override está fuera de rango: elegir de 1 a 200&#xa0;%.</translation>
+    </message>
+</context>
+<context>
+    <name>FaultTexts</name>
+    <message>
+        <source>the character &quot;%1&quot; has no meaning here</source>
+        <translation>el carácter «%1» no tiene aquí ningún significado</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>«%1» no es un número</translation>
+    </message>
+    <message>
+        <source>a comment is not closed</source>
+        <translation>hay un comentario sin cerrar</translation>
+    </message>
+    <message>
+        <source>%1 is not known to this machine</source>
+        <translation>%1 no se conoce en esta máquina</translation>
+    </message>
+    <message>
+        <source>the word %1 is not understood here</source>
+        <translation>la palabra %1 no se entiende aquí</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood</source>
+        <translation>«%1» no se entiende</translation>
+    </message>
+    <message>
+        <source>two functions of one group are in the block: %1</source>
+        <translation>hay dos funciones de un mismo grupo en la secuencia: %1</translation>
+    </message>
+    <message>
+        <source>the address %1 is programmed more than once in the block</source>
+        <translation>la dirección %1 está programada más de una vez en la secuencia</translation>
+    </message>
+    <message>
+        <source>circle end-point error: there is no circle through these points</source>
+        <translation>error en el punto final del círculo: ningún círculo pasa por estos puntos</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radii at start and end differ by %1 mm</source>
+        <translation>error en el punto final del círculo: los radios al inicio y al final difieren en %1 mm</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radius is too small (%1)</source>
+        <translation>error en el punto final del círculo: el radio es demasiado pequeño (%1)</translation>
+    </message>
+    <message>
+        <source>the arc starts at an unknown position: %1</source>
+        <translation>el arco empieza en una posición desconocida: %1</translation>
+    </message>
+    <message>
+        <source>the increment of %1 starts at an unknown position</source>
+        <translation>la cota incremental de %1 parte de una posición desconocida</translation>
+    </message>
+    <message>
+        <source>no feed is programmed</source>
+        <translation>no hay ningún avance programado</translation>
+    </message>
+    <message>
+        <source>the programmed path speed %1 is not positive</source>
+        <translation>la velocidad de trayectoria programada %1 no es positiva</translation>
+    </message>
+    <message>
+        <source>the value of %1 is out of range</source>
+        <translation>el valor de %1 está fuera de rango</translation>
+    </message>
+    <message>
+        <source>circle end-point error: %1 is not in the plane of the arc</source>
+        <translation>error en el punto final del círculo: %1 no está en el plano del arco</translation>
+    </message>
+    <message>
+        <source>%1 is not a cycle of this machine</source>
+        <translation>%1 no es un ciclo de esta máquina</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>falta un valor</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a value</source>
+        <translation>«%1» no es un valor</translation>
+    </message>
+    <message>
+        <source>a constant in quotes is written &apos;H1F&apos; or &apos;B101&apos;</source>
+        <translation>una constante entre comillas simples se escribe &apos;H1F&apos; o &apos;B101&apos;</translation>
+    </message>
+    <message>
+        <source>a text in quotes is expected</source>
+        <translation>se espera un texto entre comillas</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>hay un paréntesis sin cerrar</translation>
+    </message>
+    <message>
+        <source>an operand is missing</source>
+        <translation>falta un operando</translation>
+    </message>
+    <message>
+        <source>the calculation is nested too deeply</source>
+        <translation>el cálculo tiene demasiados niveles de anidamiento</translation>
+    </message>
+    <message>
+        <source>%1 is neither a variable nor a function</source>
+        <translation>%1 no es ni una variable ni una función</translation>
+    </message>
+    <message>
+        <source>%1 needs its argument in brackets</source>
+        <translation>%1 necesita su argumento entre paréntesis</translation>
+    </message>
+    <message>
+        <source>%1 needs more arguments</source>
+        <translation>%1 necesita más argumentos</translation>
+    </message>
+    <message>
+        <source>ATAN is written ATAN[y]/[x]</source>
+        <translation>ATAN se escribe ATAN[y]/[x]</translation>
+    </message>
+    <message>
+        <source>EXISTS is written EXISTS[#&lt;name&gt;]</source>
+        <translation>EXISTS se escribe EXISTS[#&lt;name&gt;]</translation>
+    </message>
+    <message>
+        <source>R needs a number or an index in brackets</source>
+        <translation>R necesita un número o un índice entre corchetes</translation>
+    </message>
+    <message>
+        <source>the number of a variable is missing or too large</source>
+        <translation>el número de una variable falta o es demasiado grande</translation>
+    </message>
+    <message>
+        <source>the name of a variable is not closed with &gt;</source>
+        <translation>el nombre de una variable no se cierra con &gt;</translation>
+    </message>
+    <message>
+        <source>%1 is not a variable</source>
+        <translation>%1 no es una variable</translation>
+    </message>
+    <message>
+        <source>%1 needs an axis or an index in brackets</source>
+        <translation>%1 necesita un eje o un índice entre corchetes</translation>
+    </message>
+    <message>
+        <source>an equals sign is missing</source>
+        <translation>falta un signo de igual</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be assigned to</source>
+        <translation>a «%1» no se le puede asignar un valor</translation>
+    </message>
+    <message>
+        <source>SET and REP need a list in brackets, with commas between its values</source>
+        <translation>SET y REP necesitan una lista entre paréntesis, con comas entre sus valores</translation>
+    </message>
+    <message>
+        <source>the name of a variable is missing</source>
+        <translation>falta el nombre de una variable</translation>
+    </message>
+    <message>
+        <source>%1 is not a type for DEF</source>
+        <translation>%1 no es un tipo para DEF</translation>
+    </message>
+    <message>
+        <source>the size of an array is missing or too large</source>
+        <translation>el tamaño de una matriz falta o es demasiado grande</translation>
+    </message>
+    <message>
+        <source>the parameters of PROC are written PROC name(type name, ...)</source>
+        <translation>los parámetros de PROC se escriben PROC nombre(tipo nombre, ...)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing, or has no meaning here</source>
+        <translation>«%1» falta, o no tiene aquí ningún significado</translation>
+    </message>
+    <message>
+        <source>an address needs a number or &quot;=&quot;</source>
+        <translation>una dirección necesita un número o «=»</translation>
+    </message>
+    <message>
+        <source>the jump has no target</source>
+        <translation>el salto no tiene destino</translation>
+    </message>
+    <message>
+        <source>only GOTO may follow a condition</source>
+        <translation>a una condición solo le puede seguir GOTO</translation>
+    </message>
+    <message>
+        <source>FOR is written FOR i = a TO b</source>
+        <translation>FOR se escribe FOR i = a TO b</translation>
+    </message>
+    <message>
+        <source>CASE is written CASE(value) OF constant GOTOF target</source>
+        <translation>CASE se escribe CASE(valor) OF constante GOTOF destino</translation>
+    </message>
+    <message>
+        <source>the %1 that begins here is not closed</source>
+        <translation>el %1 que empieza aquí no se cierra</translation>
+    </message>
+    <message>
+        <source>%1 has no beginning</source>
+        <translation>%1 no tiene principio</translation>
+    </message>
+    <message>
+        <source>control structures are nested more than 16 deep</source>
+        <translation>las estructuras de control están anidadas en más de 16 niveles</translation>
+    </message>
+    <message>
+        <source>a synchronized action needs a number from 1 to 255</source>
+        <translation>una acción síncrona necesita un número de 1 a 255</translation>
+    </message>
+    <message>
+        <source>a synchronized action is written ID=1 WHEN condition DO assignment</source>
+        <translation>una acción síncrona se escribe ID=1 WHEN condición DO asignación</translation>
+    </message>
+    <message>
+        <source>a synchronized action can only assign to $R and variables of the main run</source>
+        <translation>una acción síncrona solo puede asignar valores a $R y a variables del proceso principal</translation>
+    </message>
+    <message>
+        <source>the target %1 is missing</source>
+        <translation>falta el destino %1</translation>
+    </message>
+    <message>
+        <source>the program %1 does not exist</source>
+        <translation>el programa %1 no existe</translation>
+    </message>
+    <message>
+        <source>%1 is not defined, and there is no program of this name</source>
+        <translation>%1 no está definido y no hay ningún programa con este nombre</translation>
+    </message>
+    <message>
+        <source>subprograms call each other too deeply</source>
+        <translation>los subprogramas se llaman en demasiados niveles</translation>
+    </message>
+    <message>
+        <source>a division by zero</source>
+        <translation>división por cero</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>%1 no tiene valor</translation>
+    </message>
+    <message>
+        <source>the result is too large</source>
+        <translation>el resultado es demasiado grande</translation>
+    </message>
+    <message>
+        <source>it needs a value that is not known</source>
+        <translation>hace falta un valor que no se conoce</translation>
+    </message>
+    <message>
+        <source>R%1 is read before the program sets it: only the control knows it</source>
+        <translation>R%1 se lee antes de que el programa lo asigne: solo el control lo conoce</translation>
+    </message>
+    <message>
+        <source>R[%1] does not exist</source>
+        <translation>R[%1] no existe</translation>
+    </message>
+    <message>
+        <source>%1 is not defined</source>
+        <translation>%1 no está definido</translation>
+    </message>
+    <message>
+        <source>an array needs its index in brackets</source>
+        <translation>una matriz necesita su índice entre corchetes</translation>
+    </message>
+    <message>
+        <source>the array has fewer dimensions</source>
+        <translation>la matriz tiene menos dimensiones</translation>
+    </message>
+    <message>
+        <source>the array has more dimensions</source>
+        <translation>la matriz tiene más dimensiones</translation>
+    </message>
+    <message>
+        <source>the index is outside the array</source>
+        <translation>el índice está fuera de la matriz</translation>
+    </message>
+    <message>
+        <source>a calculation uses a text</source>
+        <translation>un cálculo utiliza un texto</translation>
+    </message>
+    <message>
+        <source>the value is not of type %1</source>
+        <translation>el valor no es del tipo %1</translation>
+    </message>
+    <message>
+        <source>the value is outside the range of type %1</source>
+        <translation>el valor está fuera del rango del tipo %1</translation>
+    </message>
+    <message>
+        <source>the list has more values than the array has elements</source>
+        <translation>la lista tiene más valores que elementos la matriz</translation>
+    </message>
+    <message>
+        <source>only the control knows the value of %1</source>
+        <translation>solo el control conoce el valor de %1</translation>
+    </message>
+    <message>
+        <source>a variable of the control would be written</source>
+        <translation>se escribiría una variable del control</translation>
+    </message>
+    <message>
+        <source>the subprogram takes %1 values</source>
+        <translation>el subprograma recibe %1 valores</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable</source>
+        <translation>el parámetro %1 se pasa por referencia y necesita una variable</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable of its own type</source>
+        <translation>el parámetro %1 se pasa por referencia y necesita una variable de su mismo tipo</translation>
+    </message>
+    <message>
+        <source>a synchronized action reads R or an array by an index of the main run: use $R</source>
+        <translation>una acción síncrona lee R o una matriz con un índice del proceso principal: usar $R</translation>
+    </message>
+    <message>
+        <source>GOTO or THEN must follow a condition</source>
+        <translation>a una condición le debe seguir GOTO o THEN</translation>
+    </message>
+    <message>
+        <source>WHILE is written WHILE [condition] DO1</source>
+        <translation>WHILE se escribe WHILE [condición] DO1</translation>
+    </message>
+    <message>
+        <source>an O word needs a number or &lt;name&gt;</source>
+        <translation>una palabra O necesita un número o &lt;name&gt;</translation>
+    </message>
+    <message>
+        <source>%1 is not known</source>
+        <translation>%1 no se conoce</translation>
+    </message>
+    <message>
+        <source>%1 is not in a loop</source>
+        <translation>%1 no está en un bucle</translation>
+    </message>
+    <message>
+        <source>%1 has no call</source>
+        <translation>%1 no tiene llamada</translation>
+    </message>
+    <message>
+        <source>a subprogram is defined inside %1</source>
+        <translation>se define un subprograma dentro de %1</translation>
+    </message>
+</context>
+<context>
+    <name>FoundRunTexts</name>
+    <message>
+        <source>A program of Rivulet without a run</source>
+        <translation>Un programa de Rivulet sin ejecución</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Ejecución %1</translation>
+    </message>
+    <message>
+        <source>Run %1 of %2</source>
+        <translation>Ejecución %1 de %2</translation>
+    </message>
+    <message>
+        <source>It is not known who started it.</source>
+        <translation>No se sabe quién la inició.</translation>
+    </message>
+    <message>
+        <source>Started by %1 on %2 at %3.</source>
+        <translation>Iniciada por %1 en %2 el %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points executed</source>
+        <translation>%1 de %2 puntos ejecutados</translation>
+    </message>
+    <message>
+        <source>%1 windows executed</source>
+        <translation>%1 ventanas ejecutadas</translation>
+    </message>
+    <message>
+        <source>%1. Looking for its client …</source>
+        <translation>%1. Buscando su cliente…</translation>
+    </message>
+    <message>
+        <source>It waits for its first client.</source>
+        <translation>Espera a su primer cliente.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is gone: the program waits.</source>
+        <translation>%1. Su cliente ya no está: el programa espera.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is at work.</source>
+        <translation>%1. Su cliente está trabajando.</translation>
+    </message>
+    <message>
+        <source>It was not completed, and its program is no longer active on the control.</source>
+        <translation>No se completó, y su programa ya no está activo en el control.</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1.</source>
+        <translation>Parada confirmada tras %1.</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed.</source>
+        <translation>Parada solicitada, aún sin confirmar.</translation>
+    </message>
+</context>
+<context>
+    <name>GroupingTexts</name>
+    <message>
+        <source>Lists</source>
+        <translation>Listas</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>De una en una</translation>
+    </message>
+    <message>
+        <source>Arrays by count</source>
+        <translation>Matrices por número</translation>
+    </message>
+    <message>
+        <source>Arrays by range</source>
+        <translation>Matrices por rango</translation>
+    </message>
+</context>
+<context>
+    <name>LimitTexts</name>
+    <message>
+        <source>rapid</source>
+        <translation>rápido</translation>
+    </message>
+    <message>
+        <source>line %1: %2, %3</source>
+        <translation>línea %1: %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>Pages</name>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Feasibility</source>
+        <translation>Viabilidad</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Plantilla</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 guardado.</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Auditoría</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Usuarios</translation>
+    </message>
+</context>
+<context>
+    <name>PauseTexts</name>
+    <message>
+        <source>M</source>
+        <comment>letter for a measured pause</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <comment>letter for an inferred pause</comment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter for a predicted pause</comment>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>medida</translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation>deducida</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prevista</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramTexts</name>
+    <message>
+        <source>Parts of the path of %1 are not known: see the findings. The program cannot be streamed.</source>
+        <translation>Hay partes de la trayectoria de %1 que no se conocen: véanse las observaciones. El programa no se puede transmitir de forma continua.</translation>
+    </message>
+    <message>
+        <source>%1 needs a transformation of the control. No method can stream it.</source>
+        <translation>%1 necesita una transformación del control. Ningún método puede transmitirlo de forma continua.</translation>
+    </message>
+    <message>
+        <source>%1 moves no axis: there is nothing to stream.</source>
+        <translation>%1 no mueve ningún eje: no hay nada que transmitir.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Hay una ejecución en curso. Abrir otro programa cuando haya terminado.</translation>
+    </message>
+    <message>
+        <source>Opened %1 (%2), %3 points.</source>
+        <translation>%1 abierto (%2), %3 puntos.</translation>
+    </message>
+    <message>
+        <source>Reading %1 was cancelled.</source>
+        <translation>Se canceló la lectura de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>RehearsalTexts</name>
+    <message>
+        <source>The program is being simulated with these settings.</source>
+        <translation>Se está simulando el programa con estos ajustes.</translation>
+    </message>
+    <message>
+        <source>all %1 points</source>
+        <translation>la totalidad de los %1 puntos</translation>
+    </message>
+    <message>
+        <source>the %1 most difficult points</source>
+        <translation>los %1 puntos más difíciles</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: no wrong point in %2 runs.</source>
+        <translation>Simulación de %1: ningún punto erróneo en %2 pasadas.</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
+        <translation>Simulación de %1: puntos erróneos en %2 de %3 pasadas.</translation>
+    </message>
+</context>
+<context>
+    <name>RunStateTexts</name>
+    <message>
+        <source>Idle</source>
+        <translation>En reposo</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Parando</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminado</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Suspendido</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Preparando</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parado</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallido</translation>
+    </message>
+</context>
+<context>
+    <name>RunTexts</name>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>No hay ningún programa cargado.</translation>
+    </message>
+    <message>
+        <source>The program has fewer than two points.</source>
+        <translation>El programa tiene menos de dos puntos.</translation>
+    </message>
+    <message>
+        <source>Running: %1, version %2</source>
+        <translation>En marcha: %1, versión %2</translation>
+    </message>
+    <message>
+        <source>Program: %1, version %2</source>
+        <translation>Programa: %1, versión %2</translation>
+    </message>
+</context>
+<context>
+    <name>UserTexts</name>
+    <message>
+        <source>At least one user must be an engineer.</source>
+        <translation>Al menos un usuario debe ser preparador.</translation>
+    </message>
+    <message>
+        <source>The file of users is damaged. Restore it, or delete it to set the users up again.</source>
+        <translation>El archivo de usuarios está dañado. Restaurarlo, o borrarlo y volver a configurar los usuarios.</translation>
+    </message>
+    <message>
+        <source>Give a name.</source>
+        <translation>Indicar un nombre.</translation>
+    </message>
+    <message>
+        <source>The PIN needs at least 4 characters.</source>
+        <translation>El PIN debe tener al menos 4 caracteres.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Alarms</name>
+    <message>
+        <source>%1: %2 damaged lines of the history of alarms were left out.</source>
+        <translation>%1: se omitieron %2 líneas dañadas del historial de alarmas.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Demo</name>
+    <message>
+        <source>The picture or the report cannot be written to %1.</source>
+        <translation>No se puede escribir la imagen o el informe en %1.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Document</name>
+    <message>
+        <source>Line %1</source>
+        <translation>Línea %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::FoundRuns</name>
+    <message>
+        <source>The run that was watched has ended.</source>
+        <translation>La ejecución observada ha terminado.</translation>
+    </message>
+    <message>
+        <source>There is a run on the control: %1</source>
+        <translation>Hay una ejecución en el control: %1</translation>
+    </message>
+    <message>
+        <source>The run has been stopped; confirmed after %1.</source>
+        <translation>Se ha parado la ejecución; confirmado tras %1.</translation>
+    </message>
+    <message>
+        <source>Stop of the run on the control requested.</source>
+        <translation>Solicitada la parada de la ejecución en el control.</translation>
+    </message>
+    <message>
+        <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
+        <translation>No se encuentra el archivo del programa, %1. Abrir el programa y volver a intentarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineModel</name>
+    <message>
+        <source>Connected to the virtual machine at %1.</source>
+        <translation>Conectado con la máquina virtual en %1.</translation>
+    </message>
+    <message>
+        <source>Connected to the control at %1.</source>
+        <translation>Conectado con el control en %1.</translation>
+    </message>
+    <message>
+        <source>Calibrated. Saved %1.</source>
+        <translation>Calibrado. %1 guardado.</translation>
+    </message>
+    <message>
+        <source>The calibration belongs to another version of the server and is not used.</source>
+        <translation>La calibración corresponde a otra versión del servidor y no se utiliza.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MainWindow</name>
+    <message>
+        <source>About Rivulet</source>
+        <translation>Acerca de Rivulet</translation>
+    </message>
+    <message>
+        <source>Rivulet %1
+Streams a tool path to a CNC machine over OPC UA while the machine moves.
+
+Stop ends the program at the end of its loop. It is not an emergency stop.
+
+GPL-3.0-or-later</source>
+        <translation>Rivulet %1
+Transmite una trayectoria de herramienta a una máquina CNC por OPC UA mientras la máquina se mueve.
+
+Parada termina el programa al final de su bucle. No es una parada de emergencia.
+
+GPL-3.0-or-later</translation>
+    </message>
+    <message>
+        <source>%1 – Rivulet</source>
+        <translation>%1 – Rivulet</translation>
+    </message>
+    <message>
+        <source>Rivulet</source>
+        <translation>Rivulet</translation>
+    </message>
+    <message>
+        <source>&amp;Open program …</source>
+        <translation>&amp;Abrir programa…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Ay&amp;uda</translation>
+    </message>
+    <message>
+        <source>&amp;About Rivulet</source>
+        <translation>Acerca &amp;de Rivulet</translation>
+    </message>
+    <message>
+        <source>Method, feed and verdict</source>
+        <translation>Método, avance y veredicto</translation>
+    </message>
+    <message>
+        <source>&amp;Set-up</source>
+        <translation>A&amp;justes</translation>
+    </message>
+    <message>
+        <source>&amp;Menu</source>
+        <translation>&amp;Menú</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Alto contraste</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Preflight</name>
+    <message>
+        <source>In the way</source>
+        <translation>Impedimento</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk since version %2 was read.</source>
+        <translation>%1 ha cambiado en el disco desde que se leyó la versión %2.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>%1, version %2, %3 points</source>
+        <translation>%1, versión %2, %3 puntos</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Sin conexión</translation>
+    </message>
+    <message>
+        <source>%1: a virtual machine, no real axis moves</source>
+        <translation>%1: una máquina virtual, no se mueve ningún eje real</translation>
+    </message>
+    <message>
+        <source>%1: the axes of this machine will move</source>
+        <translation>%1: los ejes de esta máquina se moverán</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Primer movimiento</translation>
+    </message>
+    <message>
+        <source>The position of the tool is not known.</source>
+        <translation>No se conoce la posición de la herramienta.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line over %2 to point 1 at %3</source>
+        <translation>De %1 en línea recta a lo largo de %2 hasta el punto 1 en %3</translation>
+    </message>
+    <message>
+        <source>The last run was left at %1 of %2 points. This start does not go on there: it moves from where the tool stands, perhaps in the cut, to the first point.</source>
+        <translation>La última ejecución se interrumpió en %1 de %2 puntos. Este inicio no continúa allí: va desde donde está la herramienta, quizá en pleno corte, hasta el primer punto.</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>%1 for every block, set here</source>
+        <translation>%1 para cada secuencia, ajustado aquí</translation>
+    </message>
+    <message>
+        <source>%1. The program names no feed.</source>
+        <translation>%1. El programa no indica ningún avance.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>%1. The program&apos;s own feed, %2, is not used.</source>
+        <translation>%1. El avance propio del programa, %2, no se utiliza.</translation>
+    </message>
+    <message>
+        <source>Some blocks will be cut %1 times as fast as programmed.</source>
+        <translation>Algunas secuencias se mecanizarán %1 veces más rápido de lo programado.</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>Usar F = %1</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>There is no verdict.</source>
+        <translation>No hay veredicto.</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest feed without waiting: %1.</source>
+        <translation>Seguro, pero la máquina esperará puntos. Avance máximo sin esperas: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest feed %2</source>
+        <translation>Margen %1 ×, avance máximo %2</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Acceso</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulación</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Aprobación</translation>
+    </message>
+    <message>
+        <source>Released by %1 on %2, who starts: %3</source>
+        <translation>Aprobado por %1 el %2, inicia: %3</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>This program with these settings and this calibration is not released.</source>
+        <translation>Este programa con estos ajustes y esta calibración no está aprobado.</translation>
+    </message>
+    <message>
+        <source>point %1 of %2 at %3</source>
+        <translation>punto %1 de %2 en %3</translation>
+    </message>
+    <message>
+        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
+        <translation>En línea recta a lo largo de %1 hasta %2. Se han ejecutado %3 puntos.</translation>
+    </message>
+    <message>
+        <source>In a straight line to %1. %2 points have been executed.</source>
+        <translation>En línea recta hasta %1. Se han ejecutado %2 puntos.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run.</source>
+        <translation>A partir del punto %1, el programa difiere del de la ejecución interrumpida.</translation>
+    </message>
+    <message>
+        <source>Who starts</source>
+        <translation>Quién inicia</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>The feeds of the program at %1. It names none.</source>
+        <translation>Los avances del programa al %1. No indica ninguno.</translation>
+    </message>
+    <message>
+        <source>That of the program, %1, at %2</source>
+        <translation>El del programa, %1, al %2</translation>
+    </message>
+    <message>
+        <source>Those of the program, %1 to %2, at %3; each block its own</source>
+        <translation>Los del programa, %1 a %2, al %3; cada secuencia el suyo</translation>
+    </message>
+    <message>
+        <source>Rapids at %1 at most</source>
+        <translation>Rápidos a %1 como máximo</translation>
+    </message>
+    <message>
+        <source>Blocks will be cut faster than programmed.</source>
+        <translation>Hay secuencias que se mecanizarán más rápido de lo programado.</translation>
+    </message>
+    <message>
+        <source>Use 100 %</source>
+        <translation>Usar 100&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 for every block: this method has one feed, as it was published</source>
+        <translation>%1 para cada secuencia: este método tiene un solo avance, tal como se publicó</translation>
+    </message>
+    <message>
+        <source>Use the feeds of the program</source>
+        <translation>Usar los avances del programa</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest override without waiting: %1.</source>
+        <translation>Seguro, pero la máquina esperará puntos. Override máximo sin esperas: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest override %2</source>
+        <translation>Margen %1 ×, override máximo %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::RunController</name>
+    <message>
+        <source>Stop requested.</source>
+        <translation>Parada solicitada.</translation>
+    </message>
+    <message>
+        <source>Hold requested.</source>
+        <translation>Suspensión solicitada.</translation>
+    </message>
+    <message>
+        <source>Continue requested.</source>
+        <translation>Continuación solicitada.</translation>
+    </message>
+    <message>
+        <source>Calibration on R%1 to R%2 started.</source>
+        <translation>Iniciada la calibración en R%1 a R%2.</translation>
+    </message>
+    <message>
+        <source>The run was left before point %1 of %2.</source>
+        <translation>La ejecución se interrumpió antes del punto %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Press Resume first: it asks the control where the run was left.</source>
+        <translation>Pulsar primero Reanudar: así se pregunta al control dónde se interrumpió la ejecución.</translation>
+    </message>
+    <message>
+        <source>The run resumes at point %1.</source>
+        <translation>La ejecución se reanuda en el punto %1.</translation>
+    </message>
+    <message>
+        <source>Start. The tool first moves %1 in a straight line to the first point.</source>
+        <translation>Inicio. La herramienta recorre primero %1 en línea recta hasta el primer punto.</translation>
+    </message>
+    <message>
+        <source>Save the template on its page as %1, copy it to the part programs of the control, select it in channel 1 and press cycle start. The axes move only after the template has shown its layout number %2.</source>
+        <translation>Guardar la plantilla desde su página como %1, copiarla a los programas de pieza del control, seleccionarla en el canal 1 y pulsar Marcha CN. Los ejes se mueven solo después de que la plantilla haya mostrado su número de disposición %2.</translation>
+    </message>
+    <message>
+        <source>Access: %1.</source>
+        <translation>Acceso: %1.</translation>
+    </message>
+    <message>
+        <source>Run ended: %1 of %2 points executed.</source>
+        <translation>Ejecución terminada: %1 de %2 puntos ejecutados.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Grabación: %1</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report, and check the workpiece.</source>
+        <translation>La ejecución ha hecho puntos erróneos: ver el informe y comprobar la pieza.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmHistoryModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Suceso</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarma</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Por</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmLine</name>
+    <message>
+        <source>Ack</source>
+        <translation>Acusar</translation>
+    </message>
+    <message>
+        <source>Acknowledge: you have seen this alarm</source>
+        <translation>Acusar: usted ha visto esta alarma</translation>
+    </message>
+    <message>
+        <source>Acknowledge the alarm</source>
+        <translation>Acusar la alarma</translation>
+    </message>
+    <message>
+        <source>Show all alarms</source>
+        <translation>Mostrar todas las alarmas</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>Cerrar el aviso</translation>
+    </message>
+    <message>
+        <source>Alarms: %1. Show all</source>
+        <translation>Alarmas: %1. Mostrar todas</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmModel</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarma</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Veces</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmPage</name>
+    <message>
+        <source>There is no alarm.</source>
+        <translation>No hay ninguna alarma.</translation>
+    </message>
+    <message>
+        <source>shelved by %1 until %2</source>
+        <translation>aplazada por %1 hasta %2</translation>
+    </message>
+    <message>
+        <source>Alarms (%1)</source>
+        <translation>Alarmas (%1)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Remedio</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Acusar</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Acusar todas</translation>
+    </message>
+    <message>
+        <source>Shelve</source>
+        <translation>Aplazar</translation>
+    </message>
+    <message>
+        <source>Put the alarm aside for a time. It stays in this list.</source>
+        <translation>Deja la alarma a un lado por un tiempo. Sigue en esta lista.</translation>
+    </message>
+    <message>
+        <source>For %1 minutes</source>
+        <translation>Durante %1 minutos</translation>
+    </message>
+    <message>
+        <source>For %1 hours</source>
+        <translation>Durante %1 horas</translation>
+    </message>
+    <message>
+        <source>Show it again</source>
+        <translation>Volver a mostrar</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditModel</name>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Quién</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Función</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalles</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditPage</name>
+    <message>
+        <source>Export the audit trail</source>
+        <translation>Exportar el registro de auditoría</translation>
+    </message>
+    <message>
+        <source>No audit trail is kept.</source>
+        <translation>Sin registro de auditoría.</translation>
+    </message>
+    <message>
+        <source>The audit trail was changed: line %1 was edited, or lines before it were inserted or removed.</source>
+        <translation>El registro de auditoría ha sido modificado: la línea %1 se cambió, o se insertaron o borraron líneas antes de ella.</translation>
+    </message>
+    <message>
+        <source>Unchanged: every line follows from the one before it.</source>
+        <translation>Intacto: cada línea se deduce de la anterior.</translation>
+    </message>
+    <message>
+        <source>Cut by a loss of power: %1.</source>
+        <translation>Cortado por un corte de corriente: %1.</translation>
+    </message>
+    <message>
+        <source>Last hash: %1 …</source>
+        <translation>Último hash: %1…</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Export as CSV…</source>
+        <translation>Exportar como CSV…</translation>
+    </message>
+    <message>
+        <source>Export as JSON…</source>
+        <translation>Exportar como JSON…</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Auditoría</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CalibrationPage</name>
+    <message>
+        <source>Cells</source>
+        <translation>Celdas</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>Shots of each kind</source>
+        <translation>Mediciones de cada tipo</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Como máximo</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>Arrays too: for the test, the cells hold other values for a moment</source>
+        <translation>También matrices: para la prueba, las celdas tienen otros valores por un momento</translation>
+    </message>
+    <message>
+        <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
+        <translation>Ningún programa, ciclo u otro cliente usa R%1 a R%2: se pueden escribir</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibrar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Rectas</translation>
+    </message>
+    <message>
+        <source>Spread (times in ms)</source>
+        <translation>Dispersión (tiempos en ms)</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>faltan %1</translation>
+    </message>
+    <message>
+        <source>Testing the forms of access …</source>
+        <translation>Probando las formas de acceso…</translation>
+    </message>
+    <message>
+        <source>First request of each kind …</source>
+        <translation>Primera petición de cada tipo…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shots, %3</source>
+        <translation>%1 de %2 mediciones, %3</translation>
+    </message>
+    <message>
+        <source>Restoring the cells …</source>
+        <translation>Restaurando las celdas…</translation>
+    </message>
+    <message>
+        <source>The last cell is before the first.</source>
+        <translation>La última celda está antes de la primera.</translation>
+    </message>
+    <message>
+        <source>Takes about %1.</source>
+        <translation>Tarda unos %1.</translation>
+    </message>
+    <message>
+        <source>Confirm the cells to begin.</source>
+        <translation>Confirmar las celdas para empezar.</translation>
+    </message>
+    <message>
+        <source>%1, %2, R%3 to R%4, took %5</source>
+        <translation>%1, %2, R%3 a R%4, duró %5</translation>
+    </message>
+    <message>
+        <source>Outdated, not used: the server now has another version. %1</source>
+        <translation>Obsoleta, no se utiliza: el servidor tiene ahora otra versión. %1</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>Calibrado: %1.</translation>
+    </message>
+    <message>
+        <source>There was not enough time for all shots: reduced numbers are bold in the table.</source>
+        <translation>No hubo tiempo para todas las mediciones: los números reducidos están en negrita en la tabla.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
+        <translation>Esta máquina no está calibrada: se supone %1 por celda, como en [P1].</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CellModel</name>
+    <message>
+        <source>Role</source>
+        <translation>Función</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parámetros R</translation>
+    </message>
+    <message>
+        <source>Point %1: %2</source>
+        <translation>Punto %1: %2</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>NC</source>
+        <translation>CN</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Marcha</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Número de disposición</translation>
+    </message>
+    <message>
+        <source>Writer</source>
+        <translation>Escribe</translation>
+    </message>
+    <message>
+        <source>Client, NC</source>
+        <translation>Cliente, CN</translation>
+    </message>
+    <message>
+        <source>Feed (mm/min)</source>
+        <translation>Avance (mm/min)</translation>
+    </message>
+    <message>
+        <source>Window %1: points</source>
+        <translation>Ventana %1: puntos</translation>
+    </message>
+    <message>
+        <source>Window %1: feed (mm/min)</source>
+        <translation>Ventana %1: avance (mm/min)</translation>
+    </message>
+    <message>
+        <source>Window %1: check number</source>
+        <translation>Ventana %1: número de comprobación</translation>
+    </message>
+    <message>
+        <source>Window %1 point %2: %3</source>
+        <translation>Ventana %1 punto %2: %3</translation>
+    </message>
+    <message>
+        <source>Windows delivered</source>
+        <translation>Ventanas entregadas</translation>
+    </message>
+    <message>
+        <source>Windows taken</source>
+        <translation>Ventanas tomadas</translation>
+    </message>
+    <message>
+        <source>Windows executed</source>
+        <translation>Ventanas ejecutadas</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Number of the run</source>
+        <translation>Número de la ejecución</translation>
+    </message>
+    <message>
+        <source>Run obeyed</source>
+        <translation>Ejecución atendida</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Señal de vida</translation>
+    </message>
+    <message>
+        <source>Online correction: %1</source>
+        <translation>Corrección en línea: %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CloseBar</name>
+    <message>
+        <source>Keep the window open</source>
+        <translation>Dejar la ventana abierta</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Parar y cerrar</translation>
+    </message>
+    <message>
+        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
+        <translation>Hay una ejecución en curso. Para cerrar la ventana, primero se para la ejecución; después se puede reanudar.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ConnectionPanel</name>
+    <message>
+        <source>Connection</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
+        <source>OPC UA endpoint</source>
+        <translation>Dirección OPC UA</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation>Seleccionado</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarma</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Conectar</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Desconectar</translation>
+    </message>
+    <message>
+        <source>Virtual machine: no real axis moves</source>
+        <translation>Máquina virtual: no se mueve ningún eje real</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Activo</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrumpido</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Desconocido (%1)</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parado</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En espera</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Terminado</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CorrectionPanel</name>
+    <message>
+        <source>UDP port %1 cannot be opened: choose another.</source>
+        <translation>No se puede abrir el puerto UDP %1: elegir otro.</translation>
+    </message>
+    <message>
+        <source>Up to ±%1 per axis, during a run.</source>
+        <translation>Hasta ±%1 por eje, durante una ejecución.</translation>
+    </message>
+    <message>
+        <source>By hand, up to ±%1 per axis.</source>
+        <translation>A mano, hasta ±%1 por eje.</translation>
+    </message>
+    <message>
+        <source>The source is silent: its last value is held.</source>
+        <translation>La fuente no envía nada: se mantiene su último valor.</translation>
+    </message>
+    <message>
+        <source>Nothing has been received from the source yet.</source>
+        <translation>Aún no se ha recibido nada de la fuente.</translation>
+    </message>
+    <message>
+        <source>Receiving from the source. Lines that are not corrections: %1</source>
+        <translation>Recibiendo de la fuente. Líneas que no son correcciones: %1</translation>
+    </message>
+    <message>
+        <source>Receiving from the source.</source>
+        <translation>Recibiendo de la fuente.</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Corrección en línea</translation>
+    </message>
+    <message>
+        <source>confirmed by the control</source>
+        <translation>confirmada por el control</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Cero</translation>
+    </message>
+    <message>
+        <source>Set the correction of all axes to zero, then continue by hand</source>
+        <translation>Poner a cero la corrección de todos los ejes y seguir a mano</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Fuente</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>A mano</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP en este ordenador</translation>
+    </message>
+    <message>
+        <source>Datagrams to 127.0.0.1 with lines like X 0.01 Y -0.02, in mm</source>
+        <translation>Datagramas a 127.0.0.1 con líneas como X 0.01 Y -0.02, en mm</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Sin señal tras</translation>
+    </message>
+    <message>
+        <source>Correction of %1</source>
+        <translation>Corrección de %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::DiagnosticModel</name>
+    <message>
+        <source>Severity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Columna</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Observación</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::DistanceChart</name>
+    <message>
+        <source>%1 … %2: %3 distances</source>
+        <translation>%1 … %2: %3 distancias</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FeasibilityPage</name>
+    <message>
+        <source>F over d_min</source>
+        <translation>F según d_min</translation>
+    </message>
+    <message>
+        <source>F over N</source>
+        <translation>F según N</translation>
+    </message>
+    <message>
+        <source>F over δ</source>
+        <translation>F según δ</translation>
+    </message>
+    <message>
+        <source>Load a program to see where it can be streamed.</source>
+        <translation>Cargar un programa para ver dónde se puede transmitir.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the feed.</source>
+        <translation>Arrastrar el anillo para cambiar el avance.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed. Method position does not depend on N.</source>
+        <translation>Arrastrar el anillo para cambiar N y el avance. El método Posición no depende de N.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed.</source>
+        <translation>Arrastrar el anillo para cambiar N y el avance.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change δ and the feed.</source>
+        <translation>Arrastrar el anillo para cambiar δ y el avance.</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Punto de trabajo</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Viable</translation>
+    </message>
+    <message>
+        <source>Safety band</source>
+        <translation>Banda de seguridad</translation>
+    </message>
+    <message>
+        <source>(1) point distance</source>
+        <translation>(1) distancia entre puntos</translation>
+    </message>
+    <message>
+        <source>(2) distance δ</source>
+        <translation>(2) distancia δ</translation>
+    </message>
+    <message>
+        <source>(3) half a loop</source>
+        <translation>(3) medio bucle</translation>
+    </message>
+    <message>
+        <source>(3) half a loop, for information</source>
+        <translation>(3) medio bucle, informativo</translation>
+    </message>
+    <message>
+        <source>(3ᴺ) half a loop, real path</source>
+        <translation>(3ᴺ) medio bucle, trayectoria real</translation>
+    </message>
+    <message>
+        <source>dashed: as published</source>
+        <translation>a trazos: tal como se publicó</translation>
+    </message>
+    <message>
+        <source>Smallest distances of the program</source>
+        <translation>Distancias mínimas del programa</translation>
+    </message>
+    <message>
+        <source>Simulate around the operating point</source>
+        <translation>Simular en torno al punto de trabajo</translation>
+    </message>
+    <message>
+        <source>Simulating: %p %</source>
+        <translation>Simulando: %p %</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Simulated on the virtual machine, %1 points around the tightest place.</source>
+        <translation>Simulado en la máquina virtual, %1 puntos en torno al lugar más crítico.</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Funciona</translation>
+    </message>
+    <message>
+        <source>Sometimes fails</source>
+        <translation>Falla a veces</translation>
+    </message>
+    <message>
+        <source>Always fails</source>
+        <translation>Falla siempre</translation>
+    </message>
+    <message>
+        <source>Model: 0.1 % to 50 % fail</source>
+        <translation>Cálculo: falla del 0,1&#xa0;% al 50&#xa0;%</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: the limits do not depend on it.</source>
+        <translation>Este método no utiliza δ: los límites no dependen de él.</translation>
+    </message>
+    <message>
+        <source>Without waiting</source>
+        <translation>Sin esperas</translation>
+    </message>
+    <message>
+        <source>reach: the client keeps up</source>
+        <translation>alcance: el cliente mantiene el ritmo</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FileBanner</name>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>El archivo %1 ha cambiado.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>El archivo %1 ya no está.</translation>
+    </message>
+    <message>
+        <source>The run keeps version %1.</source>
+        <translation>La ejecución conserva la versión %1.</translation>
+    </message>
+    <message>
+        <source>Reload it?</source>
+        <translation>¿Recargarlo?</translation>
+    </message>
+    <message>
+        <source>Version %1 stays loaded.</source>
+        <translation>La versión %1 sigue cargada.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FitModel</name>
+    <message>
+        <source>write</source>
+        <translation>escritura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lectura</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Acceso</translation>
+    </message>
+    <message>
+        <source>Per request (a)</source>
+        <translation>Por petición (a)</translation>
+    </message>
+    <message>
+        <source>Per cell (b)</source>
+        <translation>Por celda (b)</translation>
+    </message>
+    <message>
+        <source>± per cell</source>
+        <translation>± por celda</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Desviación</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FoundRunBar</name>
+    <message>
+        <source>It can be resumed on the computer where it was started.</source>
+        <translation>Se puede reanudar en el ordenador donde se inició.</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Observar</translation>
+    </message>
+    <message>
+        <source>Shows program, position and progress. Nothing is changed.</source>
+        <translation>Muestra programa, posición y progreso. No se cambia nada.</translation>
+    </message>
+    <message>
+        <source>Stop the run</source>
+        <translation>Parar la ejecución</translation>
+    </message>
+    <message>
+        <source>The program ends after the windows that it has copied.</source>
+        <translation>El programa termina tras las ventanas que ha copiado.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Reanudar…</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Carga el programa, lo compara y pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Ahora no</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::HelpPage</name>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::HistogramChart</name>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Duración, ms</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>escritura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lectura</translation>
+    </message>
+    <message>
+        <source>%1 %: %2</source>
+        <translation>%1&#xa0;%: %2</translation>
+    </message>
+    <message>
+        <source>%1 beyond, the longest %2</source>
+        <translation>%1 por encima, la más larga %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LinesChart</name>
+    <message>
+        <source>Cells of the request</source>
+        <translation>Celdas de la petición</translation>
+    </message>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Duración, ms</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>escritura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lectura</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoadBar</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogInDialog</name>
+    <message>
+        <source>Log in</source>
+        <translation>Iniciar sesión</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>Delete the last digit</source>
+        <translation>Borrar la última cifra</translation>
+    </message>
+    <message>
+        <source>Wrong PIN. Try again in %1 s.</source>
+        <translation>PIN incorrecto. Reintentar dentro de %1 s.</translation>
+    </message>
+    <message>
+        <source>Wrong PIN.</source>
+        <translation>PIN incorrecto.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogView</name>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Save the messages</source>
+        <translation>Guardar los avisos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 messages</source>
+        <translation>%1 de %2 avisos</translation>
+    </message>
+    <message>
+        <source>All messages</source>
+        <translation>Todos los avisos</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Advertencias y errores</translation>
+    </message>
+    <message>
+        <source>Errors only</source>
+        <translation>Solo errores</translation>
+    </message>
+    <message>
+        <source>All sources</source>
+        <translation>Todos los orígenes</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Wrap lines</source>
+        <translation>Ajustar líneas</translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation>%1 avisos</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Avisos</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachineButton</name>
+    <message>
+        <source>Virtual machine</source>
+        <translation>Máquina virtual</translation>
+    </message>
+    <message>
+        <source>%1, silent for %2 s</source>
+        <translation>%1, sin respuesta desde hace %2 s</translation>
+    </message>
+    <message>
+        <source>Connection and state of the machine</source>
+        <translation>Conexión y estado de la máquina</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MethodPanel</name>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>N (points per loop)</source>
+        <translation>N (puntos por bucle)</translation>
+    </message>
+    <message>
+        <source>δ (point reached)</source>
+        <translation>δ (punto alcanzado)</translation>
+    </message>
+    <message>
+        <source>F (path feed)</source>
+        <translation>F (avance)</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celdas</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Avance máximo</translation>
+    </message>
+    <message>
+        <source>Limiting place</source>
+        <translation>Lugar más crítico</translation>
+    </message>
+    <message>
+        <source>Distance from the tool at which a point counts as reached</source>
+        <translation>Distancia a la herramienta a partir de la cual un punto se da por alcanzado</translation>
+    </message>
+    <message>
+        <source>Equation (1): the tool must not pass a point between two polls.</source>
+        <translation>Ecuación (1): la herramienta no debe rebasar ningún punto entre dos lecturas.</translation>
+    </message>
+    <message>
+        <source>Equation (2): the tool must be seen within δ of each point.</source>
+        <translation>Ecuación (2): la herramienta debe verse a menos de δ de cada punto.</translation>
+    </message>
+    <message>
+        <source>Equation (3): half a loop must be written before the tool has used it up.</source>
+        <translation>Ecuación (3): medio bucle debe estar escrito antes de que la herramienta lo haya consumido.</translation>
+    </message>
+    <message>
+        <source>Equation (3) with the real path: half a loop must be written before the tool has used it up.</source>
+        <translation>Ecuación (3) con la trayectoria real: medio bucle debe estar escrito antes de que la herramienta lo haya consumido.</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Sin evaluar</translation>
+    </message>
+    <message>
+        <source>Load a program to get a verdict.</source>
+        <translation>Cargar un programa para obtener un veredicto.</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Viable</translation>
+    </message>
+    <message>
+        <source>Not feasible</source>
+        <translation>No viable</translation>
+    </message>
+    <message>
+        <source>Closest limit: %1</source>
+        <translation>Límite más cercano: %1</translation>
+    </message>
+    <message>
+        <source>Violated: %1</source>
+        <translation>Incumplido: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (must exceed 1)</source>
+        <translation>%1 × (debe superar 1)</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>línea %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>líneas %1–%2</translation>
+    </message>
+    <message>
+        <source>Use δ = %1</source>
+        <translation>Usar δ = %1</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>Usar F = %1</translation>
+    </message>
+    <message>
+        <source>No feed is slow enough: two points of the program nearly coincide.</source>
+        <translation>Ningún avance es lo bastante lento: dos puntos del programa casi coinciden.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>Paper (R11, R21 …)</source>
+        <translation>Artículo (R11, R21…)</translation>
+    </message>
+    <message>
+        <source>Contiguous (R10 …)</source>
+        <translation>Contigua (R10…)</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>N (points per window)</source>
+        <translation>N (puntos por ventana)</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches a cell, not the tool</source>
+        <translation>Este método no utiliza δ: vigila una celda, no la herramienta</translation>
+    </message>
+    <message>
+        <source>Reach: the next window must be written while the tool executes the current one.</source>
+        <translation>Alcance: la ventana siguiente debe estar escrita mientras la herramienta ejecuta la actual.</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Avance máximo sin esperas</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting</source>
+        <translation>Seguro, con esperas</translation>
+    </message>
+    <message>
+        <source>The machine will wait for points: %1</source>
+        <translation>La máquina esperará puntos: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (waits below 1)</source>
+        <translation>%1 × (espera por debajo de 1)</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Crédito (experimental)</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
+        <translation>Ventana: la máquina espera si el cliente se retrasa; nunca ejecuta un punto dos veces. Posición: el cliente sigue la herramienta y sustituye los puntos ya rebasados. Señal: el cliente vigila una celda en la que el programa indica qué mitad del bucle se puede sustituir. Crédito: como Ventana, sin parada entre ventanas; solo se inicia en un control que ha superado la prueba de rivulet-cli commission.</translation>
+    </message>
+    <message>
+        <source>Windows have a layout of their own</source>
+        <translation>Las ventanas tienen su propia disposición</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Acceso</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Arrays, or no start</source>
+        <translation>Matrices, o no se inicia</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listas</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>De una en una</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausas</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Previstas</translation>
+    </message>
+    <message>
+        <source>Places where the axes will stop for a moment. Off the cut means after a rapid or a retract, or at a sharp corner; the path shows the places.</source>
+        <translation>Lugares donde los ejes se detendrán un momento. Fuera del corte significa después de un rápido o una retirada, o en una esquina viva; la trayectoria muestra los lugares.</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Tiempo perdido</translation>
+    </message>
+    <message>
+        <source>Standstill, braking and acceleration, computed with the axes of the virtual machine</source>
+        <translation>Detención, frenado y aceleración, calculados con los ejes de la máquina virtual</translation>
+    </message>
+    <message>
+        <source>Automatic: before anything moves, the forms of access are tested on the control and the best one is used. The report names it.</source>
+        <translation>Automático: antes de que se mueva nada, se prueban en el control las formas de acceso y se usa la mejor. El informe la indica.</translation>
+    </message>
+    <message>
+        <source>Automatic: lists, as this method was published. Arrays need the contiguous layout.</source>
+        <translation>Automático: listas, tal como se publicó este método. Las matrices necesitan la disposición contigua.</translation>
+    </message>
+    <message>
+        <source>%1, of them %2 in the cut</source>
+        <translation>%1, de ellas %2 en el corte</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calculando…</translation>
+    </message>
+    <message>
+        <source>Correction up to</source>
+        <translation>Corrección hasta</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Largest correction of each axis during the run. The control must not add corrections up (MD36750 bit 0), and its own limit (SD43350) should not be larger.</source>
+        <translation>Corrección máxima de cada eje durante la ejecución. El control no debe sumar las correcciones (MD36750 bit 0), y su propio límite (SD43350) no debería ser mayor.</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Plantilla</translation>
+    </message>
+    <message>
+        <source>copied by hand</source>
+        <translation>copiada a mano</translation>
+    </message>
+    <message>
+        <source>For a control that gives no right to its part programs: store the template there, select it and press cycle start. The run waits until this is done.</source>
+        <translation>Para un control que no da permisos sobre sus programas de pieza: guardar allí la plantilla, seleccionarla y pulsar Marcha CN. La ejecución espera hasta entonces.</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Comprobando…</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Of the program</source>
+        <translation>Del programa</translation>
+    </message>
+    <message>
+        <source>One for all moves</source>
+        <translation>Avance fijo</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Scales the feeds of the program, and its rapids up to the rapid feed of the machine</source>
+        <translation>Actúa sobre los avances del programa y sobre sus rápidos, estos como máximo hasta el rápido de la máquina</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published</source>
+        <translation>Este método tiene un solo avance para todos los movimientos, tal como se publicó</translation>
+    </message>
+    <message>
+        <source>Of the program: each move has the feed of its own block, rapids are rapids. One for all moves: rapids have it, too.</source>
+        <translation>Del programa: cada movimiento tiene el avance de su secuencia, los rápidos siguen siendo rápidos. Avance fijo: también vale para los rápidos.</translation>
+    </message>
+    <message>
+        <source>Largest override</source>
+        <translation>Override máximo</translation>
+    </message>
+    <message>
+        <source>Use override = %1&#xa0;%</source>
+        <translation>Usar override = %1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NumberField</name>
+    <message>
+        <source>%1 can be read in two ways. Type it without a separator between thousands, or with %2 before the decimals.</source>
+        <translation>%1 se puede leer de dos formas. Escribirlo sin separador de miles, o con %2 antes de los decimales.</translation>
+    </message>
+    <message>
+        <source>%1 has more than one separator. Type it without separators between thousands.</source>
+        <translation>%1 tiene más de un separador. Escribirlo sin separadores de miles.</translation>
+    </message>
+    <message>
+        <source>The field was empty.</source>
+        <translation>El campo estaba vacío.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 no es un número.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: %2 to %3.</source>
+        <translation>%1 está fuera de rango: %2 a %3.</translation>
+    </message>
+    <message>
+        <source>%1 The value stays %2.</source>
+        <translation>%1 El valor sigue siendo %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number. Type it without separators.</source>
+        <translation>%1 no es un número entero. Escribirlo sin separadores.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathView</name>
+    <message>
+        <source>Top (XY)</source>
+        <translation>Desde arriba (XY)</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrica</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Encajar</translation>
+    </message>
+    <message>
+        <source>Show the whole path (double click does the same)</source>
+        <translation>Mostrar toda la trayectoria (igual que el doble clic)</translation>
+    </message>
+    <message>
+        <source>No program is loaded</source>
+        <translation>No hay ningún programa cargado</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Rápido</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ejecutado</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Color según</translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Tipo de movimiento</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Margin of the method</source>
+        <translation>Margen del método</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>by point</source>
+        <translation>por punto</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>por tiempo</translation>
+    </message>
+    <message>
+        <source>Walk along the path</source>
+        <translation>Recorrer la trayectoria</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Recta</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Arco</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>no feed given</source>
+        <translation>sin avance indicado</translation>
+    </message>
+    <message>
+        <source>margin over %1</source>
+        <translation>margen superior a %1</translation>
+    </message>
+    <message>
+        <source>not kept (below %1)</source>
+        <translation>no se cumple (inferior a %1)</translation>
+    </message>
+    <message>
+        <source>Click on the path or move the slider.</source>
+        <translation>Hacer clic en la trayectoria o mover el control deslizante.</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2, line %3</source>
+        <translation>Punto %1 de %2, línea %3</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calculando…</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>hasta %1</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausas</translation>
+    </message>
+    <message>
+        <source>Mark where the run will pause</source>
+        <translation>Marcar dónde hará pausas la ejecución</translation>
+    </message>
+    <message>
+        <source>Pause off the cut, after point %1, line %2</source>
+        <translation>Pausa fuera del corte, después del punto %1, línea %2</translation>
+    </message>
+    <message>
+        <source>Pause in the cut, after point %1, line %2</source>
+        <translation>Pausa en el corte, después del punto %1, línea %2</translation>
+    </message>
+    <message>
+        <source>%1 pauses off the cut</source>
+        <translation>%1 pausas fuera del corte</translation>
+    </message>
+    <message>
+        <source>%1 in the cut</source>
+        <translation>%1 en el corte</translation>
+    </message>
+    <message>
+        <source>then a pause in the cut</source>
+        <translation>después una pausa en el corte</translation>
+    </message>
+    <message>
+        <source>then a pause off the cut</source>
+        <translation>después una pausa fuera del corte</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PauseModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PositionLine</name>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Sin datos</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En vivo</translation>
+    </message>
+    <message>
+        <source>Last executed point, %1. The axes were read %2 ago.</source>
+        <translation>Último punto ejecutado, %1. Los ejes se leyeron hace %2.</translation>
+    </message>
+    <message>
+        <source>Old: read %1 ago</source>
+        <translation>Antiguo: leído hace %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PreflightSheet</name>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the machine moves.</source>
+        <translation>Todavía no se ha movido nada. Mantener pulsado Iniciar un segundo: entonces la máquina se mueve.</translation>
+    </message>
+    <message>
+        <source>Start is not possible yet.</source>
+        <translation>Todavía no se puede iniciar.</translation>
+    </message>
+    <message>
+        <source>Before the start</source>
+        <translation>Antes del inicio</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Ahora no</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
+        <translation>Todavía no se ha movido nada. Mantener pulsado un segundo el botón con el punto de abajo: entonces la máquina se mueve.</translation>
+    </message>
+    <message>
+        <source>Resuming is not possible yet.</source>
+        <translation>Todavía no se puede reanudar.</translation>
+    </message>
+    <message>
+        <source>Before the run is resumed</source>
+        <translation>Antes de reanudar la ejecución</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPage</name>
+    <message>
+        <source>Program text</source>
+        <translation>Texto del programa</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPanel</name>
+    <message>
+        <source>Open an NC program</source>
+        <translation>Abrir un programa CN</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recientes</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Datos</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Líneas</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Movimientos</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Cutting path</source>
+        <translation>Recorrido de corte</translation>
+    </message>
+    <message>
+        <source>Rapid path</source>
+        <translation>Recorrido en rápido</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Avances</translation>
+    </message>
+    <message>
+        <source>Smallest distance of neighbouring points</source>
+        <translation>Distancia mínima entre puntos vecinos</translation>
+    </message>
+    <message>
+        <source>Smallest path length of half a loop (N/2 points, rounded down)</source>
+        <translation>Longitud mínima de medio bucle (N/2 puntos, redondeado hacia abajo)</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Ningún programa</translation>
+    </message>
+    <message>
+        <source>Drop a file here or press Open…</source>
+        <translation>Soltar aquí un archivo o pulsar Abrir…</translation>
+    </message>
+    <message>
+        <source>Hash %1</source>
+        <translation>Hash %1</translation>
+    </message>
+    <message>
+        <source>Errors: %1, warnings: %2, notes: %3</source>
+        <translation>Errores: %1, advertencias: %2, notas: %3</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed.</source>
+        <translation>No transmisible de forma continua.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>línea %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>líneas %1–%2</translation>
+    </message>
+    <message>
+        <source>%1 … %2 (%3 values)</source>
+        <translation>%1 … %2 (%3 valores)</translation>
+    </message>
+    <message>
+        <source>No findings</source>
+        <translation>Ninguna observación</translation>
+    </message>
+    <message>
+        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</source>
+        <translation>Programas CN (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialecto</translation>
+    </message>
+    <message>
+        <source>Accept…</source>
+        <translation>Aceptar…</translation>
+    </message>
+    <message>
+        <source>The program is read again with this word left out</source>
+        <translation>El programa se vuelve a leer sin esta palabra</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>Por tipo</translation>
+    </message>
+    <message>
+        <source>Time, feeds as programmed</source>
+        <translation>Tiempo, avances programados</translation>
+    </message>
+    <message>
+        <source>Time, as streamed</source>
+        <translation>Tiempo, en transmisión</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distancias</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Esquinas</translation>
+    </message>
+    <message>
+        <source>Distances of neighbouring points, mm</source>
+        <translation>Distancias entre puntos vecinos, mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated ones left out)</source>
+        <translation>%1 (%2 puntos repetidos omitidos)</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>no indicadas</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>mm and inch</source>
+        <translation>mm y pulgadas</translation>
+    </message>
+    <message>
+        <source>lines %1</source>
+        <translation>rectas %1</translation>
+    </message>
+    <message>
+        <source>arcs %1</source>
+        <translation>arcos %1</translation>
+    </message>
+    <message>
+        <source>splines %1</source>
+        <translation>splines %1</translation>
+    </message>
+    <message>
+        <source>median %1, largest %2</source>
+        <translation>mediana %1, máxima %2</translation>
+    </message>
+    <message>
+        <source>%1 of 45° and more; sharpest %2° (%3)</source>
+        <translation>%1 de 45° o más; la más viva %2° (%3)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Findings (%1)</source>
+        <translation>Observaciones (%1)</translation>
+    </message>
+    <message>
+        <source>%1 without pauses</source>
+        <translation>%1 sin pausas</translation>
+    </message>
+    <message>
+        <source>as detected</source>
+        <translation>según lo detectado</translation>
+    </message>
+    <message>
+        <source>Read as %1, as selected.</source>
+        <translation>Leído como %1, según lo elegido.</translation>
+    </message>
+    <message>
+        <source>Read as %1: the text gives no evidence of its dialect.</source>
+        <translation>Leído como %1: el texto no permite reconocer su dialecto.</translation>
+    </message>
+    <message>
+        <source>Read as %1 because of &quot;%2&quot;.</source>
+        <translation>Leído como %1 por «%2».</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Aceptado: %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Take back %1</source>
+        <translation>Retirar %1</translation>
+    </message>
+    <message>
+        <source>Accept %1</source>
+        <translation>Aceptar %1</translation>
+    </message>
+    <message>
+        <source>Rivulet does not understand %1. If you accept it, it is left out wherever the program has it, and the path is taken as if it were not there.
+
+Is it certain that %1 does not change the path of the tool?</source>
+        <translation>Rivulet no entiende %1. Si lo acepta, se omite en todo el programa y la trayectoria se toma como si no estuviera.
+
+¿Es seguro que %1 no cambia la trayectoria de la herramienta?</translation>
+    </message>
+    <message>
+        <source>Accept and read again</source>
+        <translation>Aceptar y volver a leer</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calculando…</translation>
+    </message>
+    <message>
+        <source>Computed with the axes of %1</source>
+        <translation>Calculado con los ejes de %1</translation>
+    </message>
+    <message>
+        <source>I, J, K are read as the centre itself</source>
+        <translation>I, J, K se leen como el centro mismo</translation>
+    </message>
+    <message>
+        <source>I, J, K are read from the centre to the start</source>
+        <translation>I, J, K se leen del centro al inicio</translation>
+    </message>
+    <message>
+        <source>Read I, J, K as usual</source>
+        <translation>Leer I, J, K como de costumbre</translation>
+    </message>
+    <message>
+        <source>Read it that way</source>
+        <translation>Leer así</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: no axis moves.</source>
+        <translation>No se puede transmitir: no se mueve ningún eje.</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: it needs a transformation of the control.</source>
+        <translation>No se puede transmitir: necesita una transformación del control.</translation>
+    </message>
+    <message>
+        <source>%1 with %2 pauses, which cost %3</source>
+        <translation>%1 con %2 pausas, que cuestan %3</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramTextView</name>
+    <message>
+        <source>No program is loaded</source>
+        <translation>No hay ningún programa cargado</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RegionChart</name>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>d_min, mm</source>
+        <translation>d_min, mm</translation>
+    </message>
+    <message>
+        <source>N, points per loop</source>
+        <translation>N, puntos por bucle</translation>
+    </message>
+    <message>
+        <source>δ, mm</source>
+        <translation>δ, mm</translation>
+    </message>
+    <message>
+        <source>reach</source>
+        <translation>alcance</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReportPanel</name>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausas</translation>
+    </message>
+    <message>
+        <source>Access time per variable</source>
+        <translation>Tiempo de acceso por variable</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ejecutados</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Repetidos</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Omitidos</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Movimiento ajeno</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Cantidad</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Peticiones</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>Percentil 95</translation>
+    </message>
+    <message>
+        <source>99th percentile</source>
+        <translation>Percentil 99</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Parada confirmada</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Aún no hay ejecución</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Completada con movimiento erróneo</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Completada</translation>
+    </message>
+    <message>
+        <source>Completed, not judged</source>
+        <translation>Completada, sin evaluar</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Parada, sin evaluar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: longer than the trace of the control)</source>
+        <translation>%1 de %2 (sin evaluar: más larga que el registro del control)</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Parada, con movimiento erróneo</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallida</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: no trace of the control)</source>
+        <translation>%1 de %2 (sin evaluar: falta el registro del control)</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>sin evaluar</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>tras %1</translation>
+    </message>
+    <message>
+        <source>NOT confirmed: check the machine</source>
+        <translation>SIN confirmar: comprobar la máquina</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Crédito (experimental)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>%1, from point %2 on</source>
+        <translation>%1, desde el punto %2</translation>
+    </message>
+    <message>
+        <source>%1 (proved)</source>
+        <translation>%1 (probada)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResumeBar</name>
+    <message>
+        <source>Not now</source>
+        <translation>Ahora no</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Asking the control where the run was left …</source>
+        <translation>Se pregunta al control dónde se interrumpió la ejecución…</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Todavía no se ha movido nada. La ejecución se reanudará en el punto %1 de %2, línea %3: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>La herramienta recorre primero %1 en línea recta hasta ese punto.</translation>
+    </message>
+    <message>
+        <source>The run cannot be resumed: %1</source>
+        <translation>La ejecución no se puede reanudar: %1</translation>
+    </message>
+    <message>
+        <source>Press and hold: resume at point %1</source>
+        <translation>Mantener pulsado: reanudar en el punto %1</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Mantener pulsado un segundo. Entonces la máquina se mueve.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>A partir del punto %1, el programa difiere del de la ejecución interrumpida. Ninguno de estos puntos se ha ejecutado: comprobar la nueva trayectoria antes de continuar.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunPanel</name>
+    <message>
+        <source>Stop</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Enviados</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Aceptados</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ejecutados</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Tiempo hasta que el control necesita el punto siguiente, menos el percentil 99 del tiempo de acceso</translation>
+    </message>
+    <message>
+        <source>Start is not possible: %1</source>
+        <translation>No se puede iniciar: %1</translation>
+    </message>
+    <message>
+        <source>Ready to start</source>
+        <translation>Listo para iniciar</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Parada solicitada, aún sin confirmar</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1</source>
+        <translation>Parada confirmada tras %1</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Parada confirmada</translation>
+    </message>
+    <message>
+        <source>Stop NOT confirmed: check the machine</source>
+        <translation>Parada SIN confirmar: comprobar la máquina</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>(too late)</source>
+        <translation>(demasiado tarde)</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Reanudar…</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Suspender</translation>
+    </message>
+    <message>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>La máquina espera antes de la ventana siguiente hasta que se pulse Continuar.</translation>
+    </message>
+    <message>
+        <source>Only method window can hold.</source>
+        <translation>Solo el método Ventana puede suspender.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Termina la ejecución al final del bucle. Esc hace lo mismo, desde cualquier lugar de la ventana. No sustituye la parada de emergencia de la máquina.</translation>
+    </message>
+    <message>
+        <source>Waiting for the test of the template on the virtual machine</source>
+        <translation>Esperando la prueba de la plantilla en la máquina virtual</translation>
+    </message>
+    <message>
+        <source>Waiting for the transfer of the template to the control</source>
+        <translation>Esperando la transferencia de la plantilla al control</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start at the control</source>
+        <translation>Esperando Marcha CN en el control</translation>
+    </message>
+    <message>
+        <source>Waiting for selection of the template and cycle start at the control</source>
+        <translation>Esperando la selección de la plantilla y Marcha CN en el control</translation>
+    </message>
+    <message>
+        <source>Nothing comes from the control. Check cable, switch and server.</source>
+        <translation>No llega nada del control. Comprobar cable, switch y servidor.</translation>
+    </message>
+    <message>
+        <source>Waiting for the control&apos;s own trace</source>
+        <translation>Esperando el registro del control</translation>
+    </message>
+    <message>
+        <source>Waiting for %1</source>
+        <translation>Esperando %1</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Mantener pulsado</translation>
+    </message>
+    <message>
+        <source>Start over …</source>
+        <translation>Desde el principio…</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Iniciar…</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Mantener pulsado un segundo. Entonces la máquina se mueve.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Muestra qué ocurrirá primero. Todavía no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>No está listo</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Parado en %1</translation>
+    </message>
+    <message>
+        <source>Failed at %1</source>
+        <translation>Fallido en %1</translation>
+    </message>
+    <message>
+        <source>Wrong motion</source>
+        <translation>Movimiento erróneo</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report.</source>
+        <translation>La ejecución ha hecho puntos erróneos: ver el informe.</translation>
+    </message>
+    <message>
+        <source>Resume goes on where the run was left.</source>
+        <translation>Reanudar continúa donde se interrumpió la ejecución.</translation>
+    </message>
+    <message>
+        <source>A new start begins at the first point.</source>
+        <translation>Un nuevo inicio empieza en el primer punto.</translation>
+    </message>
+    <message>
+        <source>Waiting until the claim of another client lapses, because it may be dead (10 s)</source>
+        <translation>Esperando a que caduque la reserva de otro cliente, porque puede estar bloqueado (10 s)</translation>
+    </message>
+    <message>
+        <source>Wrong motion. %1</source>
+        <translation>Movimiento erróneo. %1</translation>
+    </message>
+    <message>
+        <source>Watching run %1: it waits</source>
+        <translation>Observando la ejecución %1: espera</translation>
+    </message>
+    <message>
+        <source>Watching run %1</source>
+        <translation>Observando la ejecución %1</translation>
+    </message>
+    <message>
+        <source>A program waits on the control</source>
+        <translation>Hay un programa esperando en el control</translation>
+    </message>
+    <message>
+        <source>Run %1 is on the control</source>
+        <translation>La ejecución %1 está en el control</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop ends it.</source>
+        <translation>Esta ventana solo la muestra. Parada la termina.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop ends it.</source>
+        <translation>Esta ventana no la inició. Parada la termina.</translation>
+    </message>
+    <message>
+        <source>%1 windows</source>
+        <translation>%1 ventanas</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SeriesModel</name>
+    <message>
+        <source>The control refused arrays of this size.</source>
+        <translation>El control rechazó matrices de este tamaño.</translation>
+    </message>
+    <message>
+        <source>%1 were requested; there was no time for more.</source>
+        <translation>Se solicitaron %1; no hubo tiempo para más.</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>escritura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lectura</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>rechazado</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Acceso</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celdas</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TemplatePage</name>
+    <message>
+        <source>Save the template</source>
+        <translation>Guardar la plantilla</translation>
+    </message>
+    <message>
+        <source>NC programs (*.MPF *.mpf)</source>
+        <translation>Programas CN (*.MPF *.mpf)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celdas</translation>
+    </message>
+    <message>
+        <source>No template: %1</source>
+        <translation>Sin plantilla: %1</translation>
+    </message>
+    <message>
+        <source>No template yet</source>
+        <translation>Aún no hay plantilla</translation>
+    </message>
+    <message>
+        <source>%1, layout number %2</source>
+        <translation>%1, número de disposición %2</translation>
+    </message>
+    <message>
+        <source>Flexible program</source>
+        <translation>Programa flexible</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
+    <message>
+        <source>Time, s</source>
+        <translation>Tiempo, s</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En vivo</translation>
+    </message>
+    <message>
+        <source>Follow the newest samples</source>
+        <translation>Seguir las muestras más recientes</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move.</source>
+        <translation>Rueda: zoom. Arrastrar: mover.</translation>
+    </message>
+    <message>
+        <source>Pauses (STOPRE)</source>
+        <translation>Pausas (STOPRE)</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Cantidad</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>No samples yet</source>
+        <translation>Aún no hay muestras</translation>
+    </message>
+    <message>
+        <source>Live samples: read while the stream has time; short pauses may be missing from the curves</source>
+        <translation>Muestras en vivo: se leen mientras la transmisión deja tiempo; en las curvas pueden faltar pausas cortas</translation>
+    </message>
+    <message>
+        <source>The control&apos;s own trace: one sample every %1</source>
+        <translation>Registro del control: una muestra cada %1</translation>
+    </message>
+    <message>
+        <source>incomplete: the trace memory was full</source>
+        <translation>incompleto: la memoria de registro estaba llena</translation>
+    </message>
+    <message>
+        <source>%1: pause %2</source>
+        <translation>%1: pausa %2</translation>
+    </message>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserButton</name>
+    <message>
+        <source>Locked: log in</source>
+        <translation>Bloqueado: iniciar sesión</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Only Stop works. Log in with your PIN (Ctrl+L).</source>
+        <translation>Solo funciona Parada. Iniciar sesión con el PIN propio (Ctrl+L).</translation>
+    </message>
+    <message>
+        <source>Lock the window, or let somebody else in (Ctrl+L).</source>
+        <translation>Bloquear la ventana, o dar paso a otra persona (Ctrl+L).</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Función</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>definido</translation>
+    </message>
+    <message>
+        <source>none: user of this computer</source>
+        <translation>ninguno: usuario de este ordenador</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UsersPage</name>
+    <message>
+        <source>No users are set up: everybody at this window may do everything. To let operators start only what is released, add an engineer (name and PIN), then the operators.</source>
+        <translation>No hay usuarios configurados: cualquiera puede hacerlo todo en esta ventana. Para que los operarios solo inicien lo aprobado, añadir un preparador (nombre y PIN) y después los operarios.</translation>
+    </message>
+    <message>
+        <source>An operator starts what an engineer has released in the preflight, holds, stops and acknowledges. An engineer may do everything. In a locked window only Stop works. The user of this computer (%1) needs no PIN.</source>
+        <translation>Un operario inicia lo que un preparador ha aprobado en la comprobación previa, suspende, para y acusa. Un preparador puede hacerlo todo. En una ventana bloqueada solo funciona Parada. El usuario de este ordenador (%1) no necesita PIN.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Función</translation>
+    </message>
+    <message>
+        <source>PIN, at least 4 characters</source>
+        <translation>PIN, al menos 4 caracteres</translation>
+    </message>
+    <message>
+        <source>Lock the window if nobody touches it for</source>
+        <translation>Bloquear la ventana si nadie la toca durante</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nunca</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Add or change</source>
+        <translation>Añadir o cambiar</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Usuarios</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::WrongMotionBar</name>
+    <message>
+        <source>Stop the run</source>
+        <translation>Parar la ejecución</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Acusar</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,4442 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>AccessTexts</name>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
+        <translation>Accès supposé comme dans [P1]&#xa0;: %1 par cellule. Voir Étalonnage.</translation>
+    </message>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
+        <translation>Accès supposé comme dans [P1]&#xa0;: %1 par cellule. L’étalonnage du %2 correspond à une autre version du serveur et n’est pas utilisé.</translation>
+    </message>
+    <message>
+        <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
+        <translation>Accès étalonné le %1 (%2)&#xa0;: t = %3&#xa0;; lecture %4, écriture %5.</translation>
+    </message>
+    <message>
+        <source>99 % of the writes of %1 cells end within %2.</source>
+        <translation>99&#xa0;% des écritures de %1 cellules se terminent en moins de %2.</translation>
+    </message>
+    <message>
+        <source>Up to %1 cells were measured.</source>
+        <translation>Mesures faites jusqu’à %1 cellules.</translation>
+    </message>
+    <message>
+        <source>list</source>
+        <translation>liste</translation>
+    </message>
+    <message>
+        <source>one by one</source>
+        <translation>un par un</translation>
+    </message>
+    <message>
+        <source>array, by count</source>
+        <translation>tableau, par nombre</translation>
+    </message>
+    <message>
+        <source>array, by range</source>
+        <translation>tableau, par plage</translation>
+    </message>
+    <message>
+        <source>a server without a name</source>
+        <translation>un serveur sans nom</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmTexts</name>
+    <message>
+        <source>The control reports alarm %1.</source>
+        <translation>La commande signale l’alarme %1.</translation>
+    </message>
+    <message>
+        <source>The control has stopped or limits the machine; the number says why.</source>
+        <translation>La commande a arrêté la machine ou la limite&#xa0;; le numéro indique pourquoi.</translation>
+    </message>
+    <message>
+        <source>Look up alarm %1 at the control, remove its cause, then press reset there.</source>
+        <translation>Rechercher l’alarme %1 sur la commande, éliminer la cause, puis y appuyer sur Reset.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost.</source>
+        <translation>La connexion à %1 est perdue.</translation>
+    </message>
+    <message>
+        <source>No connection to %1.</source>
+        <translation>Pas de connexion à %1.</translation>
+    </message>
+    <message>
+        <source>Check address, network and control, then connect again.</source>
+        <translation>Vérifier l’adresse, le réseau et la commande, puis se reconnecter.</translation>
+    </message>
+    <message>
+        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
+        <translation>Mouvement erroné dans %1&#xa0;: %2 points répétés, %3 sautés. La pièce est peut-être abîmée.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings.</source>
+        <translation>Les points sont arrivés trop tard pour cette avance avec ces réglages.</translation>
+    </message>
+    <message>
+        <source>Check workpiece and tool. Choose a smaller feed, or method window.</source>
+        <translation>Contrôler la pièce et l’outil. Choisir une avance plus faible ou la méthode Fenêtre.</translation>
+    </message>
+    <message>
+        <source>The run of %1 was ended by a fault.</source>
+        <translation>L’exécution de %1 a été interrompue par un défaut.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece, remove the cause, then resume or start again.</source>
+        <translation>Contrôler l’outil et la pièce, éliminer la cause, puis reprendre ou redémarrer.</translation>
+    </message>
+    <message>
+        <source>%1 ended before its end: %2 of %3 points were executed.</source>
+        <translation>%1 s’est terminé trop tôt&#xa0;: %2 points sur %3 ont été exécutés.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace lacks the last points.</source>
+        <translation>Les derniers points manquent dans l’enregistrement de la commande.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece before you go on.</source>
+        <translation>Contrôler l’outil et la pièce avant de continuer.</translation>
+    </message>
+    <message>
+        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <translation>On ne sait pas si %1 a été exécuté sans erreur.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace could not be read, or is shorter than the run.</source>
+        <translation>L’enregistrement de la commande n’a pas pu être lu, ou il est plus court que l’exécution.</translation>
+    </message>
+    <message>
+        <source>Check the workpiece.</source>
+        <translation>Contrôler la pièce.</translation>
+    </message>
+    <message>
+        <source>The run is not recorded.</source>
+        <translation>L’exécution n’est pas enregistrée.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>Le dossier %1 ne peut pas être créé.</translation>
+    </message>
+    <message>
+        <source>Check the folder, its permissions and the free space.</source>
+        <translation>Vérifier le dossier, ses droits d’accès et l’espace libre.</translation>
+    </message>
+    <message>
+        <source>The program file %1 has changed since it was read.</source>
+        <translation>Le fichier programme %1 a été modifié depuis sa lecture.</translation>
+    </message>
+    <message>
+        <source>Another program has written the file.</source>
+        <translation>Un autre logiciel a écrit dans le fichier.</translation>
+    </message>
+    <message>
+        <source>Reload the file before you start.</source>
+        <translation>Recharger le fichier avant de démarrer.</translation>
+    </message>
+    <message>
+        <source>The program file %1 is no longer there.</source>
+        <translation>Le fichier programme %1 n’existe plus.</translation>
+    </message>
+    <message>
+        <source>It was deleted or moved, or its drive is not connected.</source>
+        <translation>Il a été supprimé ou déplacé, ou son lecteur n’est pas connecté.</translation>
+    </message>
+    <message>
+        <source>Bring the file back, or go on with what was read before it disappeared.</source>
+        <translation>Remettre le fichier en place, ou continuer avec ce qui a été lu avant sa disparition.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 has failed.</source>
+        <translation>L’étalonnage de %1 a échoué.</translation>
+    </message>
+    <message>
+        <source>Remove the cause, then measure again.</source>
+        <translation>Éliminer la cause, puis refaire la mesure.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 is not saved.</source>
+        <translation>L’étalonnage de %1 n’est pas enregistré.</translation>
+    </message>
+    <message>
+        <source>Check the folder and the free space, then measure again.</source>
+        <translation>Vérifier le dossier et l’espace libre, puis refaire la mesure.</translation>
+    </message>
+    <message>
+        <source>The history of alarms is not written to %1.</source>
+        <translation>L’historique des alarmes n’est pas écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>The audit trail is not written to %1.</source>
+        <translation>Le journal d’audit n’est pas écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>The audit trail %1 was changed: see line %2.</source>
+        <translation>Le journal d’audit %1 a été modifié&#xa0;: voir la ligne %2.</translation>
+    </message>
+    <message>
+        <source>A line was edited, inserted or removed after it was written.</source>
+        <translation>Une ligne a été modifiée, insérée ou supprimée après son écriture.</translation>
+    </message>
+    <message>
+        <source>Keep a copy of the file and find out who changed it.</source>
+        <translation>Conserver une copie du fichier et rechercher qui l’a modifié.</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Ordinateur</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Active</translation>
+    </message>
+    <message>
+        <source>Active, acknowledged</source>
+        <translation>Active, acquittée</translation>
+    </message>
+    <message>
+        <source>Gone, not acknowledged</source>
+        <translation>Disparue, non acquittée</translation>
+    </message>
+    <message>
+        <source>Shelved</source>
+        <translation>Mise de côté</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>Apparue</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>Disparue</translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation>Acquittée</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Réaffichée</translation>
+    </message>
+    <message>
+        <source>Shelving expired</source>
+        <translation>Fin de la mise de côté</translation>
+    </message>
+    <message>
+        <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
+        <translation>Regarder la machine&#xa0;: elle peut encore bouger. Vérifier le câble et la commande, puis se reconnecter.</translation>
+    </message>
+</context>
+<context>
+    <name>AuditTexts</name>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Suspension</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprise</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Correction en ligne</translation>
+    </message>
+    <message>
+        <source>Program opened</source>
+        <translation>Programme ouvert</translation>
+    </message>
+    <message>
+        <source>Settings changed</source>
+        <translation>Réglages modifiés</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnexion</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Validé</translation>
+    </message>
+    <message>
+        <source>Release taken back</source>
+        <translation>Validation retirée</translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged</source>
+        <translation>Alarme acquittée</translation>
+    </message>
+    <message>
+        <source>Alarm shelved</source>
+        <translation>Alarme mise de côté</translation>
+    </message>
+    <message>
+        <source>Users set up</source>
+        <translation>Utilisateurs définis</translation>
+    </message>
+    <message>
+        <source>Logged in</source>
+        <translation>Identifié</translation>
+    </message>
+    <message>
+        <source>Wrong PIN</source>
+        <translation>Code PIN erroné</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillé</translation>
+    </message>
+    <message>
+        <source>Rivulet started</source>
+        <translation>Rivulet démarré</translation>
+    </message>
+    <message>
+        <source>Rivulet ended</source>
+        <translation>Rivulet arrêté</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Engineer</source>
+        <translation>Régleur</translation>
+    </message>
+</context>
+<context>
+    <name>BlockedTexts</name>
+    <message>
+        <source>A run is in progress.</source>
+        <translation>Une exécution est en cours.</translation>
+    </message>
+    <message>
+        <source>Asking the control where the run was left.</source>
+        <translation>On demande à la commande où l’exécution s’est interrompue.</translation>
+    </message>
+    <message>
+        <source>A calibration is in progress.</source>
+        <translation>Un étalonnage est en cours.</translation>
+    </message>
+    <message>
+        <source>Connect to a control first.</source>
+        <translation>Se connecter d’abord à une commande.</translation>
+    </message>
+    <message>
+        <source>Open a program first.</source>
+        <translation>Ouvrir d’abord un programme.</translation>
+    </message>
+    <message>
+        <source>The file of the program has changed: reload it.</source>
+        <translation>Le fichier du programme a été modifié&#xa0;: le recharger.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis.</source>
+        <translation>Le programme ne déplace aucun axe.</translation>
+    </message>
+    <message>
+        <source>The program needs a transformation of the control. No method can stream it.</source>
+        <translation>Le programme a besoin d’une transformation de la commande. Aucune méthode ne peut le transmettre en continu.</translation>
+    </message>
+    <message>
+        <source>Parts of the program&apos;s path are not known: see the findings.</source>
+        <translation>Certaines parties de la trajectoire ne sont pas connues&#xa0;: voir les observations.</translation>
+    </message>
+    <message>
+        <source>The program moves rotary axes: choose method window.</source>
+        <translation>Le programme déplace des axes rotatifs&#xa0;: choisir la méthode Fenêtre.</translation>
+    </message>
+    <message>
+        <source>The program moves %1, but the control does not have all of these axes.</source>
+        <translation>Le programme déplace %1, mais la commande ne possède pas tous ces axes.</translation>
+    </message>
+    <message>
+        <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
+        <translation>Non réalisable&#xa0;: la commande répéterait des points. Modifier F, N ou δ.</translation>
+    </message>
+    <message>
+        <source>Method credit starts only on a control that has passed its test: choose method window.</source>
+        <translation>La méthode Crédit ne démarre que sur une commande qui a réussi son test&#xa0;: choisir la méthode Fenêtre.</translation>
+    </message>
+    <message>
+        <source>The control reports an alarm.</source>
+        <translation>La commande signale une alarme.</translation>
+    </message>
+    <message>
+        <source>A program is running on the control.</source>
+        <translation>Un programme est en cours sur la commande.</translation>
+    </message>
+    <message>
+        <source>There is no interrupted run of method window.</source>
+        <translation>Il n’y a pas d’exécution interrompue de la méthode Fenêtre.</translation>
+    </message>
+    <message>
+        <source>Only method window can resume an interrupted run.</source>
+        <translation>Seule la méthode Fenêtre peut reprendre une exécution interrompue.</translation>
+    </message>
+    <message>
+        <source>The program is being simulated.</source>
+        <translation>Simulation du programme en cours.</translation>
+    </message>
+    <message>
+        <source>The simulation of this program failed in %1 of %2 runs. Change F, N or δ.</source>
+        <translation>La simulation de ce programme a échoué %1 fois sur %2. Modifier F, N ou δ.</translation>
+    </message>
+    <message>
+        <source>The window is locked: log in.</source>
+        <translation>La fenêtre est verrouillée&#xa0;: s’identifier.</translation>
+    </message>
+    <message>
+        <source>Only an engineer may do this.</source>
+        <translation>Réservé au régleur.</translation>
+    </message>
+    <message>
+        <source>Not released: an engineer has to release this program with these settings.</source>
+        <translation>Non validé&#xa0;: un régleur doit valider ce programme avec ces réglages.</translation>
+    </message>
+</context>
+<context>
+    <name>ConnectionTexts</name>
+    <message>
+        <source>Not connected</source>
+        <translation>Non connecté</translation>
+    </message>
+    <message>
+        <source>Connecting …</source>
+        <translation>Connexion…</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Connecté</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Connexion perdue</translation>
+    </message>
+</context>
+<context>
+    <name>DiagnosticTexts</name>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: the run does not wait here, and no tool is changed.</source>
+        <translation>%1 n’est pas envoyé à la commande&#xa0;: l’exécution n’attend pas ici et aucun outil n’est changé.</translation>
+    </message>
+    <message>
+        <source>A block with &quot;/&quot; is executed: Rivulet reads the program with block skip off.</source>
+        <translation>Un bloc avec «&#xa0;/&#xa0;» est exécuté&#xa0;: Rivulet lit le programme sans saut de blocs.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: set spindle, tool and coolant there.</source>
+        <translation>%1 n’est pas envoyé à la commande&#xa0;: y régler la broche, l’outil et l’arrosage.</translation>
+    </message>
+    <message>
+        <source>The character &quot;%1&quot; has no meaning here: remove it or put it into a comment.</source>
+        <translation>Le caractère «&#xa0;%1&#xa0;» n’a pas de sens ici&#xa0;: le supprimer ou le mettre en commentaire.</translation>
+    </message>
+    <message>
+        <source>The word %1 has no number.</source>
+        <translation>Il manque le nombre après le mot %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number: write digits with a decimal point.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre&#xa0;: écrire des chiffres avec un point décimal.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened but not closed in this line: the rest of the line is not read.</source>
+        <translation>Une parenthèse est ouverte mais n’est pas fermée sur cette ligne&#xa0;: le reste de la ligne n’est pas lu.</translation>
+    </message>
+    <message>
+        <source>Rivulet does not know the G function %1: its effect on the path is unknown.</source>
+        <translation>Rivulet ne connaît pas la fonction G %1&#xa0;: son effet sur la trajectoire est inconnu.</translation>
+    </message>
+    <message>
+        <source>The word %1 is not understood here: its effect on the path is unknown.</source>
+        <translation>Le mot %1 n’est pas compris ici&#xa0;: son effet sur la trajectoire est inconnu.</translation>
+    </message>
+    <message>
+        <source>%1 changes the path or the feed in a way that Rivulet does not support: post-process the program without it.</source>
+        <translation>%1 modifie la trajectoire ou l’avance d’une façon que Rivulet ne prend pas en charge&#xa0;: refaire le post-traitement du programme sans cette fonction.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: it does not change the path.</source>
+        <translation>%1 n’est pas envoyé à la commande&#xa0;: la trajectoire ne change pas.</translation>
+    </message>
+    <message>
+        <source>%1 contradict each other in one block: keep one of them.</source>
+        <translation>%1 se contredisent dans un même bloc&#xa0;: n’en garder qu’un.</translation>
+    </message>
+    <message>
+        <source>The word %1 appears twice in one block: keep one of them.</source>
+        <translation>Le mot %1 figure deux fois dans un même bloc&#xa0;: n’en garder qu’un.</translation>
+    </message>
+    <message>
+        <source>The arc has no centre: give I, J, K, or a radius with an end point that differs from the start.</source>
+        <translation>L’arc n’a pas de centre&#xa0;: indiquer I, J, K, ou un rayon avec un point final différent du point de départ.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius differs by %1 mm between start and end: check the centre, which is read as an increment from the start.</source>
+        <translation>Le rayon de l’arc diffère de %1 mm entre le départ et la fin&#xa0;: vérifier le centre, qui est lu en relatif depuis le départ.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius is too small to reach its end point (radius &lt; half chord, mm: %1).</source>
+        <translation>Le rayon de l’arc est trop petit pour atteindre son point final (rayon &lt; demi-corde, mm&#xa0;: %1).</translation>
+    </message>
+    <message>
+        <source>The arc starts at an unknown position: program %1 with G0 or G1 before it.</source>
+        <translation>L’arc commence à une position inconnue&#xa0;: programmer d’abord %1 avec G0 ou G1.</translation>
+    </message>
+    <message>
+        <source>The increment of %1 starts at an unknown position: program %1 with G90 before it.</source>
+        <translation>La cote relative de %1 part d’une position inconnue&#xa0;: programmer d’abord %1 avec G90.</translation>
+    </message>
+    <message>
+        <source>The feed F%1 is not greater than 0.</source>
+        <translation>L’avance F%1 n’est pas supérieure à 0.</translation>
+    </message>
+    <message>
+        <source>The value of %1 is outside the range that Rivulet accepts.</source>
+        <translation>La valeur de %1 est hors de la plage que Rivulet accepte.</translation>
+    </message>
+    <message>
+        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
+        <translation>Les blocs à partir d’ici se trouvent après la fin du programme (M30, M2, M17 ou %)&#xa0;: ils ne sont pas lus.</translation>
+    </message>
+    <message>
+        <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
+        <translation>Un axe est programmé avant tout G0 à G3&#xa0;: G1 est supposé, comme après un reset de la commande.</translation>
+    </message>
+    <message>
+        <source>The centre word %1 is not in the plane of the arc: check G17, G18, G19.</source>
+        <translation>Le mot de centre %1 n’est pas dans le plan de l’arc&#xa0;: vérifier G17, G18, G19.</translation>
+    </message>
+    <message>
+        <source>The program has more than %1 points: it is not read further. Split it.</source>
+        <translation>Le programme a plus de %1 points&#xa0;: la lecture s’arrête ici. Diviser le programme.</translation>
+    </message>
+    <message>
+        <source>%1 more findings from here on are not listed.</source>
+        <translation>%1 autres observations à partir d’ici ne sont pas listées.</translation>
+    </message>
+    <message>
+        <source>Rivulet does not execute &quot;%1&quot;: its effect on the path is unknown.</source>
+        <translation>Rivulet n’exécute pas «&#xa0;%1&#xa0;»&#xa0;: son effet sur la trajectoire est inconnu.</translation>
+    </message>
+    <message>
+        <source>The loop that ends here does not terminate: reading stopped after %1 repeated blocks. Check its condition.</source>
+        <translation>La boucle qui finit ici ne se termine pas&#xa0;: la lecture s’est arrêtée après %1 blocs répétés. Vérifier sa condition.</translation>
+    </message>
+    <message>
+        <source>The calculation has no result: %1.</source>
+        <translation>Le calcul n’a pas de résultat&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The sequence of the blocks is not known from here on: %1.</source>
+        <translation>L’ordre des blocs n’est plus connu à partir d’ici&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The subprogram %1 is neither in this file nor in a file beside it: its points are missing.</source>
+        <translation>Le sous-programme %1 ne se trouve ni dans ce fichier ni dans un fichier voisin&#xa0;: ses points manquent.</translation>
+    </message>
+    <message>
+        <source>%1 is a cycle of the control: its motions are missing here.</source>
+        <translation>%1 est un cycle de la commande&#xa0;: ses mouvements manquent ici.</translation>
+    </message>
+    <message>
+        <source>%1 moves in machine coordinates, whose position in the workpiece is not known: the move is left out.</source>
+        <translation>%1 se déplace en coordonnées machine, dont la position par rapport à la pièce est inconnue&#xa0;: le déplacement est omis.</translation>
+    </message>
+    <message>
+        <source>The file holds bytes that do not occur in NC text: choose a text file, not an archive or a picture.</source>
+        <translation>Le fichier contient des octets qui n’existent pas dans un texte CN&#xa0;: choisir un fichier texte, pas une archive ni une image.</translation>
+    </message>
+    <message>
+        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
+        <translation>%1 est un cycle de tournage, c’est donc un programme pour un tour&#xa0;: X est lu comme diamètre, U et W en relatif, le plan est Z X.</translation>
+    </message>
+    <message>
+        <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
+        <translation>%1 est omis parce que vous l’avez accepté&#xa0;: la trajectoire peut différer de celle de la commande.</translation>
+    </message>
+    <message>
+        <source>All arcs of the program fit if I, J and K are read as %1: check how the post-processor writes them, and load the program that way.</source>
+        <translation>Tous les arcs du programme sont justes si I, J et K sont lus comme %1&#xa0;: vérifier comment le post-processeur les écrit et charger le programme ainsi.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
+        <translation>Le programme ne déplace aucun axe&#xa0;: il n’y a rien à transmettre. Choisir un programme avec G0, G1, G2 ou G3 et X, Y ou Z.</translation>
+    </message>
+    <message>
+        <source>%1 moves on the path: only method window streams it, and only if this axis is selected.</source>
+        <translation>%1 se déplace sur la trajectoire&#xa0;: seule la méthode Fenêtre le transmet, et seulement si cet axe est choisi.</translation>
+    </message>
+    <message>
+        <source>With %1, X, Y and Z are those of the tool tip while rotary axes turn, and no method switches it on at the control. Post-process the program for the axes of the machine.</source>
+        <translation>Avec %1, X, Y et Z sont ceux de la pointe de l’outil pendant que les axes rotatifs tournent, et aucune méthode n’active cela sur la commande. Refaire le post-traitement pour les axes de la machine.</translation>
+    </message>
+    <message>
+        <source>%1 give the tool direction. The points keep it, but only the control could convert it to rotary axes. Post-process the program with A, B or C.</source>
+        <translation>%1 donnent l’orientation de l’outil. Les points la conservent, mais seule la commande pourrait la convertir en axes rotatifs. Refaire le post-traitement avec A, B ou C.</translation>
+    </message>
+    <message>
+        <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
+        <translation>Un bloc se déplace avec G1, G2 ou G3 avant qu’une avance F soit programmée&#xa0;: seule une avance fixe est possible.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorTexts</name>
+    <message>
+        <source>The file cannot be read. Check that it exists and that you may read it.</source>
+        <translation>Le fichier ne peut pas être lu. Vérifier qu’il existe et que vous avez le droit de le lire.</translation>
+    </message>
+    <message>
+        <source>The file is too large. Split the program into parts.</source>
+        <translation>Le fichier est trop grand. Diviser le programme en plusieurs parties.</translation>
+    </message>
+    <message>
+        <source>The program is empty. Choose a file with NC blocks.</source>
+        <translation>Le programme est vide. Choisir un fichier avec des blocs CN.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis. Choose a program with G0, G1, G2 or G3.</source>
+        <translation>Le programme ne déplace aucun axe. Choisir un programme avec G0, G1, G2 ou G3.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not understood. See the list of findings.</source>
+        <translation>Des parties du programme ne sont pas comprises. Voir la liste des observations.</translation>
+    </message>
+    <message>
+        <source>The feed F must be greater than zero.</source>
+        <translation>L’avance F doit être supérieure à zéro.</translation>
+    </message>
+    <message>
+        <source>The distance δ must be greater than zero.</source>
+        <translation>La distance δ doit être supérieure à zéro.</translation>
+    </message>
+    <message>
+        <source>N is too small. Choose at least 2 points per loop.</source>
+        <translation>N est trop petit. Choisir au moins 2 points par boucle.</translation>
+    </message>
+    <message>
+        <source>N is too small for this method. Choose more points per loop.</source>
+        <translation>N est trop petit pour cette méthode. Choisir plus de points par boucle.</translation>
+    </message>
+    <message>
+        <source>N points do not fit the R-parameters of the control. Choose a smaller N, the contiguous layout, or enlarge MD28050.</source>
+        <translation>N points ne tiennent pas dans les paramètres R de la commande. Choisir un N plus petit ou la disposition contiguë, ou augmenter MD28050.</translation>
+    </message>
+    <message>
+        <source>No axis is chosen. Choose at least one axis.</source>
+        <translation>Aucun axe n’est choisi. Choisir au moins un axe.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder.</source>
+        <translation>Le fichier ne peut pas être écrit. Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>This file is not a Rivulet recording.</source>
+        <translation>Ce fichier n’est pas un enregistrement de Rivulet.</translation>
+    </message>
+    <message>
+        <source>The recording was written by a newer Rivulet. Update this program to read it.</source>
+        <translation>L’enregistrement vient d’un Rivulet plus récent. Mettre ce logiciel à jour pour le lire.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged. Everything before the damage was kept.</source>
+        <translation>L’enregistrement est endommagé. Tout ce qui précède a été conservé.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Check the folder and the free space.</source>
+        <translation>Le fichier ne peut pas être écrit. Vérifier le dossier et l’espace libre.</translation>
+    </message>
+    <message>
+        <source>The program has been changed since the interrupted run. Restore it, or start from the beginning.</source>
+        <translation>Le programme a été modifié depuis l’exécution interrompue. Le rétablir, ou recommencer depuis le début.</translation>
+    </message>
+    <message>
+        <source>No OPC UA server answers at this endpoint. Check address, port and network.</source>
+        <translation>Aucun serveur OPC UA ne répond à cette adresse. Vérifier l’adresse, le port et le réseau.</translation>
+    </message>
+    <message>
+        <source>The connection to the control is lost. Check the machine, then connect again.</source>
+        <translation>La connexion à la commande est perdue. Contrôler la machine, puis se reconnecter.</translation>
+    </message>
+    <message>
+        <source>The control did not answer in time. Check the network and its load.</source>
+        <translation>La commande n’a pas répondu à temps. Vérifier le réseau et sa charge.</translation>
+    </message>
+    <message>
+        <source>The control does not have a variable that Rivulet needs. Check the configuration of the server.</source>
+        <translation>Il manque à la commande une variable dont Rivulet a besoin. Vérifier la configuration du serveur.</translation>
+    </message>
+    <message>
+        <source>A variable is write-protected. Give this user write access on the control.</source>
+        <translation>Une variable est protégée en écriture. Donner à cet utilisateur le droit d’écriture sur la commande.</translation>
+    </message>
+    <message>
+        <source>A value cannot be used; nothing was sent.</source>
+        <translation>Une valeur est inutilisable&#xa0;; rien n’a été envoyé.</translation>
+    </message>
+    <message>
+        <source>The control rejected the request.</source>
+        <translation>La commande a refusé la requête.</translation>
+    </message>
+    <message>
+        <source>The server is not a SINUMERIK (no SinumerikVarProvider). Check the endpoint.</source>
+        <translation>Le serveur n’est pas une SINUMERIK (pas de SinumerikVarProvider). Vérifier l’adresse.</translation>
+    </message>
+    <message>
+        <source>The server does not offer this function.</source>
+        <translation>Le serveur ne propose pas cette fonction.</translation>
+    </message>
+    <message>
+        <source>There is no such program on the control. Send the template first.</source>
+        <translation>Ce programme n’existe pas sur la commande. Envoyer d’abord le modèle.</translation>
+    </message>
+    <message>
+        <source>The channel is not in reset. Press reset at the control, then try again.</source>
+        <translation>Le canal n’est pas en Reset. Appuyer sur Reset sur la commande, puis réessayer.</translation>
+    </message>
+    <message>
+        <source>A program of this name is already on the control.</source>
+        <translation>Un programme de ce nom existe déjà sur la commande.</translation>
+    </message>
+    <message>
+        <source>The request is larger than the server accepts. Choose a smaller N.</source>
+        <translation>La requête est plus grande que ce que le serveur accepte. Choisir un N plus petit.</translation>
+    </message>
+    <message>
+        <source>This program cannot be streamed. See the list of findings.</source>
+        <translation>Ce programme ne peut pas être transmis en continu. Voir la liste des observations.</translation>
+    </message>
+    <message>
+        <source>The control does not run the expected template. Select and start the template for these settings.</source>
+        <translation>La commande n’exécute pas le modèle attendu. Sélectionner et démarrer le modèle de ces réglages.</translation>
+    </message>
+    <message>
+        <source>Another program is running on the control. Wait until it has ended, or reset the channel.</source>
+        <translation>Un autre programme est en cours sur la commande. Attendre sa fin ou faire un Reset du canal.</translation>
+    </message>
+    <message>
+        <source>Cycle start was not pressed in time. Start the run again.</source>
+        <translation>Départ cycle n’a pas été actionné à temps. Redémarrer l’exécution.</translation>
+    </message>
+    <message>
+        <source>The control is running, but the stream makes no progress. Check feed override and feed hold at the control.</source>
+        <translation>La commande est en marche, mais la transmission n’avance pas. Vérifier sur la commande l’override d’avance et l’arrêt avance.</translation>
+    </message>
+    <message>
+        <source>The control did not confirm the stop in time. Check the machine.</source>
+        <translation>La commande n’a pas confirmé l’arrêt à temps. Contrôler la machine.</translation>
+    </message>
+    <message>
+        <source>The control ended the program with an alarm. Clear its cause at the control.</source>
+        <translation>La commande a terminé le programme par une alarme. En éliminer la cause sur la commande.</translation>
+    </message>
+    <message>
+        <source>The program on the control ended before all points were sent.</source>
+        <translation>Le programme sur la commande s’est terminé avant l’envoi de tous les points.</translation>
+    </message>
+    <message>
+        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>Les cellules de la méthode Fenêtre sont hors plage. Vérifier la base, le pas et le nombre de fenêtres.</translation>
+    </message>
+    <message>
+        <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
+        <translation>Un autre client utilise le programme sur la commande. Rivulet n’écrit plus rien&#xa0;: attendre que l’autre client ait fini, ou faire un Reset de la commande.</translation>
+    </message>
+    <message>
+        <source>The program on the control was restarted during the run. Reset the control, then resume.</source>
+        <translation>Le programme sur la commande a été redémarré pendant l’exécution. Faire un Reset de la commande, puis reprendre.</translation>
+    </message>
+    <message>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
+        <translation>La commande a refusé une fenêtre qui ne correspondait pas à son numéro de contrôle et ne l’a pas exécutée. Autre chose écrit dans ces paramètres R&#xa0;: trouver quoi, puis reprendre.</translation>
+    </message>
+    <message>
+        <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>
+        <translation>La commande a terminé son programme parce qu’elle n’a rien reçu de Rivulet pendant trop longtemps. Vérifier le réseau, puis reprendre.</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation>Le chargement a été annulé.</translation>
+    </message>
+    <message>
+        <source>It is not known for certain where the run was left. Start from the beginning.</source>
+        <translation>On ne sait pas avec certitude où l’exécution s’est interrompue. Recommencer depuis le début.</translation>
+    </message>
+    <message>
+        <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
+        <translation>La commande ne laisse pas Rivulet écrire et lire des programmes pièce. Donner ces droits à l’utilisateur OPC UA, ou copier le modèle à la main sur la commande.</translation>
+    </message>
+    <message>
+        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
+        <translation>Ces cellules sont inutilisables. Choisir des paramètres R qui existent (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
+        <translation>Un programme est en cours sur la commande&#xa0;: la mesure a été arrêtée. Les cellules ont leurs anciennes valeurs.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The cells have their old values.</source>
+        <translation>L’étalonnage a été annulé. Les cellules ont leurs anciennes valeurs.</translation>
+    </message>
+    <message>
+        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
+        <translation>Les cellules n’ont pas pu être rétablies et contiennent peut-être des valeurs de test. Les régler sur la commande.</translation>
+    </message>
+    <message>
+        <source>Only method window streams rotary axes. Choose it.</source>
+        <translation>Seule la méthode Fenêtre transmet des axes rotatifs. Choisir cette méthode.</translation>
+    </message>
+    <message>
+        <source>Too many axes. Choose at most five.</source>
+        <translation>Trop d’axes. En choisir cinq au plus.</translation>
+    </message>
+    <message>
+        <source>These are not axes. Choose from X, Y, Z, A, B and C.</source>
+        <translation>Ce ne sont pas des axes. Choisir parmi X, Y, Z, A, B et C.</translation>
+    </message>
+    <message>
+        <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
+        <translation>Le programme a besoin d’un axe qui n’est pas transmis. L’amener à la position du programme, ou le transmettre aussi.</translation>
+    </message>
+    <message>
+        <source>The control lacks an axis that the program moves. Use a program for the axes of this machine.</source>
+        <translation>Il manque à la commande un axe que le programme déplace. Utiliser un programme pour les axes de cette machine.</translation>
+    </message>
+    <message>
+        <source>No prediction is possible for this method.</source>
+        <translation>Aucune prédiction n’est possible pour cette méthode.</translation>
+    </message>
+    <message>
+        <source>The test was aborted. Reset the control if its program is still running.</source>
+        <translation>Le test a été interrompu. Faire un Reset de la commande si son programme est encore en cours.</translation>
+    </message>
+    <message>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
+        <translation>La méthode Crédit est expérimentale et ne démarre que sur une commande qui a réussi son test. Lancer rivulet-cli commission pour cette commande, ou choisir la méthode Fenêtre.</translation>
+    </message>
+    <message>
+        <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
+        <translation>La correction en ligne est possible avec la méthode Fenêtre, pour X, Y et Z, jusqu’à 1 mm.</translation>
+    </message>
+    <message>
+        <source>An overlay is already active on the axes. Remove it at the control: press reset, wait, and check that $AA_OFF is 0.</source>
+        <translation>Une superposition est déjà active sur les axes. La supprimer sur la commande&#xa0;: appuyer sur Reset, attendre et vérifier que $AA_OFF est à 0.</translation>
+    </message>
+    <message>
+        <source>The control adds up overlaid values (MD36750 bit 0). Set the bit to 0, or do without online correction.</source>
+        <translation>La commande additionne les valeurs superposées (MD36750 bit 0). Mettre le bit à 0, ou renoncer à la correction en ligne.</translation>
+    </message>
+    <message>
+        <source>This is not a machine file of Rivulet. Move the file away.</source>
+        <translation>Ce n’est pas un fichier machine de Rivulet. Le déplacer ailleurs.</translation>
+    </message>
+    <message>
+        <source>This was written by another version of Rivulet. Measure again.</source>
+        <translation>Ce fichier vient d’une autre version de Rivulet. Refaire la mesure.</translation>
+    </message>
+    <message>
+        <source>The calibration is damaged. Measure again.</source>
+        <translation>L’étalonnage est endommagé. Refaire la mesure.</translation>
+    </message>
+    <message>
+        <source>Another client has claimed the R-parameters of this run and is about to start. Nothing was changed. Wait until its run has ended.</source>
+        <translation>Un autre client a réservé les paramètres R de cette exécution et va démarrer. Rien n’a été modifié. Attendre la fin de son exécution.</translation>
+    </message>
+    <message>
+        <source>A block of the program moves at a feed that is not known: F is missing, G95 has no spindle speed, or G93 no length. Choose one feed for all moves.</source>
+        <translation>Un bloc du programme se déplace à une avance inconnue&#xa0;: il manque F, la vitesse de broche pour G95 ou la longueur pour G93. Choisir une seule avance pour tous les mouvements.</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published.</source>
+        <translation>Cette méthode a une seule avance pour tous les mouvements, comme dans sa publication.</translation>
+    </message>
+    <message>
+        <source>The override is out of range: choose 1 to 200 %.</source>
+        <translation>L’override est hors plage&#xa0;: choisir de 1 à 200&#xa0;%.</translation>
+    </message>
+</context>
+<context>
+    <name>FaultTexts</name>
+    <message>
+        <source>the character &quot;%1&quot; has no meaning here</source>
+        <translation>le caractère «&#xa0;%1&#xa0;» n’a pas de sens ici</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a comment is not closed</source>
+        <translation>un commentaire n’est pas fermé</translation>
+    </message>
+    <message>
+        <source>%1 is not known to this machine</source>
+        <translation>%1 n’est pas connu de cette machine</translation>
+    </message>
+    <message>
+        <source>the word %1 is not understood here</source>
+        <translation>le mot %1 n’est pas compris ici</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas compris</translation>
+    </message>
+    <message>
+        <source>two functions of one group are in the block: %1</source>
+        <translation>deux fonctions d’un même groupe sont dans le bloc&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the address %1 is programmed more than once in the block</source>
+        <translation>l’adresse %1 est programmée plusieurs fois dans le bloc</translation>
+    </message>
+    <message>
+        <source>circle end-point error: there is no circle through these points</source>
+        <translation>erreur de point final de cercle&#xa0;: aucun cercle ne passe par ces points</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radii at start and end differ by %1 mm</source>
+        <translation>erreur de point final de cercle&#xa0;: les rayons au départ et à la fin diffèrent de %1 mm</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radius is too small (%1)</source>
+        <translation>erreur de point final de cercle&#xa0;: le rayon est trop petit (%1)</translation>
+    </message>
+    <message>
+        <source>the arc starts at an unknown position: %1</source>
+        <translation>l’arc commence à une position inconnue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the increment of %1 starts at an unknown position</source>
+        <translation>la cote relative de %1 part d’une position inconnue</translation>
+    </message>
+    <message>
+        <source>no feed is programmed</source>
+        <translation>aucune avance n’est programmée</translation>
+    </message>
+    <message>
+        <source>the programmed path speed %1 is not positive</source>
+        <translation>la vitesse programmée sur la trajectoire %1 n’est pas positive</translation>
+    </message>
+    <message>
+        <source>the value of %1 is out of range</source>
+        <translation>la valeur de %1 est hors plage</translation>
+    </message>
+    <message>
+        <source>circle end-point error: %1 is not in the plane of the arc</source>
+        <translation>erreur de point final de cercle&#xa0;: %1 n’est pas dans le plan de l’arc</translation>
+    </message>
+    <message>
+        <source>%1 is not a cycle of this machine</source>
+        <translation>%1 n’est pas un cycle de cette machine</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>il manque une valeur</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a value</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une valeur</translation>
+    </message>
+    <message>
+        <source>a constant in quotes is written &apos;H1F&apos; or &apos;B101&apos;</source>
+        <translation>une constante entre apostrophes s’écrit &apos;H1F&apos; ou &apos;B101&apos;</translation>
+    </message>
+    <message>
+        <source>a text in quotes is expected</source>
+        <translation>un texte entre guillemets est attendu</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>une parenthèse n’est pas fermée</translation>
+    </message>
+    <message>
+        <source>an operand is missing</source>
+        <translation>il manque un opérande</translation>
+    </message>
+    <message>
+        <source>the calculation is nested too deeply</source>
+        <translation>le calcul est imbriqué trop profondément</translation>
+    </message>
+    <message>
+        <source>%1 is neither a variable nor a function</source>
+        <translation>%1 n’est ni une variable ni une fonction</translation>
+    </message>
+    <message>
+        <source>%1 needs its argument in brackets</source>
+        <translation>%1 demande son argument entre parenthèses</translation>
+    </message>
+    <message>
+        <source>%1 needs more arguments</source>
+        <translation>%1 demande plus d’arguments</translation>
+    </message>
+    <message>
+        <source>ATAN is written ATAN[y]/[x]</source>
+        <translation>ATAN s’écrit ATAN[y]/[x]</translation>
+    </message>
+    <message>
+        <source>EXISTS is written EXISTS[#&lt;name&gt;]</source>
+        <translation>EXISTS s’écrit EXISTS[#&lt;name&gt;]</translation>
+    </message>
+    <message>
+        <source>R needs a number or an index in brackets</source>
+        <translation>R demande un numéro ou un indice entre crochets</translation>
+    </message>
+    <message>
+        <source>the number of a variable is missing or too large</source>
+        <translation>le numéro d’une variable manque ou est trop grand</translation>
+    </message>
+    <message>
+        <source>the name of a variable is not closed with &gt;</source>
+        <translation>le nom d’une variable n’est pas fermé par &gt;</translation>
+    </message>
+    <message>
+        <source>%1 is not a variable</source>
+        <translation>%1 n’est pas une variable</translation>
+    </message>
+    <message>
+        <source>%1 needs an axis or an index in brackets</source>
+        <translation>%1 demande un axe ou un indice entre crochets</translation>
+    </message>
+    <message>
+        <source>an equals sign is missing</source>
+        <translation>il manque un signe égal</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be assigned to</source>
+        <translation>on ne peut pas affecter de valeur à «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>SET and REP need a list in brackets, with commas between its values</source>
+        <translation>SET et REP demandent une liste entre parenthèses, avec des virgules entre les valeurs</translation>
+    </message>
+    <message>
+        <source>the name of a variable is missing</source>
+        <translation>il manque le nom d’une variable</translation>
+    </message>
+    <message>
+        <source>%1 is not a type for DEF</source>
+        <translation>%1 n’est pas un type pour DEF</translation>
+    </message>
+    <message>
+        <source>the size of an array is missing or too large</source>
+        <translation>la taille d’un tableau manque ou est trop grande</translation>
+    </message>
+    <message>
+        <source>the parameters of PROC are written PROC name(type name, ...)</source>
+        <translation>les paramètres de PROC s’écrivent PROC nom(type nom, ...)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing, or has no meaning here</source>
+        <translation>«&#xa0;%1&#xa0;» manque ou n’a pas de sens ici</translation>
+    </message>
+    <message>
+        <source>an address needs a number or &quot;=&quot;</source>
+        <translation>une adresse demande un nombre ou «&#xa0;=&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the jump has no target</source>
+        <translation>le saut n’a pas de destination</translation>
+    </message>
+    <message>
+        <source>only GOTO may follow a condition</source>
+        <translation>seul GOTO peut suivre une condition</translation>
+    </message>
+    <message>
+        <source>FOR is written FOR i = a TO b</source>
+        <translation>FOR s’écrit FOR i = a TO b</translation>
+    </message>
+    <message>
+        <source>CASE is written CASE(value) OF constant GOTOF target</source>
+        <translation>CASE s’écrit CASE(valeur) OF constante GOTOF destination</translation>
+    </message>
+    <message>
+        <source>the %1 that begins here is not closed</source>
+        <translation>le %1 qui commence ici n’est pas fermé</translation>
+    </message>
+    <message>
+        <source>%1 has no beginning</source>
+        <translation>%1 n’a pas de début</translation>
+    </message>
+    <message>
+        <source>control structures are nested more than 16 deep</source>
+        <translation>les structures de contrôle sont imbriquées sur plus de 16 niveaux</translation>
+    </message>
+    <message>
+        <source>a synchronized action needs a number from 1 to 255</source>
+        <translation>une action synchrone demande un numéro de 1 à 255</translation>
+    </message>
+    <message>
+        <source>a synchronized action is written ID=1 WHEN condition DO assignment</source>
+        <translation>une action synchrone s’écrit ID=1 WHEN condition DO affectation</translation>
+    </message>
+    <message>
+        <source>a synchronized action can only assign to $R and variables of the main run</source>
+        <translation>une action synchrone ne peut affecter que $R et des variables du traitement principal</translation>
+    </message>
+    <message>
+        <source>the target %1 is missing</source>
+        <translation>la destination %1 manque</translation>
+    </message>
+    <message>
+        <source>the program %1 does not exist</source>
+        <translation>le programme %1 n’existe pas</translation>
+    </message>
+    <message>
+        <source>%1 is not defined, and there is no program of this name</source>
+        <translation>%1 n’est pas défini et il n’y a pas de programme de ce nom</translation>
+    </message>
+    <message>
+        <source>subprograms call each other too deeply</source>
+        <translation>les sous-programmes s’appellent sur trop de niveaux</translation>
+    </message>
+    <message>
+        <source>a division by zero</source>
+        <translation>division par zéro</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>%1 n’a pas de valeur</translation>
+    </message>
+    <message>
+        <source>the result is too large</source>
+        <translation>le résultat est trop grand</translation>
+    </message>
+    <message>
+        <source>it needs a value that is not known</source>
+        <translation>une valeur nécessaire n’est pas connue</translation>
+    </message>
+    <message>
+        <source>R%1 is read before the program sets it: only the control knows it</source>
+        <translation>R%1 est lu avant que le programme ne l’affecte&#xa0;: seule la commande le connaît</translation>
+    </message>
+    <message>
+        <source>R[%1] does not exist</source>
+        <translation>R[%1] n’existe pas</translation>
+    </message>
+    <message>
+        <source>%1 is not defined</source>
+        <translation>%1 n’est pas défini</translation>
+    </message>
+    <message>
+        <source>an array needs its index in brackets</source>
+        <translation>un tableau demande son indice entre crochets</translation>
+    </message>
+    <message>
+        <source>the array has fewer dimensions</source>
+        <translation>le tableau a moins de dimensions</translation>
+    </message>
+    <message>
+        <source>the array has more dimensions</source>
+        <translation>le tableau a plus de dimensions</translation>
+    </message>
+    <message>
+        <source>the index is outside the array</source>
+        <translation>l’indice est hors du tableau</translation>
+    </message>
+    <message>
+        <source>a calculation uses a text</source>
+        <translation>un calcul utilise un texte</translation>
+    </message>
+    <message>
+        <source>the value is not of type %1</source>
+        <translation>la valeur n’est pas du type %1</translation>
+    </message>
+    <message>
+        <source>the value is outside the range of type %1</source>
+        <translation>la valeur est hors de la plage du type %1</translation>
+    </message>
+    <message>
+        <source>the list has more values than the array has elements</source>
+        <translation>la liste a plus de valeurs que le tableau n’a d’éléments</translation>
+    </message>
+    <message>
+        <source>only the control knows the value of %1</source>
+        <translation>seule la commande connaît la valeur de %1</translation>
+    </message>
+    <message>
+        <source>a variable of the control would be written</source>
+        <translation>une variable de la commande serait écrite</translation>
+    </message>
+    <message>
+        <source>the subprogram takes %1 values</source>
+        <translation>le sous-programme attend %1 valeurs</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable</source>
+        <translation>le paramètre %1 est transmis par référence et demande une variable</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable of its own type</source>
+        <translation>le paramètre %1 est transmis par référence et demande une variable de son propre type</translation>
+    </message>
+    <message>
+        <source>a synchronized action reads R or an array by an index of the main run: use $R</source>
+        <translation>une action synchrone lit R ou un tableau par un indice du traitement principal&#xa0;: utiliser $R</translation>
+    </message>
+    <message>
+        <source>GOTO or THEN must follow a condition</source>
+        <translation>GOTO ou THEN doit suivre une condition</translation>
+    </message>
+    <message>
+        <source>WHILE is written WHILE [condition] DO1</source>
+        <translation>WHILE s’écrit WHILE [condition] DO1</translation>
+    </message>
+    <message>
+        <source>an O word needs a number or &lt;name&gt;</source>
+        <translation>un mot O demande un numéro ou &lt;name&gt;</translation>
+    </message>
+    <message>
+        <source>%1 is not known</source>
+        <translation>%1 n’est pas connu</translation>
+    </message>
+    <message>
+        <source>%1 is not in a loop</source>
+        <translation>%1 n’est pas dans une boucle</translation>
+    </message>
+    <message>
+        <source>%1 has no call</source>
+        <translation>%1 n’a pas d’appel</translation>
+    </message>
+    <message>
+        <source>a subprogram is defined inside %1</source>
+        <translation>un sous-programme est défini à l’intérieur de %1</translation>
+    </message>
+</context>
+<context>
+    <name>FoundRunTexts</name>
+    <message>
+        <source>A program of Rivulet without a run</source>
+        <translation>Un programme de Rivulet sans exécution</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Exécution %1</translation>
+    </message>
+    <message>
+        <source>Run %1 of %2</source>
+        <translation>Exécution %1 de %2</translation>
+    </message>
+    <message>
+        <source>It is not known who started it.</source>
+        <translation>On ne sait pas qui l’a démarrée.</translation>
+    </message>
+    <message>
+        <source>Started by %1 on %2 at %3.</source>
+        <translation>Démarrée par %1 sur %2 le %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points executed</source>
+        <translation>%1 points sur %2 exécutés</translation>
+    </message>
+    <message>
+        <source>%1 windows executed</source>
+        <translation>%1 fenêtres exécutées</translation>
+    </message>
+    <message>
+        <source>%1. Looking for its client …</source>
+        <translation>%1. Recherche de son client…</translation>
+    </message>
+    <message>
+        <source>It waits for its first client.</source>
+        <translation>Il attend son premier client.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is gone: the program waits.</source>
+        <translation>%1. Son client n’est plus là&#xa0;: le programme attend.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is at work.</source>
+        <translation>%1. Son client travaille.</translation>
+    </message>
+    <message>
+        <source>It was not completed, and its program is no longer active on the control.</source>
+        <translation>Elle n’est pas terminée et son programme n’est plus actif sur la commande.</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1.</source>
+        <translation>Arrêt confirmé après %1.</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed.</source>
+        <translation>Arrêt demandé, pas encore confirmé.</translation>
+    </message>
+</context>
+<context>
+    <name>GroupingTexts</name>
+    <message>
+        <source>Lists</source>
+        <translation>Listes</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Un par un</translation>
+    </message>
+    <message>
+        <source>Arrays by count</source>
+        <translation>Tableaux par nombre</translation>
+    </message>
+    <message>
+        <source>Arrays by range</source>
+        <translation>Tableaux par plage</translation>
+    </message>
+</context>
+<context>
+    <name>LimitTexts</name>
+    <message>
+        <source>rapid</source>
+        <translation>rapide</translation>
+    </message>
+    <message>
+        <source>line %1: %2, %3</source>
+        <translation>ligne %1&#xa0;: %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>Pages</name>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Feasibility</source>
+        <translation>Faisabilité</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 enregistré.</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Audit</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Utilisateurs</translation>
+    </message>
+</context>
+<context>
+    <name>PauseTexts</name>
+    <message>
+        <source>M</source>
+        <comment>letter for a measured pause</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <comment>letter for an inferred pause</comment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter for a predicted pause</comment>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesurée</translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation>déduite</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prévue</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramTexts</name>
+    <message>
+        <source>Parts of the path of %1 are not known: see the findings. The program cannot be streamed.</source>
+        <translation>Des parties de la trajectoire de %1 ne sont pas connues&#xa0;: voir les observations. Le programme ne peut pas être transmis en continu.</translation>
+    </message>
+    <message>
+        <source>%1 needs a transformation of the control. No method can stream it.</source>
+        <translation>%1 a besoin d’une transformation de la commande. Aucune méthode ne peut le transmettre en continu.</translation>
+    </message>
+    <message>
+        <source>%1 moves no axis: there is nothing to stream.</source>
+        <translation>%1 ne déplace aucun axe&#xa0;: il n’y a rien à transmettre.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Une exécution est en cours. Ouvrir un autre programme quand elle sera terminée.</translation>
+    </message>
+    <message>
+        <source>Opened %1 (%2), %3 points.</source>
+        <translation>%1 ouvert (%2), %3 points.</translation>
+    </message>
+    <message>
+        <source>Reading %1 was cancelled.</source>
+        <translation>La lecture de %1 a été annulée.</translation>
+    </message>
+</context>
+<context>
+    <name>RehearsalTexts</name>
+    <message>
+        <source>The program is being simulated with these settings.</source>
+        <translation>Simulation du programme avec ces réglages en cours.</translation>
+    </message>
+    <message>
+        <source>all %1 points</source>
+        <translation>la totalité des %1 points</translation>
+    </message>
+    <message>
+        <source>the %1 most difficult points</source>
+        <translation>les %1 points les plus difficiles</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: no wrong point in %2 runs.</source>
+        <translation>Simulation (%1)&#xa0;: aucun point erroné en %2 passages.</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
+        <translation>Simulation (%1)&#xa0;: points erronés dans %2 passages sur %3.</translation>
+    </message>
+</context>
+<context>
+    <name>RunStateTexts</name>
+    <message>
+        <source>Idle</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Arrêt en cours</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Suspendu</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Préparation</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échec</translation>
+    </message>
+</context>
+<context>
+    <name>RunTexts</name>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>Aucun programme n’est chargé.</translation>
+    </message>
+    <message>
+        <source>The program has fewer than two points.</source>
+        <translation>Le programme a moins de deux points.</translation>
+    </message>
+    <message>
+        <source>Running: %1, version %2</source>
+        <translation>En cours&#xa0;: %1, version %2</translation>
+    </message>
+    <message>
+        <source>Program: %1, version %2</source>
+        <translation>Programme&#xa0;: %1, version %2</translation>
+    </message>
+</context>
+<context>
+    <name>UserTexts</name>
+    <message>
+        <source>At least one user must be an engineer.</source>
+        <translation>Au moins un utilisateur doit être régleur.</translation>
+    </message>
+    <message>
+        <source>The file of users is damaged. Restore it, or delete it to set the users up again.</source>
+        <translation>Le fichier des utilisateurs est endommagé. Le restaurer, ou le supprimer et redéfinir les utilisateurs.</translation>
+    </message>
+    <message>
+        <source>Give a name.</source>
+        <translation>Indiquer un nom.</translation>
+    </message>
+    <message>
+        <source>The PIN needs at least 4 characters.</source>
+        <translation>Le code PIN doit avoir au moins 4 caractères.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Alarms</name>
+    <message>
+        <source>%1: %2 damaged lines of the history of alarms were left out.</source>
+        <translation>%1&#xa0;: %2 lignes endommagées de l’historique des alarmes ont été omises.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Demo</name>
+    <message>
+        <source>The picture or the report cannot be written to %1.</source>
+        <translation>L’image ou le rapport ne peut pas être écrit dans %1.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Document</name>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::FoundRuns</name>
+    <message>
+        <source>The run that was watched has ended.</source>
+        <translation>L’exécution observée est terminée.</translation>
+    </message>
+    <message>
+        <source>There is a run on the control: %1</source>
+        <translation>Il y a une exécution sur la commande&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The run has been stopped; confirmed after %1.</source>
+        <translation>L’exécution est arrêtée&#xa0;; confirmé après %1.</translation>
+    </message>
+    <message>
+        <source>Stop of the run on the control requested.</source>
+        <translation>Arrêt de l’exécution sur la commande demandé.</translation>
+    </message>
+    <message>
+        <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
+        <translation>Le fichier du programme, %1, est introuvable. Ouvrir le programme, puis réessayer.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineModel</name>
+    <message>
+        <source>Connected to the virtual machine at %1.</source>
+        <translation>Connecté à la machine virtuelle à %1.</translation>
+    </message>
+    <message>
+        <source>Connected to the control at %1.</source>
+        <translation>Connecté à la commande à %1.</translation>
+    </message>
+    <message>
+        <source>Calibrated. Saved %1.</source>
+        <translation>Étalonné. %1 enregistré.</translation>
+    </message>
+    <message>
+        <source>The calibration belongs to another version of the server and is not used.</source>
+        <translation>L’étalonnage correspond à une autre version du serveur et n’est pas utilisé.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MainWindow</name>
+    <message>
+        <source>About Rivulet</source>
+        <translation>À propos de Rivulet</translation>
+    </message>
+    <message>
+        <source>Rivulet %1
+Streams a tool path to a CNC machine over OPC UA while the machine moves.
+
+Stop ends the program at the end of its loop. It is not an emergency stop.
+
+GPL-3.0-or-later</source>
+        <translation>Rivulet %1
+Transmet une trajectoire d’outil à une machine CNC par OPC UA pendant que la machine se déplace.
+
+Arrêt termine le programme à la fin de sa boucle. Ce n’est pas un arrêt d’urgence.
+
+GPL-3.0-or-later</translation>
+    </message>
+    <message>
+        <source>%1 – Rivulet</source>
+        <translation>%1 – Rivulet</translation>
+    </message>
+    <message>
+        <source>Rivulet</source>
+        <translation>Rivulet</translation>
+    </message>
+    <message>
+        <source>&amp;Open program …</source>
+        <translation>&amp;Ouvrir un programme…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>&amp;About Rivulet</source>
+        <translation>À &amp;propos de Rivulet</translation>
+    </message>
+    <message>
+        <source>Method, feed and verdict</source>
+        <translation>Méthode, avance et verdict</translation>
+    </message>
+    <message>
+        <source>&amp;Set-up</source>
+        <translation>&amp;Réglages</translation>
+    </message>
+    <message>
+        <source>&amp;Menu</source>
+        <translation>&amp;Menu</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Preflight</name>
+    <message>
+        <source>In the way</source>
+        <translation>Obstacle</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk since version %2 was read.</source>
+        <translation>%1 a été modifié sur le disque depuis la lecture de la version %2.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>%1, version %2, %3 points</source>
+        <translation>%1, version %2, %3 points</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Non connecté</translation>
+    </message>
+    <message>
+        <source>%1: a virtual machine, no real axis moves</source>
+        <translation>%1&#xa0;: une machine virtuelle, aucun axe réel ne bouge</translation>
+    </message>
+    <message>
+        <source>%1: the axes of this machine will move</source>
+        <translation>%1&#xa0;: les axes de cette machine vont bouger</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Premier mouvement</translation>
+    </message>
+    <message>
+        <source>The position of the tool is not known.</source>
+        <translation>La position de l’outil n’est pas connue.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line over %2 to point 1 at %3</source>
+        <translation>De %1 en ligne droite sur %2 jusqu’au point 1 à %3</translation>
+    </message>
+    <message>
+        <source>The last run was left at %1 of %2 points. This start does not go on there: it moves from where the tool stands, perhaps in the cut, to the first point.</source>
+        <translation>La dernière exécution s’est interrompue à %1 points sur %2. Ce départ ne continue pas là&#xa0;: il va de la position actuelle de l’outil, peut-être en pleine coupe, jusqu’au premier point.</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>%1 for every block, set here</source>
+        <translation>%1 pour chaque bloc, réglée ici</translation>
+    </message>
+    <message>
+        <source>%1. The program names no feed.</source>
+        <translation>%1. Le programme n’indique aucune avance.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>%1. The program&apos;s own feed, %2, is not used.</source>
+        <translation>%1. L’avance propre au programme, %2, n’est pas utilisée.</translation>
+    </message>
+    <message>
+        <source>Some blocks will be cut %1 times as fast as programmed.</source>
+        <translation>Certains blocs seront usinés %1 fois plus vite que programmé.</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>Utiliser F = %1</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>There is no verdict.</source>
+        <translation>Il n’y a pas de verdict.</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest feed without waiting: %1.</source>
+        <translation>Sûr, mais la machine attendra des points. Avance maximale sans attente&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest feed %2</source>
+        <translation>Marge %1 ×, avance maximale %2</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Validation</translation>
+    </message>
+    <message>
+        <source>Released by %1 on %2, who starts: %3</source>
+        <translation>Validé par %1 le %2, démarré par&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>This program with these settings and this calibration is not released.</source>
+        <translation>Ce programme avec ces réglages et cet étalonnage n’est pas validé.</translation>
+    </message>
+    <message>
+        <source>point %1 of %2 at %3</source>
+        <translation>point %1 sur %2 à %3</translation>
+    </message>
+    <message>
+        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
+        <translation>En ligne droite sur %1 jusqu’à %2. %3 points ont été exécutés.</translation>
+    </message>
+    <message>
+        <source>In a straight line to %1. %2 points have been executed.</source>
+        <translation>En ligne droite jusqu’à %1. %2 points ont été exécutés.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run.</source>
+        <translation>À partir du point %1, le programme diffère de celui de l’exécution interrompue.</translation>
+    </message>
+    <message>
+        <source>Who starts</source>
+        <translation>Qui démarre</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>The feeds of the program at %1. It names none.</source>
+        <translation>Les avances du programme à %1. Il n’en indique aucune.</translation>
+    </message>
+    <message>
+        <source>That of the program, %1, at %2</source>
+        <translation>Celle du programme, %1, à %2</translation>
+    </message>
+    <message>
+        <source>Those of the program, %1 to %2, at %3; each block its own</source>
+        <translation>Celles du programme, %1 à %2, à %3&#xa0;; chaque bloc a la sienne</translation>
+    </message>
+    <message>
+        <source>Rapids at %1 at most</source>
+        <translation>Rapides à %1 au plus</translation>
+    </message>
+    <message>
+        <source>Blocks will be cut faster than programmed.</source>
+        <translation>Des blocs seront usinés plus vite que programmé.</translation>
+    </message>
+    <message>
+        <source>Use 100 %</source>
+        <translation>Utiliser 100&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 for every block: this method has one feed, as it was published</source>
+        <translation>%1 pour chaque bloc&#xa0;: cette méthode a une seule avance, comme dans sa publication</translation>
+    </message>
+    <message>
+        <source>Use the feeds of the program</source>
+        <translation>Utiliser les avances du programme</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest override without waiting: %1.</source>
+        <translation>Sûr, mais la machine attendra des points. Override maximal sans attente&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest override %2</source>
+        <translation>Marge %1 ×, override maximal %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::RunController</name>
+    <message>
+        <source>Stop requested.</source>
+        <translation>Arrêt demandé.</translation>
+    </message>
+    <message>
+        <source>Hold requested.</source>
+        <translation>Suspension demandée.</translation>
+    </message>
+    <message>
+        <source>Continue requested.</source>
+        <translation>Suite demandée.</translation>
+    </message>
+    <message>
+        <source>Calibration on R%1 to R%2 started.</source>
+        <translation>Étalonnage sur R%1 à R%2 démarré.</translation>
+    </message>
+    <message>
+        <source>The run was left before point %1 of %2.</source>
+        <translation>L’exécution s’est interrompue avant le point %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Press Resume first: it asks the control where the run was left.</source>
+        <translation>Appuyer d’abord sur Reprendre&#xa0;: la commande dira où l’exécution s’est interrompue.</translation>
+    </message>
+    <message>
+        <source>The run resumes at point %1.</source>
+        <translation>L’exécution reprend au point %1.</translation>
+    </message>
+    <message>
+        <source>Start. The tool first moves %1 in a straight line to the first point.</source>
+        <translation>Démarrage. L’outil parcourt d’abord %1 en ligne droite jusqu’au premier point.</translation>
+    </message>
+    <message>
+        <source>Save the template on its page as %1, copy it to the part programs of the control, select it in channel 1 and press cycle start. The axes move only after the template has shown its layout number %2.</source>
+        <translation>Enregistrer le modèle depuis sa page sous le nom %1, le copier dans les programmes pièce de la commande, le sélectionner dans le canal 1 et actionner Départ cycle. Les axes ne bougent qu’après que le modèle a affiché son numéro de disposition %2.</translation>
+    </message>
+    <message>
+        <source>Access: %1.</source>
+        <translation>Accès&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Run ended: %1 of %2 points executed.</source>
+        <translation>Exécution terminée&#xa0;: %1 points sur %2 exécutés.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Enregistrement&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report, and check the workpiece.</source>
+        <translation>L’exécution a fait des points erronés&#xa0;: voir le rapport et contrôler la pièce.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmHistoryModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Par</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmLine</name>
+    <message>
+        <source>Ack</source>
+        <translation>Acq.</translation>
+    </message>
+    <message>
+        <source>Acknowledge: you have seen this alarm</source>
+        <translation>Acquitter&#xa0;: vous avez vu cette alarme</translation>
+    </message>
+    <message>
+        <source>Acknowledge the alarm</source>
+        <translation>Acquitter l’alarme</translation>
+    </message>
+    <message>
+        <source>Show all alarms</source>
+        <translation>Afficher toutes les alarmes</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>Fermer le message</translation>
+    </message>
+    <message>
+        <source>Alarms: %1. Show all</source>
+        <translation>Alarmes&#xa0;: %1. Tout afficher</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmModel</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Nombre</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmPage</name>
+    <message>
+        <source>There is no alarm.</source>
+        <translation>Il n’y a pas d’alarme.</translation>
+    </message>
+    <message>
+        <source>shelved by %1 until %2</source>
+        <translation>mise de côté par %1 jusqu’à %2</translation>
+    </message>
+    <message>
+        <source>Alarms (%1)</source>
+        <translation>Alarmes (%1)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Cause</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Remède</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Acquitter</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Tout acquitter</translation>
+    </message>
+    <message>
+        <source>Shelve</source>
+        <translation>Mettre de côté</translation>
+    </message>
+    <message>
+        <source>Put the alarm aside for a time. It stays in this list.</source>
+        <translation>Mettre l’alarme de côté pour un temps. Elle reste dans cette liste.</translation>
+    </message>
+    <message>
+        <source>For %1 minutes</source>
+        <translation>Pendant %1 minutes</translation>
+    </message>
+    <message>
+        <source>For %1 hours</source>
+        <translation>Pendant %1 heures</translation>
+    </message>
+    <message>
+        <source>Show it again</source>
+        <translation>Réafficher</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditModel</name>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Qui</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditPage</name>
+    <message>
+        <source>Export the audit trail</source>
+        <translation>Exporter le journal d’audit</translation>
+    </message>
+    <message>
+        <source>No audit trail is kept.</source>
+        <translation>Aucun journal d’audit n’est tenu.</translation>
+    </message>
+    <message>
+        <source>The audit trail was changed: line %1 was edited, or lines before it were inserted or removed.</source>
+        <translation>Le journal d’audit a été modifié&#xa0;: la ligne %1 a été changée, ou des lignes ont été insérées ou supprimées avant elle.</translation>
+    </message>
+    <message>
+        <source>Unchanged: every line follows from the one before it.</source>
+        <translation>Intact&#xa0;: chaque ligne découle de la précédente.</translation>
+    </message>
+    <message>
+        <source>Cut by a loss of power: %1.</source>
+        <translation>Coupé par une panne de courant&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Last hash: %1 …</source>
+        <translation>Dernière empreinte&#xa0;: %1…</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Export as CSV…</source>
+        <translation>Exporter en CSV…</translation>
+    </message>
+    <message>
+        <source>Export as JSON…</source>
+        <translation>Exporter en JSON…</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Audit</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CalibrationPage</name>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>Shots of each kind</source>
+        <translation>Mesures de chaque type</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sans limite</translation>
+    </message>
+    <message>
+        <source>Arrays too: for the test, the cells hold other values for a moment</source>
+        <translation>Aussi les tableaux&#xa0;: pour le test, les cellules ont un instant d’autres valeurs</translation>
+    </message>
+    <message>
+        <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
+        <translation>Aucun programme, cycle ou autre client n’utilise R%1 à R%2&#xa0;: on peut y écrire</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Étalonner</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Droites</translation>
+    </message>
+    <message>
+        <source>Spread (times in ms)</source>
+        <translation>Dispersion (temps en ms)</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>encore %1</translation>
+    </message>
+    <message>
+        <source>Testing the forms of access …</source>
+        <translation>Test des formes d’accès…</translation>
+    </message>
+    <message>
+        <source>First request of each kind …</source>
+        <translation>Première requête de chaque type…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shots, %3</source>
+        <translation>%1 mesures sur %2, %3</translation>
+    </message>
+    <message>
+        <source>Restoring the cells …</source>
+        <translation>Rétablissement des cellules…</translation>
+    </message>
+    <message>
+        <source>The last cell is before the first.</source>
+        <translation>La dernière cellule est avant la première.</translation>
+    </message>
+    <message>
+        <source>Takes about %1.</source>
+        <translation>Dure environ %1.</translation>
+    </message>
+    <message>
+        <source>Confirm the cells to begin.</source>
+        <translation>Confirmer les cellules pour commencer.</translation>
+    </message>
+    <message>
+        <source>%1, %2, R%3 to R%4, took %5</source>
+        <translation>%1, %2, R%3 à R%4, durée %5</translation>
+    </message>
+    <message>
+        <source>Outdated, not used: the server now has another version. %1</source>
+        <translation>Périmé, non utilisé&#xa0;: le serveur a maintenant une autre version. %1</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>Étalonné&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>There was not enough time for all shots: reduced numbers are bold in the table.</source>
+        <translation>Le temps n’a pas suffi pour toutes les mesures&#xa0;: les nombres réduits sont en gras dans le tableau.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
+        <translation>Cette machine n’est pas étalonnée&#xa0;: %1 par cellule est supposé, comme dans [P1].</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CellModel</name>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Paramètres R</translation>
+    </message>
+    <message>
+        <source>Point %1: %2</source>
+        <translation>Point %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>NC</source>
+        <translation>CN</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Marche</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Numéro de disposition</translation>
+    </message>
+    <message>
+        <source>Writer</source>
+        <translation>Écrit par</translation>
+    </message>
+    <message>
+        <source>Client, NC</source>
+        <translation>Client, CN</translation>
+    </message>
+    <message>
+        <source>Feed (mm/min)</source>
+        <translation>Avance (mm/min)</translation>
+    </message>
+    <message>
+        <source>Window %1: points</source>
+        <translation>Fenêtre %1&#xa0;: points</translation>
+    </message>
+    <message>
+        <source>Window %1: feed (mm/min)</source>
+        <translation>Fenêtre %1&#xa0;: avance (mm/min)</translation>
+    </message>
+    <message>
+        <source>Window %1: check number</source>
+        <translation>Fenêtre %1&#xa0;: numéro de contrôle</translation>
+    </message>
+    <message>
+        <source>Window %1 point %2: %3</source>
+        <translation>Fenêtre %1 point %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Windows delivered</source>
+        <translation>Fenêtres livrées</translation>
+    </message>
+    <message>
+        <source>Windows taken</source>
+        <translation>Fenêtres prises</translation>
+    </message>
+    <message>
+        <source>Windows executed</source>
+        <translation>Fenêtres exécutées</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Number of the run</source>
+        <translation>Numéro de l’exécution</translation>
+    </message>
+    <message>
+        <source>Run obeyed</source>
+        <translation>Exécution suivie</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Signe de vie</translation>
+    </message>
+    <message>
+        <source>Online correction: %1</source>
+        <translation>Correction en ligne&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CloseBar</name>
+    <message>
+        <source>Keep the window open</source>
+        <translation>Garder la fenêtre ouverte</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Arrêter et fermer</translation>
+    </message>
+    <message>
+        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
+        <translation>Une exécution est en cours. Pour fermer la fenêtre, elle est d’abord arrêtée&#xa0;; elle pourra être reprise plus tard.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ConnectionPanel</name>
+    <message>
+        <source>Connection</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>OPC UA endpoint</source>
+        <translation>Adresse OPC UA</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation>Sélectionné</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connecter</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnecter</translation>
+    </message>
+    <message>
+        <source>Virtual machine: no real axis moves</source>
+        <translation>Machine virtuelle&#xa0;: aucun axe réel ne bouge</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Actif</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrompu</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Inconnu (%1)</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CorrectionPanel</name>
+    <message>
+        <source>UDP port %1 cannot be opened: choose another.</source>
+        <translation>Le port UDP %1 ne peut pas être ouvert&#xa0;: en choisir un autre.</translation>
+    </message>
+    <message>
+        <source>Up to ±%1 per axis, during a run.</source>
+        <translation>Jusqu’à ±%1 par axe, pendant une exécution.</translation>
+    </message>
+    <message>
+        <source>By hand, up to ±%1 per axis.</source>
+        <translation>À la main, jusqu’à ±%1 par axe.</translation>
+    </message>
+    <message>
+        <source>The source is silent: its last value is held.</source>
+        <translation>La source est muette&#xa0;: sa dernière valeur est maintenue.</translation>
+    </message>
+    <message>
+        <source>Nothing has been received from the source yet.</source>
+        <translation>Rien n’a encore été reçu de la source.</translation>
+    </message>
+    <message>
+        <source>Receiving from the source. Lines that are not corrections: %1</source>
+        <translation>Réception de la source. Lignes qui ne sont pas des corrections&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Receiving from the source.</source>
+        <translation>Réception de la source.</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Correction en ligne</translation>
+    </message>
+    <message>
+        <source>confirmed by the control</source>
+        <translation>confirmée par la commande</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Zéro</translation>
+    </message>
+    <message>
+        <source>Set the correction of all axes to zero, then continue by hand</source>
+        <translation>Mettre la correction de tous les axes à zéro, puis continuer à la main</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Datagrams to 127.0.0.1 with lines like X 0.01 Y -0.02, in mm</source>
+        <translation>Datagrammes vers 127.0.0.1 avec des lignes comme X 0.01 Y -0.02, en mm</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Muette après</translation>
+    </message>
+    <message>
+        <source>Correction of %1</source>
+        <translation>Correction de %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::DiagnosticModel</name>
+    <message>
+        <source>Severity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonne</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Observation</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::DistanceChart</name>
+    <message>
+        <source>%1 … %2: %3 distances</source>
+        <translation>%1 … %2&#xa0;: %3 distances</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FeasibilityPage</name>
+    <message>
+        <source>F over d_min</source>
+        <translation>F selon d_min</translation>
+    </message>
+    <message>
+        <source>F over N</source>
+        <translation>F selon N</translation>
+    </message>
+    <message>
+        <source>F over δ</source>
+        <translation>F selon δ</translation>
+    </message>
+    <message>
+        <source>Load a program to see where it can be streamed.</source>
+        <translation>Charger un programme pour voir où il peut être transmis.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the feed.</source>
+        <translation>Tirer l’anneau pour changer l’avance.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed. Method position does not depend on N.</source>
+        <translation>Tirer l’anneau pour changer N et l’avance. La méthode Position ne dépend pas de N.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed.</source>
+        <translation>Tirer l’anneau pour changer N et l’avance.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change δ and the feed.</source>
+        <translation>Tirer l’anneau pour changer δ et l’avance.</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Point de fonctionnement</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Réalisable</translation>
+    </message>
+    <message>
+        <source>Safety band</source>
+        <translation>Bande de sécurité</translation>
+    </message>
+    <message>
+        <source>(1) point distance</source>
+        <translation>(1) distance des points</translation>
+    </message>
+    <message>
+        <source>(2) distance δ</source>
+        <translation>(2) distance δ</translation>
+    </message>
+    <message>
+        <source>(3) half a loop</source>
+        <translation>(3) demi-boucle</translation>
+    </message>
+    <message>
+        <source>(3) half a loop, for information</source>
+        <translation>(3) demi-boucle, pour information</translation>
+    </message>
+    <message>
+        <source>(3ᴺ) half a loop, real path</source>
+        <translation>(3ᴺ) demi-boucle, trajectoire réelle</translation>
+    </message>
+    <message>
+        <source>dashed: as published</source>
+        <translation>en tirets&#xa0;: comme publié</translation>
+    </message>
+    <message>
+        <source>Smallest distances of the program</source>
+        <translation>Plus petites distances du programme</translation>
+    </message>
+    <message>
+        <source>Simulate around the operating point</source>
+        <translation>Simuler autour du point de fonctionnement</translation>
+    </message>
+    <message>
+        <source>Simulating: %p %</source>
+        <translation>Simulation&#xa0;: %p %</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Simulated on the virtual machine, %1 points around the tightest place.</source>
+        <translation>Simulé sur la machine virtuelle, %1 points autour de l’endroit le plus serré.</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Fonctionne</translation>
+    </message>
+    <message>
+        <source>Sometimes fails</source>
+        <translation>Échoue parfois</translation>
+    </message>
+    <message>
+        <source>Always fails</source>
+        <translation>Échoue toujours</translation>
+    </message>
+    <message>
+        <source>Model: 0.1 % to 50 % fail</source>
+        <translation>Calcul&#xa0;: 0,1&#xa0;% à 50&#xa0;% d’échecs</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: the limits do not depend on it.</source>
+        <translation>Cette méthode n’utilise pas δ&#xa0;: les limites n’en dépendent pas.</translation>
+    </message>
+    <message>
+        <source>Without waiting</source>
+        <translation>Sans attente</translation>
+    </message>
+    <message>
+        <source>reach: the client keeps up</source>
+        <translation>portée&#xa0;: le client suit</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FileBanner</name>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>Le fichier %1 a été modifié.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>Le fichier %1 n’existe plus.</translation>
+    </message>
+    <message>
+        <source>The run keeps version %1.</source>
+        <translation>L’exécution garde la version %1.</translation>
+    </message>
+    <message>
+        <source>Reload it?</source>
+        <translation>Le recharger&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Version %1 stays loaded.</source>
+        <translation>La version %1 reste chargée.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FitModel</name>
+    <message>
+        <source>write</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
+        <source>Per request (a)</source>
+        <translation>Par requête (a)</translation>
+    </message>
+    <message>
+        <source>Per cell (b)</source>
+        <translation>Par cellule (b)</translation>
+    </message>
+    <message>
+        <source>± per cell</source>
+        <translation>± par cellule</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Écart</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FoundRunBar</name>
+    <message>
+        <source>It can be resumed on the computer where it was started.</source>
+        <translation>Elle peut être reprise sur l’ordinateur où elle a été démarrée.</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Observer</translation>
+    </message>
+    <message>
+        <source>Shows program, position and progress. Nothing is changed.</source>
+        <translation>Affiche le programme, la position et la progression. Rien n’est modifié.</translation>
+    </message>
+    <message>
+        <source>Stop the run</source>
+        <translation>Arrêter l’exécution</translation>
+    </message>
+    <message>
+        <source>The program ends after the windows that it has copied.</source>
+        <translation>Le programme se termine après les fenêtres qu’il a copiées.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Reprendre…</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Charge le programme, le compare et demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Pas maintenant</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::HelpPage</name>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuel</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::HistogramChart</name>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Durée, ms</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>%1 %: %2</source>
+        <translation>%1&#xa0;%&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 beyond, the longest %2</source>
+        <translation>%1 au-delà, la plus longue %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LinesChart</name>
+    <message>
+        <source>Cells of the request</source>
+        <translation>Cellules de la requête</translation>
+    </message>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Durée, ms</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lecture</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoadBar</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogInDialog</name>
+    <message>
+        <source>Log in</source>
+        <translation>S’identifier</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>Code PIN</translation>
+    </message>
+    <message>
+        <source>Delete the last digit</source>
+        <translation>Effacer le dernier chiffre</translation>
+    </message>
+    <message>
+        <source>Wrong PIN. Try again in %1 s.</source>
+        <translation>Code PIN erroné. Réessayer dans %1 s.</translation>
+    </message>
+    <message>
+        <source>Wrong PIN.</source>
+        <translation>Code PIN erroné.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogView</name>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Save the messages</source>
+        <translation>Enregistrer les messages</translation>
+    </message>
+    <message>
+        <source>%1 of %2 messages</source>
+        <translation>%1 messages sur %2</translation>
+    </message>
+    <message>
+        <source>All messages</source>
+        <translation>Tous les messages</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Avertissements et erreurs</translation>
+    </message>
+    <message>
+        <source>Errors only</source>
+        <translation>Erreurs seulement</translation>
+    </message>
+    <message>
+        <source>All sources</source>
+        <translation>Toutes les sources</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Wrap lines</source>
+        <translation>Renvoi à la ligne</translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation>%1 messages</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachineButton</name>
+    <message>
+        <source>Virtual machine</source>
+        <translation>Machine virtuelle</translation>
+    </message>
+    <message>
+        <source>%1, silent for %2 s</source>
+        <translation>%1, sans réponse depuis %2 s</translation>
+    </message>
+    <message>
+        <source>Connection and state of the machine</source>
+        <translation>Connexion et état de la machine</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MethodPanel</name>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>N (points per loop)</source>
+        <translation>N (points par boucle)</translation>
+    </message>
+    <message>
+        <source>δ (point reached)</source>
+        <translation>δ (point atteint)</translation>
+    </message>
+    <message>
+        <source>F (path feed)</source>
+        <translation>F (avance)</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Avance maximale</translation>
+    </message>
+    <message>
+        <source>Limiting place</source>
+        <translation>Endroit le plus serré</translation>
+    </message>
+    <message>
+        <source>Distance from the tool at which a point counts as reached</source>
+        <translation>Distance à l’outil à partir de laquelle un point est considéré comme atteint</translation>
+    </message>
+    <message>
+        <source>Equation (1): the tool must not pass a point between two polls.</source>
+        <translation>Équation (1)&#xa0;: l’outil ne doit dépasser aucun point entre deux lectures.</translation>
+    </message>
+    <message>
+        <source>Equation (2): the tool must be seen within δ of each point.</source>
+        <translation>Équation (2)&#xa0;: l’outil doit être vu à moins de δ de chaque point.</translation>
+    </message>
+    <message>
+        <source>Equation (3): half a loop must be written before the tool has used it up.</source>
+        <translation>Équation (3)&#xa0;: une demi-boucle doit être écrite avant que l’outil ne l’ait consommée.</translation>
+    </message>
+    <message>
+        <source>Equation (3) with the real path: half a loop must be written before the tool has used it up.</source>
+        <translation>Équation (3) avec la trajectoire réelle&#xa0;: une demi-boucle doit être écrite avant que l’outil ne l’ait consommée.</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Non évalué</translation>
+    </message>
+    <message>
+        <source>Load a program to get a verdict.</source>
+        <translation>Charger un programme pour obtenir un verdict.</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Réalisable</translation>
+    </message>
+    <message>
+        <source>Not feasible</source>
+        <translation>Non réalisable</translation>
+    </message>
+    <message>
+        <source>Closest limit: %1</source>
+        <translation>Limite la plus proche&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Violated: %1</source>
+        <translation>Non respectée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (must exceed 1)</source>
+        <translation>%1 × (doit dépasser 1)</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>lignes %1–%2</translation>
+    </message>
+    <message>
+        <source>Use δ = %1</source>
+        <translation>Utiliser δ = %1</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>Utiliser F = %1</translation>
+    </message>
+    <message>
+        <source>No feed is slow enough: two points of the program nearly coincide.</source>
+        <translation>Aucune avance n’est assez lente&#xa0;: deux points du programme sont presque confondus.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Paper (R11, R21 …)</source>
+        <translation>Article (R11, R21…)</translation>
+    </message>
+    <message>
+        <source>Contiguous (R10 …)</source>
+        <translation>Contiguë (R10…)</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>N (points per window)</source>
+        <translation>N (points par fenêtre)</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches a cell, not the tool</source>
+        <translation>Cette méthode n’utilise pas δ&#xa0;: elle surveille une cellule, pas l’outil</translation>
+    </message>
+    <message>
+        <source>Reach: the next window must be written while the tool executes the current one.</source>
+        <translation>Portée&#xa0;: la fenêtre suivante doit être écrite pendant que l’outil exécute la fenêtre en cours.</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Avance maximale sans attente</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting</source>
+        <translation>Sûr, avec des attentes</translation>
+    </message>
+    <message>
+        <source>The machine will wait for points: %1</source>
+        <translation>La machine attendra des points&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (waits below 1)</source>
+        <translation>%1 × (attend en dessous de 1)</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Crédit (expérimental)</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
+        <translation>Fenêtre&#xa0;: la machine attend si le client est en retard&#xa0;; elle n’exécute jamais un point deux fois. Position&#xa0;: le client suit l’outil et remplace les points déjà passés. Signal&#xa0;: le client surveille une cellule où le programme indique quelle moitié de la boucle peut être remplacée. Crédit&#xa0;: comme Fenêtre, sans arrêt entre les fenêtres&#xa0;; ne démarre que sur une commande qui a réussi le test de rivulet-cli commission.</translation>
+    </message>
+    <message>
+        <source>Windows have a layout of their own</source>
+        <translation>Les fenêtres ont leur propre disposition</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Arrays, or no start</source>
+        <translation>Tableaux, sinon pas de départ</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listes</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Un par un</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pauses</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Prévues</translation>
+    </message>
+    <message>
+        <source>Places where the axes will stop for a moment. Off the cut means after a rapid or a retract, or at a sharp corner; the path shows the places.</source>
+        <translation>Endroits où les axes s’arrêteront un instant. Hors coupe&#xa0;: après un rapide ou un dégagement, ou à un angle vif&#xa0;; la trajectoire montre les endroits.</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Temps perdu</translation>
+    </message>
+    <message>
+        <source>Standstill, braking and acceleration, computed with the axes of the virtual machine</source>
+        <translation>Arrêt, freinage et accélération, calculés avec les axes de la machine virtuelle</translation>
+    </message>
+    <message>
+        <source>Automatic: before anything moves, the forms of access are tested on the control and the best one is used. The report names it.</source>
+        <translation>Automatique&#xa0;: avant tout mouvement, les formes d’accès sont testées sur la commande et la meilleure est utilisée. Le rapport l’indique.</translation>
+    </message>
+    <message>
+        <source>Automatic: lists, as this method was published. Arrays need the contiguous layout.</source>
+        <translation>Automatique&#xa0;: listes, comme cette méthode a été publiée. Les tableaux demandent la disposition contiguë.</translation>
+    </message>
+    <message>
+        <source>%1, of them %2 in the cut</source>
+        <translation>%1, dont %2 en coupe</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calcul en cours…</translation>
+    </message>
+    <message>
+        <source>Correction up to</source>
+        <translation>Correction jusqu’à</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Largest correction of each axis during the run. The control must not add corrections up (MD36750 bit 0), and its own limit (SD43350) should not be larger.</source>
+        <translation>Plus grande correction de chaque axe pendant l’exécution. La commande ne doit pas additionner les corrections (MD36750 bit 0), et sa propre limite (SD43350) ne devrait pas être plus grande.</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>copied by hand</source>
+        <translation>copié à la main</translation>
+    </message>
+    <message>
+        <source>For a control that gives no right to its part programs: store the template there, select it and press cycle start. The run waits until this is done.</source>
+        <translation>Pour une commande qui ne donne pas de droit sur ses programmes pièce&#xa0;: y déposer le modèle, le sélectionner et actionner Départ cycle. L’exécution attend jusque-là.</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Vérification…</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Of the program</source>
+        <translation>Celle du programme</translation>
+    </message>
+    <message>
+        <source>One for all moves</source>
+        <translation>Avance fixe</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Scales the feeds of the program, and its rapids up to the rapid feed of the machine</source>
+        <translation>Agit sur les avances du programme et sur ses rapides, au plus jusqu’à la vitesse rapide de la machine</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published</source>
+        <translation>Cette méthode a une seule avance pour tous les mouvements, comme dans sa publication</translation>
+    </message>
+    <message>
+        <source>Of the program: each move has the feed of its own block, rapids are rapids. One for all moves: rapids have it, too.</source>
+        <translation>Celle du programme&#xa0;: chaque mouvement a l’avance de son bloc, les rapides restent des rapides. Avance fixe&#xa0;: les rapides l’ont aussi.</translation>
+    </message>
+    <message>
+        <source>Largest override</source>
+        <translation>Override maximal</translation>
+    </message>
+    <message>
+        <source>Use override = %1&#xa0;%</source>
+        <translation>Utiliser override = %1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NumberField</name>
+    <message>
+        <source>%1 can be read in two ways. Type it without a separator between thousands, or with %2 before the decimals.</source>
+        <translation>%1 peut se lire de deux façons. Le saisir sans séparateur de milliers, ou avec %2 avant les décimales.</translation>
+    </message>
+    <message>
+        <source>%1 has more than one separator. Type it without separators between thousands.</source>
+        <translation>%1 a plus d’un séparateur. Le saisir sans séparateur de milliers.</translation>
+    </message>
+    <message>
+        <source>The field was empty.</source>
+        <translation>Le champ était vide.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: %2 to %3.</source>
+        <translation>%1 est hors plage&#xa0;: %2 à %3.</translation>
+    </message>
+    <message>
+        <source>%1 The value stays %2.</source>
+        <translation>%1 La valeur reste %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number. Type it without separators.</source>
+        <translation>%1 n’est pas un nombre entier. Le saisir sans séparateur.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathView</name>
+    <message>
+        <source>Top (XY)</source>
+        <translation>Dessus (XY)</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Show the whole path (double click does the same)</source>
+        <translation>Afficher toute la trajectoire (comme un double clic)</translation>
+    </message>
+    <message>
+        <source>No program is loaded</source>
+        <translation>Aucun programme n’est chargé</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Rapide</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Exécuté</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Couleur selon</translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Type de mouvement</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Margin of the method</source>
+        <translation>Marge de la méthode</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>by point</source>
+        <translation>par point</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>par temps</translation>
+    </message>
+    <message>
+        <source>Walk along the path</source>
+        <translation>Parcourir la trajectoire</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Arc</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>no feed given</source>
+        <translation>avance non indiquée</translation>
+    </message>
+    <message>
+        <source>margin over %1</source>
+        <translation>marge supérieure à %1</translation>
+    </message>
+    <message>
+        <source>not kept (below %1)</source>
+        <translation>non respectée (inférieure à %1)</translation>
+    </message>
+    <message>
+        <source>Click on the path or move the slider.</source>
+        <translation>Cliquer sur la trajectoire ou déplacer le curseur.</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2, line %3</source>
+        <translation>Point %1 sur %2, ligne %3</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calcul en cours…</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pauses</translation>
+    </message>
+    <message>
+        <source>Mark where the run will pause</source>
+        <translation>Marquer où l’exécution fera une pause</translation>
+    </message>
+    <message>
+        <source>Pause off the cut, after point %1, line %2</source>
+        <translation>Pause hors coupe, après le point %1, ligne %2</translation>
+    </message>
+    <message>
+        <source>Pause in the cut, after point %1, line %2</source>
+        <translation>Pause en coupe, après le point %1, ligne %2</translation>
+    </message>
+    <message>
+        <source>%1 pauses off the cut</source>
+        <translation>%1 pauses hors coupe</translation>
+    </message>
+    <message>
+        <source>%1 in the cut</source>
+        <translation>%1 en coupe</translation>
+    </message>
+    <message>
+        <source>then a pause in the cut</source>
+        <translation>puis une pause en coupe</translation>
+    </message>
+    <message>
+        <source>then a pause off the cut</source>
+        <translation>puis une pause hors coupe</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PauseModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PositionLine</name>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Pas de données</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En direct</translation>
+    </message>
+    <message>
+        <source>Last executed point, %1. The axes were read %2 ago.</source>
+        <translation>Dernier point exécuté, %1. Les axes ont été lus il y a %2.</translation>
+    </message>
+    <message>
+        <source>Old: read %1 ago</source>
+        <translation>Ancien&#xa0;: lu il y a %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PreflightSheet</name>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the machine moves.</source>
+        <translation>Rien n’a encore bougé. Maintenir Démarrer une seconde&#xa0;: alors la machine se déplace.</translation>
+    </message>
+    <message>
+        <source>Start is not possible yet.</source>
+        <translation>Le démarrage n’est pas encore possible.</translation>
+    </message>
+    <message>
+        <source>Before the start</source>
+        <translation>Avant le démarrage</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Pas maintenant</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
+        <translation>Rien n’a encore bougé. Maintenir une seconde le bouton avec le point ci-dessous&#xa0;: alors la machine se déplace.</translation>
+    </message>
+    <message>
+        <source>Resuming is not possible yet.</source>
+        <translation>La reprise n’est pas encore possible.</translation>
+    </message>
+    <message>
+        <source>Before the run is resumed</source>
+        <translation>Avant la reprise de l’exécution</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPage</name>
+    <message>
+        <source>Program text</source>
+        <translation>Texte du programme</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPanel</name>
+    <message>
+        <source>Open an NC program</source>
+        <translation>Ouvrir un programme CN</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Récents</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Données</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Observations</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Mouvements</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Cutting path</source>
+        <translation>Parcours en coupe</translation>
+    </message>
+    <message>
+        <source>Rapid path</source>
+        <translation>Parcours en rapide</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Avances</translation>
+    </message>
+    <message>
+        <source>Smallest distance of neighbouring points</source>
+        <translation>Plus petite distance entre points voisins</translation>
+    </message>
+    <message>
+        <source>Smallest path length of half a loop (N/2 points, rounded down)</source>
+        <translation>Plus petite longueur d’une demi-boucle (N/2 points, arrondi par défaut)</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Aucun programme</translation>
+    </message>
+    <message>
+        <source>Drop a file here or press Open…</source>
+        <translation>Déposer un fichier ici ou appuyer sur Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Hash %1</source>
+        <translation>Empreinte %1</translation>
+    </message>
+    <message>
+        <source>Errors: %1, warnings: %2, notes: %3</source>
+        <translation>Erreurs&#xa0;: %1, avertissements&#xa0;: %2, remarques&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed.</source>
+        <translation>Non transmissible en continu.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>lignes %1–%2</translation>
+    </message>
+    <message>
+        <source>%1 … %2 (%3 values)</source>
+        <translation>%1 … %2 (%3 valeurs)</translation>
+    </message>
+    <message>
+        <source>No findings</source>
+        <translation>Aucune observation</translation>
+    </message>
+    <message>
+        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</source>
+        <translation>Programmes CN (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialecte</translation>
+    </message>
+    <message>
+        <source>Accept…</source>
+        <translation>Accepter…</translation>
+    </message>
+    <message>
+        <source>The program is read again with this word left out</source>
+        <translation>Le programme est relu sans ce mot</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unités</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>Par type</translation>
+    </message>
+    <message>
+        <source>Time, feeds as programmed</source>
+        <translation>Temps, avances programmées</translation>
+    </message>
+    <message>
+        <source>Time, as streamed</source>
+        <translation>Temps, en transmission</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distances</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>Distances of neighbouring points, mm</source>
+        <translation>Distances entre points voisins, mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated ones left out)</source>
+        <translation>%1 (%2 points répétés omis)</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>mm and inch</source>
+        <translation>mm et pouce</translation>
+    </message>
+    <message>
+        <source>lines %1</source>
+        <translation>droites %1</translation>
+    </message>
+    <message>
+        <source>arcs %1</source>
+        <translation>arcs %1</translation>
+    </message>
+    <message>
+        <source>splines %1</source>
+        <translation>splines %1</translation>
+    </message>
+    <message>
+        <source>median %1, largest %2</source>
+        <translation>médiane %1, maximum %2</translation>
+    </message>
+    <message>
+        <source>%1 of 45° and more; sharpest %2° (%3)</source>
+        <translation>%1 de 45° et plus&#xa0;; le plus vif %2° (%3)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Findings (%1)</source>
+        <translation>Observations (%1)</translation>
+    </message>
+    <message>
+        <source>%1 without pauses</source>
+        <translation>%1 sans pauses</translation>
+    </message>
+    <message>
+        <source>as detected</source>
+        <translation>comme détecté</translation>
+    </message>
+    <message>
+        <source>Read as %1, as selected.</source>
+        <translation>Lu comme %1, selon le choix fait.</translation>
+    </message>
+    <message>
+        <source>Read as %1: the text gives no evidence of its dialect.</source>
+        <translation>Lu comme %1&#xa0;: rien dans le texte n’indique son dialecte.</translation>
+    </message>
+    <message>
+        <source>Read as %1 because of &quot;%2&quot;.</source>
+        <translation>Lu comme %1 à cause de «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Accepté&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Take back %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>Accept %1</source>
+        <translation>Accepter %1</translation>
+    </message>
+    <message>
+        <source>Rivulet does not understand %1. If you accept it, it is left out wherever the program has it, and the path is taken as if it were not there.
+
+Is it certain that %1 does not change the path of the tool?</source>
+        <translation>Rivulet ne comprend pas %1. Si vous l’acceptez, ce mot est omis partout dans le programme, et la trajectoire est calculée comme s’il n’y était pas.
+
+Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Accept and read again</source>
+        <translation>Accepter et relire</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calcul en cours…</translation>
+    </message>
+    <message>
+        <source>Computed with the axes of %1</source>
+        <translation>Calculé avec les axes de %1</translation>
+    </message>
+    <message>
+        <source>I, J, K are read as the centre itself</source>
+        <translation>I, J, K sont lus comme le centre lui-même</translation>
+    </message>
+    <message>
+        <source>I, J, K are read from the centre to the start</source>
+        <translation>I, J, K sont lus du centre vers le départ</translation>
+    </message>
+    <message>
+        <source>Read I, J, K as usual</source>
+        <translation>Lire I, J, K comme d’habitude</translation>
+    </message>
+    <message>
+        <source>Read it that way</source>
+        <translation>Lire ainsi</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: no axis moves.</source>
+        <translation>Ne peut pas être transmis&#xa0;: aucun axe ne bouge.</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: it needs a transformation of the control.</source>
+        <translation>Ne peut pas être transmis&#xa0;: une transformation de la commande est nécessaire.</translation>
+    </message>
+    <message>
+        <source>%1 with %2 pauses, which cost %3</source>
+        <translation>%1 avec %2 pauses, qui coûtent %3</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramTextView</name>
+    <message>
+        <source>No program is loaded</source>
+        <translation>Aucun programme n’est chargé</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RegionChart</name>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>d_min, mm</source>
+        <translation>d_min, mm</translation>
+    </message>
+    <message>
+        <source>N, points per loop</source>
+        <translation>N, points par boucle</translation>
+    </message>
+    <message>
+        <source>δ, mm</source>
+        <translation>δ, mm</translation>
+    </message>
+    <message>
+        <source>reach</source>
+        <translation>portée</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReportPanel</name>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pauses</translation>
+    </message>
+    <message>
+        <source>Access time per variable</source>
+        <translation>Temps d’accès par variable</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Exécutés</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Répétés</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Sautés</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Mouvement étranger</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Requêtes</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95e centile</translation>
+    </message>
+    <message>
+        <source>99th percentile</source>
+        <translation>99e centile</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Arrêt confirmé</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Aucune exécution</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Terminée avec mouvement erroné</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Terminée</translation>
+    </message>
+    <message>
+        <source>Completed, not judged</source>
+        <translation>Terminée, non évaluée</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Arrêtée, non évaluée</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: longer than the trace of the control)</source>
+        <translation>%1 sur %2 (non évalué&#xa0;: plus long que l’enregistrement de la commande)</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Arrêtée, avec mouvement erroné</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêtée</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échec</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: no trace of the control)</source>
+        <translation>%1 sur %2 (non évalué&#xa0;: pas d’enregistrement de la commande)</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non évalué</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>après %1</translation>
+    </message>
+    <message>
+        <source>NOT confirmed: check the machine</source>
+        <translation>NON confirmé&#xa0;: contrôler la machine</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Crédit (expérimental)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>%1, from point %2 on</source>
+        <translation>%1, à partir du point %2</translation>
+    </message>
+    <message>
+        <source>%1 (proved)</source>
+        <translation>%1 (éprouvé)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResumeBar</name>
+    <message>
+        <source>Not now</source>
+        <translation>Pas maintenant</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Asking the control where the run was left …</source>
+        <translation>On demande à la commande où l’exécution s’est interrompue…</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Rien n’a encore bougé. L’exécution reprendra au point %1 sur %2, ligne %3&#xa0;: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>L’outil parcourt d’abord %1 en ligne droite jusqu’à ce point.</translation>
+    </message>
+    <message>
+        <source>The run cannot be resumed: %1</source>
+        <translation>L’exécution ne peut pas être reprise&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Press and hold: resume at point %1</source>
+        <translation>Maintenir appuyé&#xa0;: reprise au point %1</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Maintenir une seconde. Alors la machine se déplace.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>À partir du point %1, le programme diffère de celui de l’exécution interrompue. Aucun de ces points n’a été exécuté&#xa0;: vérifier la nouvelle trajectoire avant de continuer.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunPanel</name>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Envoyés</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Acceptés</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Exécutés</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Temps jusqu’à ce que la commande ait besoin du point suivant, moins le 99e centile du temps d’accès</translation>
+    </message>
+    <message>
+        <source>Start is not possible: %1</source>
+        <translation>Démarrage impossible&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Ready to start</source>
+        <translation>Prêt à démarrer</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Arrêt demandé, pas encore confirmé</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1</source>
+        <translation>Arrêt confirmé après %1</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Arrêt confirmé</translation>
+    </message>
+    <message>
+        <source>Stop NOT confirmed: check the machine</source>
+        <translation>Arrêt NON confirmé&#xa0;: contrôler la machine</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>(too late)</source>
+        <translation>(trop tard)</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Reprendre…</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Suspendre</translation>
+    </message>
+    <message>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>La machine attend avant la fenêtre suivante jusqu’à l’appui sur Continuer.</translation>
+    </message>
+    <message>
+        <source>Only method window can hold.</source>
+        <translation>Seule la méthode Fenêtre peut suspendre.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Termine l’exécution à la fin de la boucle. Échap fait de même, de partout dans la fenêtre. Ne remplace pas l’arrêt d’urgence de la machine.</translation>
+    </message>
+    <message>
+        <source>Waiting for the test of the template on the virtual machine</source>
+        <translation>Attend le test du modèle sur la machine virtuelle</translation>
+    </message>
+    <message>
+        <source>Waiting for the transfer of the template to the control</source>
+        <translation>Attend le transfert du modèle vers la commande</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start at the control</source>
+        <translation>Attend Départ cycle sur la commande</translation>
+    </message>
+    <message>
+        <source>Waiting for selection of the template and cycle start at the control</source>
+        <translation>Attend la sélection du modèle et Départ cycle sur la commande</translation>
+    </message>
+    <message>
+        <source>Nothing comes from the control. Check cable, switch and server.</source>
+        <translation>Rien ne vient de la commande. Vérifier le câble, le switch et le serveur.</translation>
+    </message>
+    <message>
+        <source>Waiting for the control&apos;s own trace</source>
+        <translation>Attend l’enregistrement de la commande</translation>
+    </message>
+    <message>
+        <source>Waiting for %1</source>
+        <translation>Attend %1</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Maintenir appuyé</translation>
+    </message>
+    <message>
+        <source>Start over …</source>
+        <translation>Recommencer…</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Démarrer…</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Maintenir une seconde. Alors la machine se déplace.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Montre d’abord ce qui va se passer. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>Pas prêt</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Arrêté à %1</translation>
+    </message>
+    <message>
+        <source>Failed at %1</source>
+        <translation>Échec à %1</translation>
+    </message>
+    <message>
+        <source>Wrong motion</source>
+        <translation>Mouvement erroné</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report.</source>
+        <translation>L’exécution a fait des points erronés&#xa0;: voir le rapport.</translation>
+    </message>
+    <message>
+        <source>Resume goes on where the run was left.</source>
+        <translation>Reprendre continue là où l’exécution s’est interrompue.</translation>
+    </message>
+    <message>
+        <source>A new start begins at the first point.</source>
+        <translation>Un nouveau démarrage commence au premier point.</translation>
+    </message>
+    <message>
+        <source>Waiting until the claim of another client lapses, because it may be dead (10 s)</source>
+        <translation>Attend que la réservation d’un autre client expire, car il est peut-être hors service (10 s)</translation>
+    </message>
+    <message>
+        <source>Wrong motion. %1</source>
+        <translation>Mouvement erroné. %1</translation>
+    </message>
+    <message>
+        <source>Watching run %1: it waits</source>
+        <translation>Observe l’exécution %1&#xa0;: elle attend</translation>
+    </message>
+    <message>
+        <source>Watching run %1</source>
+        <translation>Observe l’exécution %1</translation>
+    </message>
+    <message>
+        <source>A program waits on the control</source>
+        <translation>Un programme attend sur la commande</translation>
+    </message>
+    <message>
+        <source>Run %1 is on the control</source>
+        <translation>L’exécution %1 est sur la commande</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop ends it.</source>
+        <translation>Cette fenêtre ne fait que l’afficher. Arrêt y met fin.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop ends it.</source>
+        <translation>Cette fenêtre ne l’a pas démarrée. Arrêt y met fin.</translation>
+    </message>
+    <message>
+        <source>%1 windows</source>
+        <translation>%1 fenêtres</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SeriesModel</name>
+    <message>
+        <source>The control refused arrays of this size.</source>
+        <translation>La commande a refusé des tableaux de cette taille.</translation>
+    </message>
+    <message>
+        <source>%1 were requested; there was no time for more.</source>
+        <translation>%1 étaient demandées&#xa0;; le temps n’a pas suffi pour plus.</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TemplatePage</name>
+    <message>
+        <source>Save the template</source>
+        <translation>Enregistrer le modèle</translation>
+    </message>
+    <message>
+        <source>NC programs (*.MPF *.mpf)</source>
+        <translation>Programmes CN (*.MPF *.mpf)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
+    </message>
+    <message>
+        <source>No template: %1</source>
+        <translation>Pas de modèle&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>No template yet</source>
+        <translation>Pas encore de modèle</translation>
+    </message>
+    <message>
+        <source>%1, layout number %2</source>
+        <translation>%1, numéro de disposition %2</translation>
+    </message>
+    <message>
+        <source>Flexible program</source>
+        <translation>Programme flexible</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
+    <message>
+        <source>Time, s</source>
+        <translation>Temps, s</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En direct</translation>
+    </message>
+    <message>
+        <source>Follow the newest samples</source>
+        <translation>Suivre les échantillons les plus récents</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move.</source>
+        <translation>Molette&#xa0;: zoom. Tirer&#xa0;: déplacer.</translation>
+    </message>
+    <message>
+        <source>Pauses (STOPRE)</source>
+        <translation>Pauses (STOPRE)</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>No samples yet</source>
+        <translation>Pas encore d’échantillons</translation>
+    </message>
+    <message>
+        <source>Live samples: read while the stream has time; short pauses may be missing from the curves</source>
+        <translation>Échantillons en direct&#xa0;: lus quand la transmission en laisse le temps&#xa0;; de courtes pauses peuvent manquer dans les courbes</translation>
+    </message>
+    <message>
+        <source>The control&apos;s own trace: one sample every %1</source>
+        <translation>Enregistrement de la commande&#xa0;: un échantillon toutes les %1</translation>
+    </message>
+    <message>
+        <source>incomplete: the trace memory was full</source>
+        <translation>incomplet&#xa0;: la mémoire d’enregistrement était pleine</translation>
+    </message>
+    <message>
+        <source>%1: pause %2</source>
+        <translation>%1&#xa0;: pause %2</translation>
+    </message>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserButton</name>
+    <message>
+        <source>Locked: log in</source>
+        <translation>Verrouillé&#xa0;: s’identifier</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Only Stop works. Log in with your PIN (Ctrl+L).</source>
+        <translation>Seul Arrêt agit. S’identifier avec votre code PIN (Ctrl+L).</translation>
+    </message>
+    <message>
+        <source>Lock the window, or let somebody else in (Ctrl+L).</source>
+        <translation>Verrouiller la fenêtre, ou laisser entrer quelqu’un d’autre (Ctrl+L).</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>Code PIN</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>défini</translation>
+    </message>
+    <message>
+        <source>none: user of this computer</source>
+        <translation>aucun&#xa0;: utilisateur de cet ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UsersPage</name>
+    <message>
+        <source>No users are set up: everybody at this window may do everything. To let operators start only what is released, add an engineer (name and PIN), then the operators.</source>
+        <translation>Aucun utilisateur n’est défini&#xa0;: chacun peut tout faire à cette fenêtre. Pour que les opérateurs ne démarrent que ce qui est validé, ajouter un régleur (nom et code PIN), puis les opérateurs.</translation>
+    </message>
+    <message>
+        <source>An operator starts what an engineer has released in the preflight, holds, stops and acknowledges. An engineer may do everything. In a locked window only Stop works. The user of this computer (%1) needs no PIN.</source>
+        <translation>Un opérateur démarre ce qu’un régleur a validé dans le contrôle avant démarrage, suspend, arrête et acquitte. Un régleur peut tout faire. Dans une fenêtre verrouillée, seul Arrêt agit. L’utilisateur de cet ordinateur (%1) n’a pas besoin de code PIN.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>PIN, at least 4 characters</source>
+        <translation>Code PIN, au moins 4 caractères</translation>
+    </message>
+    <message>
+        <source>Lock the window if nobody touches it for</source>
+        <translation>Verrouiller la fenêtre si personne ne la touche pendant</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>jamais</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Add or change</source>
+        <translation>Ajouter ou modifier</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Utilisateurs</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::WrongMotionBar</name>
+    <message>
+        <source>Stop the run</source>
+        <translation>Arrêter l’exécution</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Acquitter</translation>
+    </message>
+</context>
+</TS>

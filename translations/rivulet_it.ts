@@ -1,0 +1,4442 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="it" sourcelanguage="en">
+<context>
+    <name>AccessTexts</name>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
+        <translation>Accesso ipotizzato come in [P1]: %1 per cella. Vedi Calibrazione.</translation>
+    </message>
+    <message>
+        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
+        <translation>Accesso ipotizzato come in [P1]: %1 per cella. La calibrazione del %2 appartiene a un’altra versione del server e non viene usata.</translation>
+    </message>
+    <message>
+        <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
+        <translation>Accesso calibrato il %1 (%2): t = %3; lettura %4, scrittura %5.</translation>
+    </message>
+    <message>
+        <source>99 % of the writes of %1 cells end within %2.</source>
+        <translation>Il 99&#xa0;% delle scritture di %1 celle termina entro %2.</translation>
+    </message>
+    <message>
+        <source>Up to %1 cells were measured.</source>
+        <translation>Misurate fino a %1 celle.</translation>
+    </message>
+    <message>
+        <source>list</source>
+        <translation>lista</translation>
+    </message>
+    <message>
+        <source>one by one</source>
+        <translation>singolarmente</translation>
+    </message>
+    <message>
+        <source>array, by count</source>
+        <translation>array, per numero</translation>
+    </message>
+    <message>
+        <source>array, by range</source>
+        <translation>array, per intervallo</translation>
+    </message>
+    <message>
+        <source>a server without a name</source>
+        <translation>un server senza nome</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmTexts</name>
+    <message>
+        <source>The control reports alarm %1.</source>
+        <translation>Il controllo segnala l’allarme %1.</translation>
+    </message>
+    <message>
+        <source>The control has stopped or limits the machine; the number says why.</source>
+        <translation>Il controllo ha arrestato la macchina o la limita; il numero indica il motivo.</translation>
+    </message>
+    <message>
+        <source>Look up alarm %1 at the control, remove its cause, then press reset there.</source>
+        <translation>Consultare l’allarme %1 sul controllo, eliminare la causa, poi premere Reset sul controllo.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost.</source>
+        <translation>La connessione a %1 è interrotta.</translation>
+    </message>
+    <message>
+        <source>No connection to %1.</source>
+        <translation>Nessuna connessione a %1.</translation>
+    </message>
+    <message>
+        <source>Check address, network and control, then connect again.</source>
+        <translation>Controllare indirizzo, rete e controllo, poi riconnettersi.</translation>
+    </message>
+    <message>
+        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
+        <translation>Movimento errato in %1: %2 punti ripetuti, %3 saltati. Il pezzo potrebbe essere rovinato.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings.</source>
+        <translation>I punti sono arrivati troppo tardi per questo avanzamento con queste impostazioni.</translation>
+    </message>
+    <message>
+        <source>Check workpiece and tool. Choose a smaller feed, or method window.</source>
+        <translation>Controllare pezzo e utensile. Scegliere un avanzamento minore o il metodo Finestra.</translation>
+    </message>
+    <message>
+        <source>The run of %1 was ended by a fault.</source>
+        <translation>L’esecuzione di %1 è stata terminata da un errore.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece, remove the cause, then resume or start again.</source>
+        <translation>Controllare utensile e pezzo, eliminare la causa, poi riprendere o riavviare.</translation>
+    </message>
+    <message>
+        <source>%1 ended before its end: %2 of %3 points were executed.</source>
+        <translation>%1 è terminato in anticipo: eseguiti %2 punti su %3.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace lacks the last points.</source>
+        <translation>Nella registrazione del controllo mancano gli ultimi punti.</translation>
+    </message>
+    <message>
+        <source>Check tool and workpiece before you go on.</source>
+        <translation>Controllare utensile e pezzo prima di continuare.</translation>
+    </message>
+    <message>
+        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <translation>Non si sa se %1 è stato eseguito senza errori.</translation>
+    </message>
+    <message>
+        <source>The control&apos;s trace could not be read, or is shorter than the run.</source>
+        <translation>La registrazione del controllo non era leggibile o è più corta dell’esecuzione.</translation>
+    </message>
+    <message>
+        <source>Check the workpiece.</source>
+        <translation>Controllare il pezzo.</translation>
+    </message>
+    <message>
+        <source>The run is not recorded.</source>
+        <translation>L’esecuzione non viene registrata.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>Impossibile creare la cartella %1.</translation>
+    </message>
+    <message>
+        <source>Check the folder, its permissions and the free space.</source>
+        <translation>Controllare la cartella, i permessi e lo spazio libero.</translation>
+    </message>
+    <message>
+        <source>The program file %1 has changed since it was read.</source>
+        <translation>Il file programma %1 è cambiato da quando è stato letto.</translation>
+    </message>
+    <message>
+        <source>Another program has written the file.</source>
+        <translation>Un altro programma ha scritto il file.</translation>
+    </message>
+    <message>
+        <source>Reload the file before you start.</source>
+        <translation>Ricaricare il file prima dell’avvio.</translation>
+    </message>
+    <message>
+        <source>The program file %1 is no longer there.</source>
+        <translation>Il file programma %1 non esiste più.</translation>
+    </message>
+    <message>
+        <source>It was deleted or moved, or its drive is not connected.</source>
+        <translation>È stato eliminato o spostato, oppure la sua unità non è collegata.</translation>
+    </message>
+    <message>
+        <source>Bring the file back, or go on with what was read before it disappeared.</source>
+        <translation>Ripristinare il file, oppure continuare con quanto letto prima che sparisse.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 has failed.</source>
+        <translation>La calibrazione di %1 non è riuscita.</translation>
+    </message>
+    <message>
+        <source>Remove the cause, then measure again.</source>
+        <translation>Eliminare la causa, poi ripetere la misura.</translation>
+    </message>
+    <message>
+        <source>The calibration of %1 is not saved.</source>
+        <translation>La calibrazione di %1 non è salvata.</translation>
+    </message>
+    <message>
+        <source>Check the folder and the free space, then measure again.</source>
+        <translation>Controllare la cartella e lo spazio libero, poi ripetere la misura.</translation>
+    </message>
+    <message>
+        <source>The history of alarms is not written to %1.</source>
+        <translation>Lo storico degli allarmi non viene scritto in %1.</translation>
+    </message>
+    <message>
+        <source>The audit trail is not written to %1.</source>
+        <translation>Il registro operazioni non viene scritto in %1.</translation>
+    </message>
+    <message>
+        <source>The audit trail %1 was changed: see line %2.</source>
+        <translation>Il registro operazioni %1 è stato alterato: vedi riga %2.</translation>
+    </message>
+    <message>
+        <source>A line was edited, inserted or removed after it was written.</source>
+        <translation>Una riga è stata modificata, inserita o eliminata dopo la scrittura.</translation>
+    </message>
+    <message>
+        <source>Keep a copy of the file and find out who changed it.</source>
+        <translation>Conservare una copia del file e scoprire chi l’ha modificato.</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Controllo</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Connessione</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Esecuzione</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Attivo</translation>
+    </message>
+    <message>
+        <source>Active, acknowledged</source>
+        <translation>Attivo, tacitato</translation>
+    </message>
+    <message>
+        <source>Gone, not acknowledged</source>
+        <translation>Rientrato, non tacitato</translation>
+    </message>
+    <message>
+        <source>Shelved</source>
+        <translation>Accantonato</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>Comparso</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>Rientrato</translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation>Tacitato</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Ripristinato</translation>
+    </message>
+    <message>
+        <source>Shelving expired</source>
+        <translation>Accantonamento scaduto</translation>
+    </message>
+    <message>
+        <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
+        <translation>Guardare la macchina: può ancora muoversi. Controllare cavo e controllo, poi riconnettersi.</translation>
+    </message>
+</context>
+<context>
+    <name>AuditTexts</name>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Sospensione</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Avvio</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Ripresa</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Correzione online</translation>
+    </message>
+    <message>
+        <source>Program opened</source>
+        <translation>Programma aperto</translation>
+    </message>
+    <message>
+        <source>Settings changed</source>
+        <translation>Impostazioni modificate</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connessione</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Disconnessione</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibrazione</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Approvato</translation>
+    </message>
+    <message>
+        <source>Release taken back</source>
+        <translation>Approvazione revocata</translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged</source>
+        <translation>Allarme tacitato</translation>
+    </message>
+    <message>
+        <source>Alarm shelved</source>
+        <translation>Allarme accantonato</translation>
+    </message>
+    <message>
+        <source>Users set up</source>
+        <translation>Utenti configurati</translation>
+    </message>
+    <message>
+        <source>Logged in</source>
+        <translation>Accesso eseguito</translation>
+    </message>
+    <message>
+        <source>Wrong PIN</source>
+        <translation>PIN errato</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Bloccato</translation>
+    </message>
+    <message>
+        <source>Rivulet started</source>
+        <translation>Rivulet avviato</translation>
+    </message>
+    <message>
+        <source>Rivulet ended</source>
+        <translation>Rivulet terminato</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operatore</translation>
+    </message>
+    <message>
+        <source>Engineer</source>
+        <translation>Attrezzista</translation>
+    </message>
+</context>
+<context>
+    <name>BlockedTexts</name>
+    <message>
+        <source>A run is in progress.</source>
+        <translation>Un’esecuzione è in corso.</translation>
+    </message>
+    <message>
+        <source>Asking the control where the run was left.</source>
+        <translation>Si chiede al controllo dove l’esecuzione si è interrotta.</translation>
+    </message>
+    <message>
+        <source>A calibration is in progress.</source>
+        <translation>Una calibrazione è in corso.</translation>
+    </message>
+    <message>
+        <source>Connect to a control first.</source>
+        <translation>Prima connettersi a un controllo.</translation>
+    </message>
+    <message>
+        <source>Open a program first.</source>
+        <translation>Prima aprire un programma.</translation>
+    </message>
+    <message>
+        <source>The file of the program has changed: reload it.</source>
+        <translation>Il file del programma è cambiato: ricaricarlo.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis.</source>
+        <translation>Il programma non muove alcun asse.</translation>
+    </message>
+    <message>
+        <source>The program needs a transformation of the control. No method can stream it.</source>
+        <translation>Il programma richiede una trasformazione del controllo. Nessun metodo può trasmetterlo in continuo.</translation>
+    </message>
+    <message>
+        <source>Parts of the program&apos;s path are not known: see the findings.</source>
+        <translation>Parti del percorso non sono note: vedi le segnalazioni.</translation>
+    </message>
+    <message>
+        <source>The program moves rotary axes: choose method window.</source>
+        <translation>Il programma muove assi rotativi: scegliere il metodo Finestra.</translation>
+    </message>
+    <message>
+        <source>The program moves %1, but the control does not have all of these axes.</source>
+        <translation>Il programma muove %1, ma il controllo non ha tutti questi assi.</translation>
+    </message>
+    <message>
+        <source>Not feasible: the control would repeat points. Change F, N or δ.</source>
+        <translation>Non fattibile: il controllo ripeterebbe dei punti. Modificare F, N o δ.</translation>
+    </message>
+    <message>
+        <source>Method credit starts only on a control that has passed its test: choose method window.</source>
+        <translation>Il metodo Credito si avvia solo su un controllo che ha superato il test: scegliere il metodo Finestra.</translation>
+    </message>
+    <message>
+        <source>The control reports an alarm.</source>
+        <translation>Il controllo segnala un allarme.</translation>
+    </message>
+    <message>
+        <source>A program is running on the control.</source>
+        <translation>Sul controllo è in corso un programma.</translation>
+    </message>
+    <message>
+        <source>There is no interrupted run of method window.</source>
+        <translation>Non c’è alcuna esecuzione interrotta del metodo Finestra.</translation>
+    </message>
+    <message>
+        <source>Only method window can resume an interrupted run.</source>
+        <translation>Solo il metodo Finestra può riprendere un’esecuzione interrotta.</translation>
+    </message>
+    <message>
+        <source>The program is being simulated.</source>
+        <translation>Simulazione del programma in corso.</translation>
+    </message>
+    <message>
+        <source>The simulation of this program failed in %1 of %2 runs. Change F, N or δ.</source>
+        <translation>La simulazione di questo programma è fallita in %1 prove su %2. Modificare F, N o δ.</translation>
+    </message>
+    <message>
+        <source>The window is locked: log in.</source>
+        <translation>La finestra è bloccata: eseguire l’accesso.</translation>
+    </message>
+    <message>
+        <source>Only an engineer may do this.</source>
+        <translation>Consentito solo all’attrezzista.</translation>
+    </message>
+    <message>
+        <source>Not released: an engineer has to release this program with these settings.</source>
+        <translation>Non approvato: un attrezzista deve approvare questo programma con queste impostazioni.</translation>
+    </message>
+</context>
+<context>
+    <name>ConnectionTexts</name>
+    <message>
+        <source>Not connected</source>
+        <translation>Non connesso</translation>
+    </message>
+    <message>
+        <source>Connecting …</source>
+        <translation>Connessione…</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Connesso</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Connessione persa</translation>
+    </message>
+</context>
+<context>
+    <name>DiagnosticTexts</name>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avviso</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Errore</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: the run does not wait here, and no tool is changed.</source>
+        <translation>%1 non viene inviato al controllo: qui l’esecuzione non attende e nessun utensile viene cambiato.</translation>
+    </message>
+    <message>
+        <source>A block with &quot;/&quot; is executed: Rivulet reads the program with block skip off.</source>
+        <translation>Un blocco con «/» viene eseguito: Rivulet legge il programma senza esclusione dei blocchi.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: set spindle, tool and coolant there.</source>
+        <translation>%1 non viene inviato al controllo: impostare lì mandrino, utensile e refrigerante.</translation>
+    </message>
+    <message>
+        <source>The character &quot;%1&quot; has no meaning here: remove it or put it into a comment.</source>
+        <translation>Il carattere «%1» qui non ha significato: eliminarlo o metterlo in un commento.</translation>
+    </message>
+    <message>
+        <source>The word %1 has no number.</source>
+        <translation>Alla parola %1 manca il numero.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number: write digits with a decimal point.</source>
+        <translation>«%1» non è un numero: scrivere cifre con il punto decimale.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened but not closed in this line: the rest of the line is not read.</source>
+        <translation>In questa riga una parentesi viene aperta ma non chiusa: il resto della riga non viene letto.</translation>
+    </message>
+    <message>
+        <source>Rivulet does not know the G function %1: its effect on the path is unknown.</source>
+        <translation>Rivulet non conosce la funzione G %1: il suo effetto sul percorso è ignoto.</translation>
+    </message>
+    <message>
+        <source>The word %1 is not understood here: its effect on the path is unknown.</source>
+        <translation>La parola %1 qui non è compresa: il suo effetto sul percorso è ignoto.</translation>
+    </message>
+    <message>
+        <source>%1 changes the path or the feed in a way that Rivulet does not support: post-process the program without it.</source>
+        <translation>%1 modifica il percorso o l’avanzamento in un modo che Rivulet non supporta: postprocessare il programma senza questa funzione.</translation>
+    </message>
+    <message>
+        <source>%1 is not sent to the control: it does not change the path.</source>
+        <translation>%1 non viene inviato al controllo: il percorso non cambia.</translation>
+    </message>
+    <message>
+        <source>%1 contradict each other in one block: keep one of them.</source>
+        <translation>%1 si contraddicono nello stesso blocco: tenerne una sola.</translation>
+    </message>
+    <message>
+        <source>The word %1 appears twice in one block: keep one of them.</source>
+        <translation>La parola %1 compare due volte nello stesso blocco: tenerne una sola.</translation>
+    </message>
+    <message>
+        <source>The arc has no centre: give I, J, K, or a radius with an end point that differs from the start.</source>
+        <translation>L’arco non ha centro: indicare I, J, K, oppure un raggio con un punto finale diverso da quello iniziale.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius differs by %1 mm between start and end: check the centre, which is read as an increment from the start.</source>
+        <translation>Il raggio dell’arco differisce di %1 mm tra inizio e fine: controllare il centro, che viene letto come incremento dall’inizio.</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s radius is too small to reach its end point (radius &lt; half chord, mm: %1).</source>
+        <translation>Il raggio dell’arco è troppo piccolo per raggiungere il punto finale (raggio &lt; mezza corda, mm: %1).</translation>
+    </message>
+    <message>
+        <source>The arc starts at an unknown position: program %1 with G0 or G1 before it.</source>
+        <translation>L’arco inizia da una posizione ignota: programmare prima %1 con G0 o G1.</translation>
+    </message>
+    <message>
+        <source>The increment of %1 starts at an unknown position: program %1 with G90 before it.</source>
+        <translation>La quota incrementale di %1 parte da una posizione ignota: programmare prima %1 con G90.</translation>
+    </message>
+    <message>
+        <source>The feed F%1 is not greater than 0.</source>
+        <translation>L’avanzamento F%1 non è maggiore di 0.</translation>
+    </message>
+    <message>
+        <source>The value of %1 is outside the range that Rivulet accepts.</source>
+        <translation>Il valore di %1 è fuori dal campo ammesso da Rivulet.</translation>
+    </message>
+    <message>
+        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
+        <translation>I blocchi da qui in poi si trovano dopo la fine del programma (M30, M2, M17 o %): non vengono letti.</translation>
+    </message>
+    <message>
+        <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
+        <translation>Un asse è programmato prima di qualsiasi G0 … G3: si assume G1, come dopo un Reset del controllo.</translation>
+    </message>
+    <message>
+        <source>The centre word %1 is not in the plane of the arc: check G17, G18, G19.</source>
+        <translation>La parola %1 per il centro non è nel piano dell’arco: controllare G17, G18, G19.</translation>
+    </message>
+    <message>
+        <source>The program has more than %1 points: it is not read further. Split it.</source>
+        <translation>Il programma ha più di %1 punti: la lettura si ferma qui. Dividerlo.</translation>
+    </message>
+    <message>
+        <source>%1 more findings from here on are not listed.</source>
+        <translation>Altre %1 segnalazioni da qui in poi non sono elencate.</translation>
+    </message>
+    <message>
+        <source>Rivulet does not execute &quot;%1&quot;: its effect on the path is unknown.</source>
+        <translation>Rivulet non esegue «%1»: il suo effetto sul percorso è ignoto.</translation>
+    </message>
+    <message>
+        <source>The loop that ends here does not terminate: reading stopped after %1 repeated blocks. Check its condition.</source>
+        <translation>Il loop che finisce qui non termina: la lettura si è fermata dopo %1 blocchi ripetuti. Controllarne la condizione.</translation>
+    </message>
+    <message>
+        <source>The calculation has no result: %1.</source>
+        <translation>Il calcolo non dà risultato: %1.</translation>
+    </message>
+    <message>
+        <source>The sequence of the blocks is not known from here on: %1.</source>
+        <translation>Da qui in poi la sequenza dei blocchi non è nota: %1.</translation>
+    </message>
+    <message>
+        <source>The subprogram %1 is neither in this file nor in a file beside it: its points are missing.</source>
+        <translation>Il sottoprogramma %1 non si trova né in questo file né in un file accanto: i suoi punti mancano.</translation>
+    </message>
+    <message>
+        <source>%1 is a cycle of the control: its motions are missing here.</source>
+        <translation>%1 è un ciclo del controllo: i suoi movimenti qui mancano.</translation>
+    </message>
+    <message>
+        <source>%1 moves in machine coordinates, whose position in the workpiece is not known: the move is left out.</source>
+        <translation>%1 si muove in coordinate macchina, la cui posizione rispetto al pezzo non è nota: il movimento viene omesso.</translation>
+    </message>
+    <message>
+        <source>The file holds bytes that do not occur in NC text: choose a text file, not an archive or a picture.</source>
+        <translation>Il file contiene byte che non compaiono in un testo NC: scegliere un file di testo, non un archivio o un’immagine.</translation>
+    </message>
+    <message>
+        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
+        <translation>%1 è un ciclo di tornitura, quindi il programma è per un tornio: X è letto come diametro, U e W come incrementi, il piano è Z X.</translation>
+    </message>
+    <message>
+        <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
+        <translation>%1 viene omesso perché è stato accettato: il percorso può differire da quello sul controllo.</translation>
+    </message>
+    <message>
+        <source>All arcs of the program fit if I, J and K are read as %1: check how the post-processor writes them, and load the program that way.</source>
+        <translation>Tutti gli archi del programma tornano se I, J e K sono letti come %1: controllare come li scrive il postprocessor e caricare così il programma.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis: there is nothing to stream. Choose a program with G0, G1, G2 or G3 and X, Y or Z.</source>
+        <translation>Il programma non muove alcun asse: non c’è nulla da trasmettere. Scegliere un programma con G0, G1, G2 o G3 e X, Y o Z.</translation>
+    </message>
+    <message>
+        <source>%1 moves on the path: only method window streams it, and only if this axis is selected.</source>
+        <translation>%1 si muove lungo il percorso: solo il metodo Finestra lo trasmette, e solo se questo asse è selezionato.</translation>
+    </message>
+    <message>
+        <source>With %1, X, Y and Z are those of the tool tip while rotary axes turn, and no method switches it on at the control. Post-process the program for the axes of the machine.</source>
+        <translation>Con %1, X, Y e Z sono quelli della punta dell’utensile mentre gli assi rotativi girano, e nessun metodo lo attiva sul controllo. Postprocessare il programma per gli assi della macchina.</translation>
+    </message>
+    <message>
+        <source>%1 give the tool direction. The points keep it, but only the control could convert it to rotary axes. Post-process the program with A, B or C.</source>
+        <translation>%1 indicano la direzione dell’utensile. I punti la mantengono, ma solo il controllo potrebbe convertirla in assi rotativi. Postprocessare il programma con A, B o C.</translation>
+    </message>
+    <message>
+        <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
+        <translation>Un blocco si muove con G1, G2 o G3 prima che sia programmato un avanzamento F: si può usare solo un avanzamento fisso.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorTexts</name>
+    <message>
+        <source>The file cannot be read. Check that it exists and that you may read it.</source>
+        <translation>Impossibile leggere il file. Controllare che esista e che sia permesso leggerlo.</translation>
+    </message>
+    <message>
+        <source>The file is too large. Split the program into parts.</source>
+        <translation>Il file è troppo grande. Dividere il programma in più parti.</translation>
+    </message>
+    <message>
+        <source>The program is empty. Choose a file with NC blocks.</source>
+        <translation>Il programma è vuoto. Scegliere un file con blocchi NC.</translation>
+    </message>
+    <message>
+        <source>The program moves no axis. Choose a program with G0, G1, G2 or G3.</source>
+        <translation>Il programma non muove alcun asse. Scegliere un programma con G0, G1, G2 o G3.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not understood. See the list of findings.</source>
+        <translation>Parti del programma non sono comprese. Vedi l’elenco delle segnalazioni.</translation>
+    </message>
+    <message>
+        <source>The feed F must be greater than zero.</source>
+        <translation>L’avanzamento F deve essere maggiore di zero.</translation>
+    </message>
+    <message>
+        <source>The distance δ must be greater than zero.</source>
+        <translation>La distanza δ deve essere maggiore di zero.</translation>
+    </message>
+    <message>
+        <source>N is too small. Choose at least 2 points per loop.</source>
+        <translation>N è troppo piccolo. Scegliere almeno 2 punti per loop.</translation>
+    </message>
+    <message>
+        <source>N is too small for this method. Choose more points per loop.</source>
+        <translation>N è troppo piccolo per questo metodo. Scegliere più punti per loop.</translation>
+    </message>
+    <message>
+        <source>N points do not fit the R-parameters of the control. Choose a smaller N, the contiguous layout, or enlarge MD28050.</source>
+        <translation>N punti non entrano nei parametri R del controllo. Scegliere un N minore, il layout contiguo, oppure aumentare MD28050.</translation>
+    </message>
+    <message>
+        <source>No axis is chosen. Choose at least one axis.</source>
+        <translation>Nessun asse selezionato. Selezionare almeno un asse.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Choose another folder.</source>
+        <translation>Impossibile scrivere il file. Scegliere un’altra cartella.</translation>
+    </message>
+    <message>
+        <source>This file is not a Rivulet recording.</source>
+        <translation>Questo file non è una registrazione di Rivulet.</translation>
+    </message>
+    <message>
+        <source>The recording was written by a newer Rivulet. Update this program to read it.</source>
+        <translation>La registrazione è di una versione più recente di Rivulet. Aggiornare questo programma per leggerla.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged. Everything before the damage was kept.</source>
+        <translation>La registrazione è danneggiata. Tutto ciò che precede il danno è stato conservato.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written. Check the folder and the free space.</source>
+        <translation>Impossibile scrivere il file. Controllare la cartella e lo spazio libero.</translation>
+    </message>
+    <message>
+        <source>The program has been changed since the interrupted run. Restore it, or start from the beginning.</source>
+        <translation>Il programma è cambiato dopo l’esecuzione interrotta. Ripristinarlo o ripartire dall’inizio.</translation>
+    </message>
+    <message>
+        <source>No OPC UA server answers at this endpoint. Check address, port and network.</source>
+        <translation>Nessun server OPC UA risponde a questo indirizzo. Controllare indirizzo, porta e rete.</translation>
+    </message>
+    <message>
+        <source>The connection to the control is lost. Check the machine, then connect again.</source>
+        <translation>La connessione al controllo è persa. Controllare la macchina, poi riconnettersi.</translation>
+    </message>
+    <message>
+        <source>The control did not answer in time. Check the network and its load.</source>
+        <translation>Il controllo non ha risposto in tempo. Controllare la rete e il suo carico.</translation>
+    </message>
+    <message>
+        <source>The control does not have a variable that Rivulet needs. Check the configuration of the server.</source>
+        <translation>Al controllo manca una variabile necessaria a Rivulet. Controllare la configurazione del server.</translation>
+    </message>
+    <message>
+        <source>A variable is write-protected. Give this user write access on the control.</source>
+        <translation>Una variabile è protetta da scrittura. Dare a questo utente il diritto di scrittura sul controllo.</translation>
+    </message>
+    <message>
+        <source>A value cannot be used; nothing was sent.</source>
+        <translation>Un valore non è utilizzabile; non è stato inviato nulla.</translation>
+    </message>
+    <message>
+        <source>The control rejected the request.</source>
+        <translation>Il controllo ha rifiutato la richiesta.</translation>
+    </message>
+    <message>
+        <source>The server is not a SINUMERIK (no SinumerikVarProvider). Check the endpoint.</source>
+        <translation>Il server non è una SINUMERIK (manca SinumerikVarProvider). Controllare l’indirizzo.</translation>
+    </message>
+    <message>
+        <source>The server does not offer this function.</source>
+        <translation>Il server non offre questa funzione.</translation>
+    </message>
+    <message>
+        <source>There is no such program on the control. Send the template first.</source>
+        <translation>Questo programma non esiste sul controllo. Inviare prima il modello.</translation>
+    </message>
+    <message>
+        <source>The channel is not in reset. Press reset at the control, then try again.</source>
+        <translation>Il canale non è in Reset. Premere Reset sul controllo, poi riprovare.</translation>
+    </message>
+    <message>
+        <source>A program of this name is already on the control.</source>
+        <translation>Sul controllo c’è già un programma con questo nome.</translation>
+    </message>
+    <message>
+        <source>The request is larger than the server accepts. Choose a smaller N.</source>
+        <translation>La richiesta è più grande di quanto accetta il server. Scegliere un N minore.</translation>
+    </message>
+    <message>
+        <source>This program cannot be streamed. See the list of findings.</source>
+        <translation>Questo programma non può essere trasmesso in continuo. Vedi l’elenco delle segnalazioni.</translation>
+    </message>
+    <message>
+        <source>The control does not run the expected template. Select and start the template for these settings.</source>
+        <translation>Sul controllo non è in corso il modello previsto. Selezionare e avviare il modello di queste impostazioni.</translation>
+    </message>
+    <message>
+        <source>Another program is running on the control. Wait until it has ended, or reset the channel.</source>
+        <translation>Sul controllo è in corso un altro programma. Attendere che finisca o resettare il canale.</translation>
+    </message>
+    <message>
+        <source>Cycle start was not pressed in time. Start the run again.</source>
+        <translation>Start NC non è stato premuto in tempo. Riavviare l’esecuzione.</translation>
+    </message>
+    <message>
+        <source>The control is running, but the stream makes no progress. Check feed override and feed hold at the control.</source>
+        <translation>Il controllo è in marcia, ma la trasmissione non avanza. Controllare sul controllo l’override dell’avanzamento e l’arresto avanzamento.</translation>
+    </message>
+    <message>
+        <source>The control did not confirm the stop in time. Check the machine.</source>
+        <translation>Il controllo non ha confermato lo stop in tempo. Controllare la macchina.</translation>
+    </message>
+    <message>
+        <source>The control ended the program with an alarm. Clear its cause at the control.</source>
+        <translation>Il controllo ha terminato il programma con un allarme. Eliminarne la causa sul controllo.</translation>
+    </message>
+    <message>
+        <source>The program on the control ended before all points were sent.</source>
+        <translation>Il programma sul controllo è terminato prima dell’invio di tutti i punti.</translation>
+    </message>
+    <message>
+        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>Le celle del metodo Finestra sono fuori campo. Controllare base, passo e numero di finestre.</translation>
+    </message>
+    <message>
+        <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
+        <translation>Un altro client sta usando il programma sul controllo. Rivulet non scrive più nulla: attendere che l’altro client abbia finito o resettare il controllo.</translation>
+    </message>
+    <message>
+        <source>The program on the control was restarted during the run. Reset the control, then resume.</source>
+        <translation>Il programma sul controllo è stato riavviato durante l’esecuzione. Resettare il controllo, poi riprendere.</translation>
+    </message>
+    <message>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
+        <translation>Il controllo ha rifiutato una finestra che non corrispondeva al suo numero di controllo e non l’ha eseguita. Qualcos’altro scrive questi parametri R: scoprire che cosa, poi riprendere.</translation>
+    </message>
+    <message>
+        <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>
+        <translation>Il controllo ha terminato il suo programma perché per troppo tempo non ha ricevuto nulla da Rivulet. Controllare la rete, poi riprendere.</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled.</source>
+        <translation>Il caricamento è stato annullato.</translation>
+    </message>
+    <message>
+        <source>It is not known for certain where the run was left. Start from the beginning.</source>
+        <translation>Non si sa con certezza dove l’esecuzione si è interrotta. Ripartire dall’inizio.</translation>
+    </message>
+    <message>
+        <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
+        <translation>Il controllo non permette a Rivulet di scrivere e leggere programmi pezzo. Concedere questi diritti all’utente OPC UA, oppure copiare il modello sul controllo a mano.</translation>
+    </message>
+    <message>
+        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
+        <translation>Queste celle non sono utilizzabili. Scegliere parametri R esistenti (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
+        <translation>Sul controllo è in corso un programma: la misura è terminata. Le celle hanno i valori di prima.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The cells have their old values.</source>
+        <translation>La calibrazione è stata annullata. Le celle hanno i valori di prima.</translation>
+    </message>
+    <message>
+        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
+        <translation>Non è stato possibile ripristinare le celle, che possono contenere valori di prova. Impostarle sul controllo.</translation>
+    </message>
+    <message>
+        <source>Only method window streams rotary axes. Choose it.</source>
+        <translation>Solo il metodo Finestra trasmette assi rotativi. Scegliere questo metodo.</translation>
+    </message>
+    <message>
+        <source>Too many axes. Choose at most five.</source>
+        <translation>Troppi assi. Sceglierne al massimo cinque.</translation>
+    </message>
+    <message>
+        <source>These are not axes. Choose from X, Y, Z, A, B and C.</source>
+        <translation>Questi non sono assi. Scegliere tra X, Y, Z, A, B e C.</translation>
+    </message>
+    <message>
+        <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
+        <translation>Il programma richiede un asse che non viene trasmesso. Portarlo nella posizione indicata dal programma, o trasmettere anche questo.</translation>
+    </message>
+    <message>
+        <source>The control lacks an axis that the program moves. Use a program for the axes of this machine.</source>
+        <translation>Al controllo manca un asse mosso dal programma. Usare un programma per gli assi di questa macchina.</translation>
+    </message>
+    <message>
+        <source>No prediction is possible for this method.</source>
+        <translation>Per questo metodo non è possibile alcuna previsione.</translation>
+    </message>
+    <message>
+        <source>The test was aborted. Reset the control if its program is still running.</source>
+        <translation>Il test è stato interrotto. Resettare il controllo se il suo programma è ancora in corso.</translation>
+    </message>
+    <message>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
+        <translation>Il metodo Credito è sperimentale e si avvia solo su un controllo che ne ha superato il test. Eseguire rivulet-cli commission per questo controllo, o scegliere il metodo Finestra.</translation>
+    </message>
+    <message>
+        <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
+        <translation>La correzione online è possibile con il metodo Finestra, per X, Y e Z, fino a 1 mm.</translation>
+    </message>
+    <message>
+        <source>An overlay is already active on the axes. Remove it at the control: press reset, wait, and check that $AA_OFF is 0.</source>
+        <translation>Sugli assi è già attiva una sovrapposizione. Rimuoverla sul controllo: premere Reset, attendere e verificare che $AA_OFF sia 0.</translation>
+    </message>
+    <message>
+        <source>The control adds up overlaid values (MD36750 bit 0). Set the bit to 0, or do without online correction.</source>
+        <translation>Il controllo somma i valori sovrapposti (MD36750 bit 0). Impostare il bit a 0, o rinunciare alla correzione online.</translation>
+    </message>
+    <message>
+        <source>This is not a machine file of Rivulet. Move the file away.</source>
+        <translation>Questo non è un file macchina di Rivulet. Spostarlo altrove.</translation>
+    </message>
+    <message>
+        <source>This was written by another version of Rivulet. Measure again.</source>
+        <translation>Il file è di un’altra versione di Rivulet. Ripetere la misura.</translation>
+    </message>
+    <message>
+        <source>The calibration is damaged. Measure again.</source>
+        <translation>La calibrazione è danneggiata. Ripetere la misura.</translation>
+    </message>
+    <message>
+        <source>Another client has claimed the R-parameters of this run and is about to start. Nothing was changed. Wait until its run has ended.</source>
+        <translation>Un altro client ha riservato i parametri R di questa esecuzione e sta per avviarsi. Non è stato modificato nulla. Attendere che la sua esecuzione sia terminata.</translation>
+    </message>
+    <message>
+        <source>A block of the program moves at a feed that is not known: F is missing, G95 has no spindle speed, or G93 no length. Choose one feed for all moves.</source>
+        <translation>Un blocco del programma si muove con un avanzamento non noto: manca F, per G95 manca il numero di giri, o per G93 la lunghezza. Scegliere un solo avanzamento per tutti i movimenti.</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published.</source>
+        <translation>Questo metodo ha un solo avanzamento per tutti i movimenti, come pubblicato.</translation>
+    </message>
+    <message>
+        <source>The override is out of range: choose 1 to 200 %.</source>
+        <translation>L’override è fuori campo: scegliere da 1 a 200&#xa0;%.</translation>
+    </message>
+</context>
+<context>
+    <name>FaultTexts</name>
+    <message>
+        <source>the character &quot;%1&quot; has no meaning here</source>
+        <translation>il carattere «%1» qui non ha significato</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>«%1» non è un numero</translation>
+    </message>
+    <message>
+        <source>a comment is not closed</source>
+        <translation>un commento non è chiuso</translation>
+    </message>
+    <message>
+        <source>%1 is not known to this machine</source>
+        <translation>%1 non è noto a questa macchina</translation>
+    </message>
+    <message>
+        <source>the word %1 is not understood here</source>
+        <translation>la parola %1 qui non è compresa</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood</source>
+        <translation>«%1» non è compreso</translation>
+    </message>
+    <message>
+        <source>two functions of one group are in the block: %1</source>
+        <translation>due funzioni di uno stesso gruppo sono nel blocco: %1</translation>
+    </message>
+    <message>
+        <source>the address %1 is programmed more than once in the block</source>
+        <translation>l’indirizzo %1 è programmato più volte nel blocco</translation>
+    </message>
+    <message>
+        <source>circle end-point error: there is no circle through these points</source>
+        <translation>errore sul punto finale del cerchio: nessun cerchio passa per questi punti</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radii at start and end differ by %1 mm</source>
+        <translation>errore sul punto finale del cerchio: i raggi all’inizio e alla fine differiscono di %1 mm</translation>
+    </message>
+    <message>
+        <source>circle end-point error: the radius is too small (%1)</source>
+        <translation>errore sul punto finale del cerchio: il raggio è troppo piccolo (%1)</translation>
+    </message>
+    <message>
+        <source>the arc starts at an unknown position: %1</source>
+        <translation>l’arco inizia da una posizione ignota: %1</translation>
+    </message>
+    <message>
+        <source>the increment of %1 starts at an unknown position</source>
+        <translation>la quota incrementale di %1 parte da una posizione ignota</translation>
+    </message>
+    <message>
+        <source>no feed is programmed</source>
+        <translation>nessun avanzamento è programmato</translation>
+    </message>
+    <message>
+        <source>the programmed path speed %1 is not positive</source>
+        <translation>la velocità programmata %1 sul percorso non è positiva</translation>
+    </message>
+    <message>
+        <source>the value of %1 is out of range</source>
+        <translation>il valore di %1 è fuori campo</translation>
+    </message>
+    <message>
+        <source>circle end-point error: %1 is not in the plane of the arc</source>
+        <translation>errore sul punto finale del cerchio: %1 non è nel piano dell’arco</translation>
+    </message>
+    <message>
+        <source>%1 is not a cycle of this machine</source>
+        <translation>%1 non è un ciclo di questa macchina</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>manca un valore</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a value</source>
+        <translation>«%1» non è un valore</translation>
+    </message>
+    <message>
+        <source>a constant in quotes is written &apos;H1F&apos; or &apos;B101&apos;</source>
+        <translation>una costante tra apici si scrive &apos;H1F&apos; o &apos;B101&apos;</translation>
+    </message>
+    <message>
+        <source>a text in quotes is expected</source>
+        <translation>si attende un testo tra virgolette</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>una parentesi non è chiusa</translation>
+    </message>
+    <message>
+        <source>an operand is missing</source>
+        <translation>manca un operando</translation>
+    </message>
+    <message>
+        <source>the calculation is nested too deeply</source>
+        <translation>il calcolo ha troppi livelli di annidamento</translation>
+    </message>
+    <message>
+        <source>%1 is neither a variable nor a function</source>
+        <translation>%1 non è né una variabile né una funzione</translation>
+    </message>
+    <message>
+        <source>%1 needs its argument in brackets</source>
+        <translation>%1 richiede il suo argomento tra parentesi</translation>
+    </message>
+    <message>
+        <source>%1 needs more arguments</source>
+        <translation>%1 richiede più argomenti</translation>
+    </message>
+    <message>
+        <source>ATAN is written ATAN[y]/[x]</source>
+        <translation>ATAN si scrive ATAN[y]/[x]</translation>
+    </message>
+    <message>
+        <source>EXISTS is written EXISTS[#&lt;name&gt;]</source>
+        <translation>EXISTS si scrive EXISTS[#&lt;name&gt;]</translation>
+    </message>
+    <message>
+        <source>R needs a number or an index in brackets</source>
+        <translation>R richiede un numero o un indice tra parentesi</translation>
+    </message>
+    <message>
+        <source>the number of a variable is missing or too large</source>
+        <translation>il numero di una variabile manca o è troppo grande</translation>
+    </message>
+    <message>
+        <source>the name of a variable is not closed with &gt;</source>
+        <translation>il nome di una variabile non è chiuso con &gt;</translation>
+    </message>
+    <message>
+        <source>%1 is not a variable</source>
+        <translation>%1 non è una variabile</translation>
+    </message>
+    <message>
+        <source>%1 needs an axis or an index in brackets</source>
+        <translation>%1 richiede un asse o un indice tra parentesi</translation>
+    </message>
+    <message>
+        <source>an equals sign is missing</source>
+        <translation>manca un segno di uguale</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be assigned to</source>
+        <translation>a «%1» non si può assegnare un valore</translation>
+    </message>
+    <message>
+        <source>SET and REP need a list in brackets, with commas between its values</source>
+        <translation>SET e REP richiedono una lista tra parentesi, con virgole tra i valori</translation>
+    </message>
+    <message>
+        <source>the name of a variable is missing</source>
+        <translation>manca il nome di una variabile</translation>
+    </message>
+    <message>
+        <source>%1 is not a type for DEF</source>
+        <translation>%1 non è un tipo per DEF</translation>
+    </message>
+    <message>
+        <source>the size of an array is missing or too large</source>
+        <translation>la dimensione di un array manca o è troppo grande</translation>
+    </message>
+    <message>
+        <source>the parameters of PROC are written PROC name(type name, ...)</source>
+        <translation>i parametri di PROC si scrivono PROC nome(tipo nome, ...)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing, or has no meaning here</source>
+        <translation>«%1» manca, o qui non ha significato</translation>
+    </message>
+    <message>
+        <source>an address needs a number or &quot;=&quot;</source>
+        <translation>un indirizzo richiede un numero o «=»</translation>
+    </message>
+    <message>
+        <source>the jump has no target</source>
+        <translation>il salto non ha destinazione</translation>
+    </message>
+    <message>
+        <source>only GOTO may follow a condition</source>
+        <translation>dopo una condizione può seguire solo GOTO</translation>
+    </message>
+    <message>
+        <source>FOR is written FOR i = a TO b</source>
+        <translation>FOR si scrive FOR i = a TO b</translation>
+    </message>
+    <message>
+        <source>CASE is written CASE(value) OF constant GOTOF target</source>
+        <translation>CASE si scrive CASE(valore) OF costante GOTOF destinazione</translation>
+    </message>
+    <message>
+        <source>the %1 that begins here is not closed</source>
+        <translation>il %1 che inizia qui non è chiuso</translation>
+    </message>
+    <message>
+        <source>%1 has no beginning</source>
+        <translation>%1 non ha inizio</translation>
+    </message>
+    <message>
+        <source>control structures are nested more than 16 deep</source>
+        <translation>le strutture di controllo sono annidate per più di 16 livelli</translation>
+    </message>
+    <message>
+        <source>a synchronized action needs a number from 1 to 255</source>
+        <translation>un’azione sincrona richiede un numero da 1 a 255</translation>
+    </message>
+    <message>
+        <source>a synchronized action is written ID=1 WHEN condition DO assignment</source>
+        <translation>un’azione sincrona si scrive ID=1 WHEN condizione DO assegnazione</translation>
+    </message>
+    <message>
+        <source>a synchronized action can only assign to $R and variables of the main run</source>
+        <translation>un’azione sincrona può assegnare valori solo a $R e a variabili dell’elaborazione principale</translation>
+    </message>
+    <message>
+        <source>the target %1 is missing</source>
+        <translation>manca la destinazione %1</translation>
+    </message>
+    <message>
+        <source>the program %1 does not exist</source>
+        <translation>il programma %1 non esiste</translation>
+    </message>
+    <message>
+        <source>%1 is not defined, and there is no program of this name</source>
+        <translation>%1 non è definito e non c’è alcun programma con questo nome</translation>
+    </message>
+    <message>
+        <source>subprograms call each other too deeply</source>
+        <translation>i sottoprogrammi si richiamano per troppi livelli</translation>
+    </message>
+    <message>
+        <source>a division by zero</source>
+        <translation>divisione per zero</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>%1 non ha valore</translation>
+    </message>
+    <message>
+        <source>the result is too large</source>
+        <translation>il risultato è troppo grande</translation>
+    </message>
+    <message>
+        <source>it needs a value that is not known</source>
+        <translation>serve un valore che non è noto</translation>
+    </message>
+    <message>
+        <source>R%1 is read before the program sets it: only the control knows it</source>
+        <translation>R%1 viene letto prima che il programma lo imposti: solo il controllo lo conosce</translation>
+    </message>
+    <message>
+        <source>R[%1] does not exist</source>
+        <translation>R[%1] non esiste</translation>
+    </message>
+    <message>
+        <source>%1 is not defined</source>
+        <translation>%1 non è definito</translation>
+    </message>
+    <message>
+        <source>an array needs its index in brackets</source>
+        <translation>un array richiede il suo indice tra parentesi</translation>
+    </message>
+    <message>
+        <source>the array has fewer dimensions</source>
+        <translation>l’array ha meno dimensioni</translation>
+    </message>
+    <message>
+        <source>the array has more dimensions</source>
+        <translation>l’array ha più dimensioni</translation>
+    </message>
+    <message>
+        <source>the index is outside the array</source>
+        <translation>l’indice è fuori dall’array</translation>
+    </message>
+    <message>
+        <source>a calculation uses a text</source>
+        <translation>un calcolo usa un testo</translation>
+    </message>
+    <message>
+        <source>the value is not of type %1</source>
+        <translation>il valore non è del tipo %1</translation>
+    </message>
+    <message>
+        <source>the value is outside the range of type %1</source>
+        <translation>il valore è fuori dal campo del tipo %1</translation>
+    </message>
+    <message>
+        <source>the list has more values than the array has elements</source>
+        <translation>la lista ha più valori degli elementi dell’array</translation>
+    </message>
+    <message>
+        <source>only the control knows the value of %1</source>
+        <translation>solo il controllo conosce il valore di %1</translation>
+    </message>
+    <message>
+        <source>a variable of the control would be written</source>
+        <translation>verrebbe scritta una variabile del controllo</translation>
+    </message>
+    <message>
+        <source>the subprogram takes %1 values</source>
+        <translation>il sottoprogramma richiede %1 valori</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable</source>
+        <translation>il parametro %1 è passato per riferimento e richiede una variabile</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is given by reference and needs a variable of its own type</source>
+        <translation>il parametro %1 è passato per riferimento e richiede una variabile dello stesso tipo</translation>
+    </message>
+    <message>
+        <source>a synchronized action reads R or an array by an index of the main run: use $R</source>
+        <translation>un’azione sincrona legge R o un array con un indice dell’elaborazione principale: usare $R</translation>
+    </message>
+    <message>
+        <source>GOTO or THEN must follow a condition</source>
+        <translation>dopo una condizione deve seguire GOTO o THEN</translation>
+    </message>
+    <message>
+        <source>WHILE is written WHILE [condition] DO1</source>
+        <translation>WHILE si scrive WHILE [condizione] DO1</translation>
+    </message>
+    <message>
+        <source>an O word needs a number or &lt;name&gt;</source>
+        <translation>una parola O richiede un numero o &lt;name&gt;</translation>
+    </message>
+    <message>
+        <source>%1 is not known</source>
+        <translation>%1 non è noto</translation>
+    </message>
+    <message>
+        <source>%1 is not in a loop</source>
+        <translation>%1 non è in un loop</translation>
+    </message>
+    <message>
+        <source>%1 has no call</source>
+        <translation>%1 non ha una chiamata</translation>
+    </message>
+    <message>
+        <source>a subprogram is defined inside %1</source>
+        <translation>un sottoprogramma è definito dentro %1</translation>
+    </message>
+</context>
+<context>
+    <name>FoundRunTexts</name>
+    <message>
+        <source>A program of Rivulet without a run</source>
+        <translation>Un programma di Rivulet senza esecuzione</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Esecuzione %1</translation>
+    </message>
+    <message>
+        <source>Run %1 of %2</source>
+        <translation>Esecuzione %1 di %2</translation>
+    </message>
+    <message>
+        <source>It is not known who started it.</source>
+        <translation>Non si sa chi l’ha avviata.</translation>
+    </message>
+    <message>
+        <source>Started by %1 on %2 at %3.</source>
+        <translation>Avviata da %1 su %2 il %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points executed</source>
+        <translation>eseguiti %1 punti su %2</translation>
+    </message>
+    <message>
+        <source>%1 windows executed</source>
+        <translation>eseguite %1 finestre</translation>
+    </message>
+    <message>
+        <source>%1. Looking for its client …</source>
+        <translation>%1. Ricerca del suo client…</translation>
+    </message>
+    <message>
+        <source>It waits for its first client.</source>
+        <translation>Attende il suo primo client.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is gone: the program waits.</source>
+        <translation>%1. Il suo client non c’è più: il programma attende.</translation>
+    </message>
+    <message>
+        <source>%1. Its client is at work.</source>
+        <translation>%1. Il suo client è al lavoro.</translation>
+    </message>
+    <message>
+        <source>It was not completed, and its program is no longer active on the control.</source>
+        <translation>Non è completata e il suo programma non è più attivo sul controllo.</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1.</source>
+        <translation>Stop confermato dopo %1.</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed.</source>
+        <translation>Stop richiesto, non ancora confermato.</translation>
+    </message>
+</context>
+<context>
+    <name>GroupingTexts</name>
+    <message>
+        <source>Lists</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Singolarmente</translation>
+    </message>
+    <message>
+        <source>Arrays by count</source>
+        <translation>Array per numero</translation>
+    </message>
+    <message>
+        <source>Arrays by range</source>
+        <translation>Array per intervallo</translation>
+    </message>
+</context>
+<context>
+    <name>LimitTexts</name>
+    <message>
+        <source>rapid</source>
+        <translation>rapido</translation>
+    </message>
+    <message>
+        <source>line %1: %2, %3</source>
+        <translation>riga %1: %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>Pages</name>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Feasibility</source>
+        <translation>Fattibilità</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Curve</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modello</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibrazione</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapporto</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 salvato.</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Allarmi</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messaggi</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Utenti</translation>
+    </message>
+</context>
+<context>
+    <name>PauseTexts</name>
+    <message>
+        <source>M</source>
+        <comment>letter for a measured pause</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <comment>letter for an inferred pause</comment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>letter for a predicted pause</comment>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>misurata</translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation>dedotta</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prevista</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramTexts</name>
+    <message>
+        <source>Parts of the path of %1 are not known: see the findings. The program cannot be streamed.</source>
+        <translation>Parti del percorso di %1 non sono note: vedi le segnalazioni. Il programma non può essere trasmesso in continuo.</translation>
+    </message>
+    <message>
+        <source>%1 needs a transformation of the control. No method can stream it.</source>
+        <translation>%1 richiede una trasformazione del controllo. Nessun metodo può trasmetterlo in continuo.</translation>
+    </message>
+    <message>
+        <source>%1 moves no axis: there is nothing to stream.</source>
+        <translation>%1 non muove alcun asse: non c’è nulla da trasmettere.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Un’esecuzione è in corso. Aprire un altro programma quando sarà terminata.</translation>
+    </message>
+    <message>
+        <source>Opened %1 (%2), %3 points.</source>
+        <translation>Aperto %1 (%2), %3 punti.</translation>
+    </message>
+    <message>
+        <source>Reading %1 was cancelled.</source>
+        <translation>La lettura di %1 è stata annullata.</translation>
+    </message>
+</context>
+<context>
+    <name>RehearsalTexts</name>
+    <message>
+        <source>The program is being simulated with these settings.</source>
+        <translation>Simulazione del programma con queste impostazioni in corso.</translation>
+    </message>
+    <message>
+        <source>all %1 points</source>
+        <translation>tutti i %1 punti</translation>
+    </message>
+    <message>
+        <source>the %1 most difficult points</source>
+        <translation>i %1 punti più difficili</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: no wrong point in %2 runs.</source>
+        <translation>Simulazione (%1): nessun punto errato in %2 prove.</translation>
+    </message>
+    <message>
+        <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
+        <translation>Simulazione (%1): punti errati in %2 prove su %3.</translation>
+    </message>
+</context>
+<context>
+    <name>RunStateTexts</name>
+    <message>
+        <source>Idle</source>
+        <translation>A riposo</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>In corso</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>In arresto</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Completato</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Sospeso</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Preparazione</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrestato</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallito</translation>
+    </message>
+</context>
+<context>
+    <name>RunTexts</name>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>Nessun programma caricato.</translation>
+    </message>
+    <message>
+        <source>The program has fewer than two points.</source>
+        <translation>Il programma ha meno di due punti.</translation>
+    </message>
+    <message>
+        <source>Running: %1, version %2</source>
+        <translation>In corso: %1, versione %2</translation>
+    </message>
+    <message>
+        <source>Program: %1, version %2</source>
+        <translation>Programma: %1, versione %2</translation>
+    </message>
+</context>
+<context>
+    <name>UserTexts</name>
+    <message>
+        <source>At least one user must be an engineer.</source>
+        <translation>Almeno un utente deve essere attrezzista.</translation>
+    </message>
+    <message>
+        <source>The file of users is damaged. Restore it, or delete it to set the users up again.</source>
+        <translation>Il file degli utenti è danneggiato. Ripristinarlo, oppure eliminarlo e configurare di nuovo gli utenti.</translation>
+    </message>
+    <message>
+        <source>Give a name.</source>
+        <translation>Indicare un nome.</translation>
+    </message>
+    <message>
+        <source>The PIN needs at least 4 characters.</source>
+        <translation>Il PIN deve avere almeno 4 caratteri.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Alarms</name>
+    <message>
+        <source>%1: %2 damaged lines of the history of alarms were left out.</source>
+        <translation>%1: omesse %2 righe danneggiate dello storico degli allarmi.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Demo</name>
+    <message>
+        <source>The picture or the report cannot be written to %1.</source>
+        <translation>Impossibile scrivere l’immagine o il rapporto in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Document</name>
+    <message>
+        <source>Line %1</source>
+        <translation>Riga %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::FoundRuns</name>
+    <message>
+        <source>The run that was watched has ended.</source>
+        <translation>L’esecuzione osservata è terminata.</translation>
+    </message>
+    <message>
+        <source>There is a run on the control: %1</source>
+        <translation>C’è un’esecuzione sul controllo: %1</translation>
+    </message>
+    <message>
+        <source>The run has been stopped; confirmed after %1.</source>
+        <translation>L’esecuzione è stata arrestata; confermato dopo %1.</translation>
+    </message>
+    <message>
+        <source>Stop of the run on the control requested.</source>
+        <translation>Richiesto lo stop dell’esecuzione sul controllo.</translation>
+    </message>
+    <message>
+        <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
+        <translation>Il file del programma, %1, non si trova. Aprire il programma, poi riprovare.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineModel</name>
+    <message>
+        <source>Connected to the virtual machine at %1.</source>
+        <translation>Connesso alla macchina virtuale su %1.</translation>
+    </message>
+    <message>
+        <source>Connected to the control at %1.</source>
+        <translation>Connesso al controllo su %1.</translation>
+    </message>
+    <message>
+        <source>Calibrated. Saved %1.</source>
+        <translation>Calibrato. %1 salvato.</translation>
+    </message>
+    <message>
+        <source>The calibration belongs to another version of the server and is not used.</source>
+        <translation>La calibrazione appartiene a un’altra versione del server e non viene usata.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MainWindow</name>
+    <message>
+        <source>About Rivulet</source>
+        <translation>Informazioni su Rivulet</translation>
+    </message>
+    <message>
+        <source>Rivulet %1
+Streams a tool path to a CNC machine over OPC UA while the machine moves.
+
+Stop ends the program at the end of its loop. It is not an emergency stop.
+
+GPL-3.0-or-later</source>
+        <translation>Rivulet %1
+Trasmette un percorso utensile a una macchina CNC via OPC UA mentre la macchina si muove.
+
+Stop termina il programma alla fine del suo loop. Non è un arresto d’emergenza.
+
+GPL-3.0-or-later</translation>
+    </message>
+    <message>
+        <source>%1 – Rivulet</source>
+        <translation>%1 – Rivulet</translation>
+    </message>
+    <message>
+        <source>Rivulet</source>
+        <translation>Rivulet</translation>
+    </message>
+    <message>
+        <source>&amp;Open program …</source>
+        <translation>&amp;Apri programma…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Esci</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Lingua</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Chiaro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Scuro</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Come il sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Guida</translation>
+    </message>
+    <message>
+        <source>&amp;About Rivulet</source>
+        <translation>I&amp;nformazioni su Rivulet</translation>
+    </message>
+    <message>
+        <source>Method, feed and verdict</source>
+        <translation>Metodo, avanzamento ed esito</translation>
+    </message>
+    <message>
+        <source>&amp;Set-up</source>
+        <translation>Im&amp;postazioni</translation>
+    </message>
+    <message>
+        <source>&amp;Menu</source>
+        <translation>&amp;Menu</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contrasto elevato</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Preflight</name>
+    <message>
+        <source>In the way</source>
+        <translation>Impedimento</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk since version %2 was read.</source>
+        <translation>%1 è cambiato sul disco da quando è stata letta la versione %2.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Ricarica</translation>
+    </message>
+    <message>
+        <source>%1, version %2, %3 points</source>
+        <translation>%1, versione %2, %3 punti</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Non connesso</translation>
+    </message>
+    <message>
+        <source>%1: a virtual machine, no real axis moves</source>
+        <translation>%1: una macchina virtuale, nessun asse reale si muove</translation>
+    </message>
+    <message>
+        <source>%1: the axes of this machine will move</source>
+        <translation>%1: gli assi di questa macchina si muoveranno</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Primo movimento</translation>
+    </message>
+    <message>
+        <source>The position of the tool is not known.</source>
+        <translation>La posizione dell’utensile non è nota.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line over %2 to point 1 at %3</source>
+        <translation>Da %1 in linea retta per %2 fino al punto 1 in %3</translation>
+    </message>
+    <message>
+        <source>The last run was left at %1 of %2 points. This start does not go on there: it moves from where the tool stands, perhaps in the cut, to the first point.</source>
+        <translation>L’ultima esecuzione si è interrotta a %1 punti su %2. Questo avvio non continua da lì: va da dove si trova l’utensile, forse nel taglio, al primo punto.</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>%1 for every block, set here</source>
+        <translation>%1 per ogni blocco, impostato qui</translation>
+    </message>
+    <message>
+        <source>%1. The program names no feed.</source>
+        <translation>%1. Il programma non indica alcun avanzamento.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1. The program&apos;s own feed, %2, is not used.</source>
+        <translation>%1. L’avanzamento del programma, %2, non viene usato.</translation>
+    </message>
+    <message>
+        <source>Some blocks will be cut %1 times as fast as programmed.</source>
+        <translation>Alcuni blocchi saranno lavorati %1 volte più veloci del programmato.</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>Usa F = %1</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Esito</translation>
+    </message>
+    <message>
+        <source>There is no verdict.</source>
+        <translation>Nessun esito.</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest feed without waiting: %1.</source>
+        <translation>Sicuro, ma la macchina attenderà i punti. Avanzamento massimo senza attese: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest feed %2</source>
+        <translation>Margine %1 ×, avanzamento massimo %2</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accesso</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulazione</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Approvazione</translation>
+    </message>
+    <message>
+        <source>Released by %1 on %2, who starts: %3</source>
+        <translation>Approvato da %1 il %2, avvia: %3</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Revoca</translation>
+    </message>
+    <message>
+        <source>This program with these settings and this calibration is not released.</source>
+        <translation>Questo programma con queste impostazioni e questa calibrazione non è approvato.</translation>
+    </message>
+    <message>
+        <source>point %1 of %2 at %3</source>
+        <translation>punto %1 di %2 in %3</translation>
+    </message>
+    <message>
+        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
+        <translation>In linea retta per %1 fino a %2. Eseguiti %3 punti.</translation>
+    </message>
+    <message>
+        <source>In a straight line to %1. %2 points have been executed.</source>
+        <translation>In linea retta fino a %1. Eseguiti %2 punti.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run.</source>
+        <translation>Dal punto %1 il programma è diverso da quello dell’esecuzione interrotta.</translation>
+    </message>
+    <message>
+        <source>Who starts</source>
+        <translation>Chi avvia</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 su %2</translation>
+    </message>
+    <message>
+        <source>The feeds of the program at %1. It names none.</source>
+        <translation>Gli avanzamenti del programma al %1. Non ne indica alcuno.</translation>
+    </message>
+    <message>
+        <source>That of the program, %1, at %2</source>
+        <translation>Quello del programma, %1, al %2</translation>
+    </message>
+    <message>
+        <source>Those of the program, %1 to %2, at %3; each block its own</source>
+        <translation>Quelli del programma, da %1 a %2, al %3; ogni blocco il suo</translation>
+    </message>
+    <message>
+        <source>Rapids at %1 at most</source>
+        <translation>Rapidi al massimo a %1</translation>
+    </message>
+    <message>
+        <source>Blocks will be cut faster than programmed.</source>
+        <translation>Alcuni blocchi saranno lavorati più veloci del programmato.</translation>
+    </message>
+    <message>
+        <source>Use 100 %</source>
+        <translation>Usa 100&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 for every block: this method has one feed, as it was published</source>
+        <translation>%1 per ogni blocco: questo metodo ha un solo avanzamento, come pubblicato</translation>
+    </message>
+    <message>
+        <source>Use the feeds of the program</source>
+        <translation>Usa gli avanzamenti del programma</translation>
+    </message>
+    <message>
+        <source>Safe, but the machine will wait for points. Largest override without waiting: %1.</source>
+        <translation>Sicuro, ma la macchina attenderà i punti. Override massimo senza attese: %1.</translation>
+    </message>
+    <message>
+        <source>Margin %1 ×, largest override %2</source>
+        <translation>Margine %1 ×, override massimo %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::RunController</name>
+    <message>
+        <source>Stop requested.</source>
+        <translation>Stop richiesto.</translation>
+    </message>
+    <message>
+        <source>Hold requested.</source>
+        <translation>Sospensione richiesta.</translation>
+    </message>
+    <message>
+        <source>Continue requested.</source>
+        <translation>Ripartenza richiesta.</translation>
+    </message>
+    <message>
+        <source>Calibration on R%1 to R%2 started.</source>
+        <translation>Avviata la calibrazione su R%1 … R%2.</translation>
+    </message>
+    <message>
+        <source>The run was left before point %1 of %2.</source>
+        <translation>L’esecuzione si è interrotta prima del punto %1 di %2.</translation>
+    </message>
+    <message>
+        <source>Press Resume first: it asks the control where the run was left.</source>
+        <translation>Premere prima Riprendi: così si chiede al controllo dove l’esecuzione si è interrotta.</translation>
+    </message>
+    <message>
+        <source>The run resumes at point %1.</source>
+        <translation>L’esecuzione riprende dal punto %1.</translation>
+    </message>
+    <message>
+        <source>Start. The tool first moves %1 in a straight line to the first point.</source>
+        <translation>Avvio. L’utensile percorre prima %1 in linea retta fino al primo punto.</translation>
+    </message>
+    <message>
+        <source>Save the template on its page as %1, copy it to the part programs of the control, select it in channel 1 and press cycle start. The axes move only after the template has shown its layout number %2.</source>
+        <translation>Salvare il modello dalla sua pagina come %1, copiarlo nei programmi pezzo del controllo, selezionarlo nel canale 1 e premere Start NC. Gli assi si muovono solo dopo che il modello ha mostrato il suo numero di layout %2.</translation>
+    </message>
+    <message>
+        <source>Access: %1.</source>
+        <translation>Accesso: %1.</translation>
+    </message>
+    <message>
+        <source>Run ended: %1 of %2 points executed.</source>
+        <translation>Esecuzione terminata: eseguiti %1 punti su %2.</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Registrazione: %1</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report, and check the workpiece.</source>
+        <translation>L’esecuzione ha eseguito punti errati: vedi il rapporto e controllare il pezzo.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmHistoryModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Ora</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Evento</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Allarme</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Da</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmLine</name>
+    <message>
+        <source>Ack</source>
+        <translation>Tacita</translation>
+    </message>
+    <message>
+        <source>Acknowledge: you have seen this alarm</source>
+        <translation>Tacitare: conferma di aver visto questo allarme</translation>
+    </message>
+    <message>
+        <source>Acknowledge the alarm</source>
+        <translation>Tacita l’allarme</translation>
+    </message>
+    <message>
+        <source>Show all alarms</source>
+        <translation>Mostra tutti gli allarmi</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>Chiudi il messaggio</translation>
+    </message>
+    <message>
+        <source>Alarms: %1. Show all</source>
+        <translation>Allarmi: %1. Mostra tutti</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmModel</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Allarme</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stato</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Ora</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Volte</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmPage</name>
+    <message>
+        <source>There is no alarm.</source>
+        <translation>Non ci sono allarmi.</translation>
+    </message>
+    <message>
+        <source>shelved by %1 until %2</source>
+        <translation>accantonato da %1 fino alle %2</translation>
+    </message>
+    <message>
+        <source>Alarms (%1)</source>
+        <translation>Allarmi (%1)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Storico</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Rimedio</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Tacita</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Tacita tutti</translation>
+    </message>
+    <message>
+        <source>Shelve</source>
+        <translation>Accantona</translation>
+    </message>
+    <message>
+        <source>Put the alarm aside for a time. It stays in this list.</source>
+        <translation>Mette da parte l’allarme per un certo tempo. Resta in questo elenco.</translation>
+    </message>
+    <message>
+        <source>For %1 minutes</source>
+        <translation>Per %1 minuti</translation>
+    </message>
+    <message>
+        <source>For %1 hours</source>
+        <translation>Per %1 ore</translation>
+    </message>
+    <message>
+        <source>Show it again</source>
+        <translation>Mostra di nuovo</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditModel</name>
+    <message>
+        <source>Line</source>
+        <translation>Riga</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Ora</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Chi</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Ruolo</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Azione</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Dettagli</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AuditPage</name>
+    <message>
+        <source>Export the audit trail</source>
+        <translation>Esporta il registro operazioni</translation>
+    </message>
+    <message>
+        <source>No audit trail is kept.</source>
+        <translation>Nessun registro operazioni.</translation>
+    </message>
+    <message>
+        <source>The audit trail was changed: line %1 was edited, or lines before it were inserted or removed.</source>
+        <translation>Il registro operazioni è stato alterato: la riga %1 è stata modificata, o prima di essa sono state inserite o eliminate righe.</translation>
+    </message>
+    <message>
+        <source>Unchanged: every line follows from the one before it.</source>
+        <translation>Integro: ogni riga segue dalla precedente.</translation>
+    </message>
+    <message>
+        <source>Cut by a loss of power: %1.</source>
+        <translation>Troncato da una mancanza di corrente: %1.</translation>
+    </message>
+    <message>
+        <source>Last hash: %1 …</source>
+        <translation>Ultimo hash: %1…</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Export as CSV…</source>
+        <translation>Esporta come CSV…</translation>
+    </message>
+    <message>
+        <source>Export as JSON…</source>
+        <translation>Esporta come JSON…</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Registro</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CalibrationPage</name>
+    <message>
+        <source>Cells</source>
+        <translation>Celle</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>Shots of each kind</source>
+        <translation>Misure di ogni tipo</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Al massimo</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>nessun limite</translation>
+    </message>
+    <message>
+        <source>Arrays too: for the test, the cells hold other values for a moment</source>
+        <translation>Anche array: per il test le celle hanno per un istante altri valori</translation>
+    </message>
+    <message>
+        <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
+        <translation>Nessun programma, ciclo o altro client usa R%1 … R%2: si possono scrivere</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibra</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Rette</translation>
+    </message>
+    <message>
+        <source>Spread (times in ms)</source>
+        <translation>Dispersione (tempi in ms)</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>ancora %1</translation>
+    </message>
+    <message>
+        <source>Testing the forms of access …</source>
+        <translation>Prova delle forme di accesso…</translation>
+    </message>
+    <message>
+        <source>First request of each kind …</source>
+        <translation>Prima richiesta di ogni tipo…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shots, %3</source>
+        <translation>%1 misure su %2, %3</translation>
+    </message>
+    <message>
+        <source>Restoring the cells …</source>
+        <translation>Ripristino delle celle…</translation>
+    </message>
+    <message>
+        <source>The last cell is before the first.</source>
+        <translation>L’ultima cella precede la prima.</translation>
+    </message>
+    <message>
+        <source>Takes about %1.</source>
+        <translation>Dura circa %1.</translation>
+    </message>
+    <message>
+        <source>Confirm the cells to begin.</source>
+        <translation>Confermare le celle per iniziare.</translation>
+    </message>
+    <message>
+        <source>%1, %2, R%3 to R%4, took %5</source>
+        <translation>%1, %2, R%3 … R%4, durata %5</translation>
+    </message>
+    <message>
+        <source>Outdated, not used: the server now has another version. %1</source>
+        <translation>Superata, non usata: il server ora ha un’altra versione. %1</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>Calibrato: %1.</translation>
+    </message>
+    <message>
+        <source>There was not enough time for all shots: reduced numbers are bold in the table.</source>
+        <translation>Il tempo non è bastato per tutte le misure: i numeri ridotti sono in grassetto nella tabella.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
+        <translation>Questa macchina non è calibrata: si ipotizza %1 per cella, come in [P1].</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CellModel</name>
+    <message>
+        <source>Role</source>
+        <translation>Ruolo</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parametri R</translation>
+    </message>
+    <message>
+        <source>Point %1: %2</source>
+        <translation>Punto %1: %2</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>NC</source>
+        <translation>NC</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Segnale</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Marcia</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Numero di layout</translation>
+    </message>
+    <message>
+        <source>Writer</source>
+        <translation>Scrive</translation>
+    </message>
+    <message>
+        <source>Client, NC</source>
+        <translation>Client, NC</translation>
+    </message>
+    <message>
+        <source>Feed (mm/min)</source>
+        <translation>Avanzamento (mm/min)</translation>
+    </message>
+    <message>
+        <source>Window %1: points</source>
+        <translation>Finestra %1: punti</translation>
+    </message>
+    <message>
+        <source>Window %1: feed (mm/min)</source>
+        <translation>Finestra %1: avanzamento (mm/min)</translation>
+    </message>
+    <message>
+        <source>Window %1: check number</source>
+        <translation>Finestra %1: numero di controllo</translation>
+    </message>
+    <message>
+        <source>Window %1 point %2: %3</source>
+        <translation>Finestra %1 punto %2: %3</translation>
+    </message>
+    <message>
+        <source>Windows delivered</source>
+        <translation>Finestre consegnate</translation>
+    </message>
+    <message>
+        <source>Windows taken</source>
+        <translation>Finestre prelevate</translation>
+    </message>
+    <message>
+        <source>Windows executed</source>
+        <translation>Finestre eseguite</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stato</translation>
+    </message>
+    <message>
+        <source>Number of the run</source>
+        <translation>Numero dell’esecuzione</translation>
+    </message>
+    <message>
+        <source>Run obeyed</source>
+        <translation>Esecuzione seguita</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Segno di vita</translation>
+    </message>
+    <message>
+        <source>Online correction: %1</source>
+        <translation>Correzione online: %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CloseBar</name>
+    <message>
+        <source>Keep the window open</source>
+        <translation>Lascia aperta la finestra</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Arresta e chiudi</translation>
+    </message>
+    <message>
+        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
+        <translation>Un’esecuzione è in corso. Per chiudere la finestra viene prima arrestata; si può riprendere in seguito.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ConnectionPanel</name>
+    <message>
+        <source>Connection</source>
+        <translation>Connessione</translation>
+    </message>
+    <message>
+        <source>OPC UA endpoint</source>
+        <translation>Indirizzo OPC UA</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canale</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation>Selezionato</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Allarme</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Messaggio</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connetti</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Disconnetti</translation>
+    </message>
+    <message>
+        <source>Virtual machine: no real axis moves</source>
+        <translation>Macchina virtuale: nessun asse reale si muove</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Attivo</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrotto</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Sconosciuto (%1)</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrestato</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>In corso</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>In attesa</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Terminato</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuno</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CorrectionPanel</name>
+    <message>
+        <source>UDP port %1 cannot be opened: choose another.</source>
+        <translation>Impossibile aprire la porta UDP %1: sceglierne un’altra.</translation>
+    </message>
+    <message>
+        <source>Up to ±%1 per axis, during a run.</source>
+        <translation>Fino a ±%1 per asse, durante un’esecuzione.</translation>
+    </message>
+    <message>
+        <source>By hand, up to ±%1 per axis.</source>
+        <translation>A mano, fino a ±%1 per asse.</translation>
+    </message>
+    <message>
+        <source>The source is silent: its last value is held.</source>
+        <translation>La sorgente tace: si mantiene il suo ultimo valore.</translation>
+    </message>
+    <message>
+        <source>Nothing has been received from the source yet.</source>
+        <translation>Dalla sorgente non è ancora stato ricevuto nulla.</translation>
+    </message>
+    <message>
+        <source>Receiving from the source. Lines that are not corrections: %1</source>
+        <translation>Ricezione dalla sorgente. Righe che non sono correzioni: %1</translation>
+    </message>
+    <message>
+        <source>Receiving from the source.</source>
+        <translation>Ricezione dalla sorgente.</translation>
+    </message>
+    <message>
+        <source>Online correction</source>
+        <translation>Correzione online</translation>
+    </message>
+    <message>
+        <source>confirmed by the control</source>
+        <translation>confermata dal controllo</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Zero</translation>
+    </message>
+    <message>
+        <source>Set the correction of all axes to zero, then continue by hand</source>
+        <translation>Porta a zero la correzione di tutti gli assi, poi si continua a mano</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Sorgente</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>A mano</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP su questo computer</translation>
+    </message>
+    <message>
+        <source>Datagrams to 127.0.0.1 with lines like X 0.01 Y -0.02, in mm</source>
+        <translation>Datagrammi a 127.0.0.1 con righe come X 0.01 Y -0.02, in mm</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Porta</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Tace dopo</translation>
+    </message>
+    <message>
+        <source>Correction of %1</source>
+        <translation>Correzione di %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::DiagnosticModel</name>
+    <message>
+        <source>Severity</source>
+        <translation>Gravità</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Riga</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonna</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Segnalazione</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::DistanceChart</name>
+    <message>
+        <source>%1 … %2: %3 distances</source>
+        <translation>%1 … %2: %3 distanze</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FeasibilityPage</name>
+    <message>
+        <source>F over d_min</source>
+        <translation>F rispetto a d_min</translation>
+    </message>
+    <message>
+        <source>F over N</source>
+        <translation>F rispetto a N</translation>
+    </message>
+    <message>
+        <source>F over δ</source>
+        <translation>F rispetto a δ</translation>
+    </message>
+    <message>
+        <source>Load a program to see where it can be streamed.</source>
+        <translation>Caricare un programma per vedere dove può essere trasmesso.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the feed.</source>
+        <translation>Trascinare l’anello per cambiare l’avanzamento.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed. Method position does not depend on N.</source>
+        <translation>Trascinare l’anello per cambiare N e l’avanzamento. Il metodo Posizione non dipende da N.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the feed.</source>
+        <translation>Trascinare l’anello per cambiare N e l’avanzamento.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change δ and the feed.</source>
+        <translation>Trascinare l’anello per cambiare δ e l’avanzamento.</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Punto di lavoro</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Fattibile</translation>
+    </message>
+    <message>
+        <source>Safety band</source>
+        <translation>Fascia di sicurezza</translation>
+    </message>
+    <message>
+        <source>(1) point distance</source>
+        <translation>(1) distanza dei punti</translation>
+    </message>
+    <message>
+        <source>(2) distance δ</source>
+        <translation>(2) distanza δ</translation>
+    </message>
+    <message>
+        <source>(3) half a loop</source>
+        <translation>(3) mezzo loop</translation>
+    </message>
+    <message>
+        <source>(3) half a loop, for information</source>
+        <translation>(3) mezzo loop, per informazione</translation>
+    </message>
+    <message>
+        <source>(3ᴺ) half a loop, real path</source>
+        <translation>(3ᴺ) mezzo loop, percorso reale</translation>
+    </message>
+    <message>
+        <source>dashed: as published</source>
+        <translation>tratteggiato: come pubblicato</translation>
+    </message>
+    <message>
+        <source>Smallest distances of the program</source>
+        <translation>Distanze minime del programma</translation>
+    </message>
+    <message>
+        <source>Simulate around the operating point</source>
+        <translation>Simula attorno al punto di lavoro</translation>
+    </message>
+    <message>
+        <source>Simulating: %p %</source>
+        <translation>Simulazione: %p %</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Simulated on the virtual machine, %1 points around the tightest place.</source>
+        <translation>Simulato sulla macchina virtuale, %1 punti attorno al tratto più critico.</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Funziona</translation>
+    </message>
+    <message>
+        <source>Sometimes fails</source>
+        <translation>Fallisce a volte</translation>
+    </message>
+    <message>
+        <source>Always fails</source>
+        <translation>Fallisce sempre</translation>
+    </message>
+    <message>
+        <source>Model: 0.1 % to 50 % fail</source>
+        <translation>Calcolo: fallisce dallo 0,1&#xa0;% al 50&#xa0;%</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: the limits do not depend on it.</source>
+        <translation>Questo metodo non usa δ: i limiti non ne dipendono.</translation>
+    </message>
+    <message>
+        <source>Without waiting</source>
+        <translation>Senza attese</translation>
+    </message>
+    <message>
+        <source>reach: the client keeps up</source>
+        <translation>portata: il client tiene il passo</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FileBanner</name>
+    <message>
+        <source>The file %1 has changed.</source>
+        <translation>Il file %1 è cambiato.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there.</source>
+        <translation>Il file %1 non esiste più.</translation>
+    </message>
+    <message>
+        <source>The run keeps version %1.</source>
+        <translation>L’esecuzione mantiene la versione %1.</translation>
+    </message>
+    <message>
+        <source>Reload it?</source>
+        <translation>Ricaricarlo?</translation>
+    </message>
+    <message>
+        <source>Version %1 stays loaded.</source>
+        <translation>La versione %1 resta caricata.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Ricarica</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FitModel</name>
+    <message>
+        <source>write</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lettura</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accesso</translation>
+    </message>
+    <message>
+        <source>Per request (a)</source>
+        <translation>Per richiesta (a)</translation>
+    </message>
+    <message>
+        <source>Per cell (b)</source>
+        <translation>Per cella (b)</translation>
+    </message>
+    <message>
+        <source>± per cell</source>
+        <translation>± per cella</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Scarto</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FoundRunBar</name>
+    <message>
+        <source>It can be resumed on the computer where it was started.</source>
+        <translation>Si può riprendere sul computer su cui è stata avviata.</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Osserva</translation>
+    </message>
+    <message>
+        <source>Shows program, position and progress. Nothing is changed.</source>
+        <translation>Mostra programma, posizione e avanzamento del lavoro. Non cambia nulla.</translation>
+    </message>
+    <message>
+        <source>Stop the run</source>
+        <translation>Arresta l’esecuzione</translation>
+    </message>
+    <message>
+        <source>The program ends after the windows that it has copied.</source>
+        <translation>Il programma termina dopo le finestre che ha copiato.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Riprendi…</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Carica il programma, lo confronta e chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Non ora</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::HelpPage</name>
+    <message>
+        <source>Back</source>
+        <translation>Indietro</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Chiudi</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuale</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::HistogramChart</name>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Durata, ms</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Misure</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lettura</translation>
+    </message>
+    <message>
+        <source>%1 %: %2</source>
+        <translation>%1&#xa0;%: %2</translation>
+    </message>
+    <message>
+        <source>%1 beyond, the longest %2</source>
+        <translation>%1 oltre, la più lunga %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LinesChart</name>
+    <message>
+        <source>Cells of the request</source>
+        <translation>Celle della richiesta</translation>
+    </message>
+    <message>
+        <source>Duration, ms</source>
+        <translation>Durata, ms</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lettura</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoadBar</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lettura di %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogInDialog</name>
+    <message>
+        <source>Log in</source>
+        <translation>Accedi</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utente</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>Delete the last digit</source>
+        <translation>Cancella l’ultima cifra</translation>
+    </message>
+    <message>
+        <source>Wrong PIN. Try again in %1 s.</source>
+        <translation>PIN errato. Riprovare tra %1 s.</translation>
+    </message>
+    <message>
+        <source>Wrong PIN.</source>
+        <translation>PIN errato.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Ora</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravità</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Messaggio</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origine</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogView</name>
+    <message>
+        <source>Copy</source>
+        <translation>Copia</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Save the messages</source>
+        <translation>Salva i messaggi</translation>
+    </message>
+    <message>
+        <source>%1 of %2 messages</source>
+        <translation>%1 messaggi su %2</translation>
+    </message>
+    <message>
+        <source>All messages</source>
+        <translation>Tutti i messaggi</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Avvisi ed errori</translation>
+    </message>
+    <message>
+        <source>Errors only</source>
+        <translation>Solo errori</translation>
+    </message>
+    <message>
+        <source>All sources</source>
+        <translation>Tutte le origini</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravità</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Wrap lines</source>
+        <translation>A capo automatico</translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation>%1 messaggi</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messaggi</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachineButton</name>
+    <message>
+        <source>Virtual machine</source>
+        <translation>Macchina virtuale</translation>
+    </message>
+    <message>
+        <source>%1, silent for %2 s</source>
+        <translation>%1, nessuna risposta da %2 s</translation>
+    </message>
+    <message>
+        <source>Connection and state of the machine</source>
+        <translation>Connessione e stato della macchina</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MethodPanel</name>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>N (points per loop)</source>
+        <translation>N (punti per loop)</translation>
+    </message>
+    <message>
+        <source>δ (point reached)</source>
+        <translation>δ (punto raggiunto)</translation>
+    </message>
+    <message>
+        <source>F (path feed)</source>
+        <translation>F (avanzamento)</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celle</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Esito</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margine</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Avanzamento massimo</translation>
+    </message>
+    <message>
+        <source>Limiting place</source>
+        <translation>Tratto più critico</translation>
+    </message>
+    <message>
+        <source>Distance from the tool at which a point counts as reached</source>
+        <translation>Distanza dall’utensile entro la quale un punto vale come raggiunto</translation>
+    </message>
+    <message>
+        <source>Equation (1): the tool must not pass a point between two polls.</source>
+        <translation>Equazione (1): l’utensile non deve superare alcun punto tra due letture.</translation>
+    </message>
+    <message>
+        <source>Equation (2): the tool must be seen within δ of each point.</source>
+        <translation>Equazione (2): l’utensile deve essere visto entro δ da ogni punto.</translation>
+    </message>
+    <message>
+        <source>Equation (3): half a loop must be written before the tool has used it up.</source>
+        <translation>Equazione (3): mezzo loop deve essere scritto prima che l’utensile lo abbia consumato.</translation>
+    </message>
+    <message>
+        <source>Equation (3) with the real path: half a loop must be written before the tool has used it up.</source>
+        <translation>Equazione (3) con il percorso reale: mezzo loop deve essere scritto prima che l’utensile lo abbia consumato.</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Non valutato</translation>
+    </message>
+    <message>
+        <source>Load a program to get a verdict.</source>
+        <translation>Caricare un programma per ottenere un esito.</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Fattibile</translation>
+    </message>
+    <message>
+        <source>Not feasible</source>
+        <translation>Non fattibile</translation>
+    </message>
+    <message>
+        <source>Closest limit: %1</source>
+        <translation>Limite più vicino: %1</translation>
+    </message>
+    <message>
+        <source>Violated: %1</source>
+        <translation>Violato: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (must exceed 1)</source>
+        <translation>%1 × (deve superare 1)</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>riga %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>righe %1–%2</translation>
+    </message>
+    <message>
+        <source>Use δ = %1</source>
+        <translation>Usa δ = %1</translation>
+    </message>
+    <message>
+        <source>Use F = %1</source>
+        <translation>Usa F = %1</translation>
+    </message>
+    <message>
+        <source>No feed is slow enough: two points of the program nearly coincide.</source>
+        <translation>Nessun avanzamento è abbastanza lento: due punti del programma quasi coincidono.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Segnale</translation>
+    </message>
+    <message>
+        <source>Paper (R11, R21 …)</source>
+        <translation>Articolo (R11, R21…)</translation>
+    </message>
+    <message>
+        <source>Contiguous (R10 …)</source>
+        <translation>Contiguo (R10…)</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Finestra</translation>
+    </message>
+    <message>
+        <source>N (points per window)</source>
+        <translation>N (punti per finestra)</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches a cell, not the tool</source>
+        <translation>Questo metodo non usa δ: osserva una cella, non l’utensile</translation>
+    </message>
+    <message>
+        <source>Reach: the next window must be written while the tool executes the current one.</source>
+        <translation>Portata: la finestra successiva deve essere scritta mentre l’utensile esegue quella attuale.</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Avanz. max. senza attese</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting</source>
+        <translation>Sicuro, con attese</translation>
+    </message>
+    <message>
+        <source>The machine will wait for points: %1</source>
+        <translation>La macchina attenderà i punti: %1</translation>
+    </message>
+    <message>
+        <source>%1 × (waits below 1)</source>
+        <translation>%1 × (attende sotto 1)</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Credito (sperimentale)</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
+        <translation>Finestra: la macchina attende se il client è in ritardo; non esegue mai un punto due volte. Posizione: il client osserva l’utensile e sostituisce i punti già superati. Segnale: il client osserva una cella in cui il programma indica quale metà del loop può essere sostituita. Credito: come Finestra, senza arresto tra le finestre; si avvia solo su un controllo che ha superato il test di rivulet-cli commission.</translation>
+    </message>
+    <message>
+        <source>Windows have a layout of their own</source>
+        <translation>Le finestre hanno un layout proprio</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accesso</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatico</translation>
+    </message>
+    <message>
+        <source>Arrays, or no start</source>
+        <translation>Array, altrimenti nessun avvio</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>One by one</source>
+        <translation>Singolarmente</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Previste</translation>
+    </message>
+    <message>
+        <source>Places where the axes will stop for a moment. Off the cut means after a rapid or a retract, or at a sharp corner; the path shows the places.</source>
+        <translation>Punti in cui gli assi si fermeranno per un istante. Fuori dal taglio significa dopo un rapido o uno svincolo, o su uno spigolo vivo; il percorso mostra i punti.</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Tempo perso</translation>
+    </message>
+    <message>
+        <source>Standstill, braking and acceleration, computed with the axes of the virtual machine</source>
+        <translation>Arresto, frenata e accelerazione, calcolati con gli assi della macchina virtuale</translation>
+    </message>
+    <message>
+        <source>Automatic: before anything moves, the forms of access are tested on the control and the best one is used. The report names it.</source>
+        <translation>Automatico: prima di ogni movimento le forme di accesso vengono provate sul controllo e si usa la migliore. Il rapporto la indica.</translation>
+    </message>
+    <message>
+        <source>Automatic: lists, as this method was published. Arrays need the contiguous layout.</source>
+        <translation>Automatico: liste, come questo metodo è stato pubblicato. Gli array richiedono il layout contiguo.</translation>
+    </message>
+    <message>
+        <source>%1, of them %2 in the cut</source>
+        <translation>%1, di cui %2 nel taglio</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calcolo in corso…</translation>
+    </message>
+    <message>
+        <source>Correction up to</source>
+        <translation>Correzione fino a</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuna</translation>
+    </message>
+    <message>
+        <source>Largest correction of each axis during the run. The control must not add corrections up (MD36750 bit 0), and its own limit (SD43350) should not be larger.</source>
+        <translation>Correzione massima di ogni asse durante l’esecuzione. Il controllo non deve sommare le correzioni (MD36750 bit 0), e il suo limite (SD43350) non dovrebbe essere maggiore.</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modello</translation>
+    </message>
+    <message>
+        <source>copied by hand</source>
+        <translation>copiato a mano</translation>
+    </message>
+    <message>
+        <source>For a control that gives no right to its part programs: store the template there, select it and press cycle start. The run waits until this is done.</source>
+        <translation>Per un controllo che non dà diritti sui suoi programmi pezzo: caricare lì il modello, selezionarlo e premere Start NC. L’esecuzione attende fino ad allora.</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Verifica in corso…</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>Of the program</source>
+        <translation>Del programma</translation>
+    </message>
+    <message>
+        <source>One for all moves</source>
+        <translation>Avanzamento fisso</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Scales the feeds of the program, and its rapids up to the rapid feed of the machine</source>
+        <translation>Agisce sugli avanzamenti del programma e sui suoi rapidi, questi al massimo fino al rapido della macchina</translation>
+    </message>
+    <message>
+        <source>This method has one feed for all moves, as it was published</source>
+        <translation>Questo metodo ha un solo avanzamento per tutti i movimenti, come pubblicato</translation>
+    </message>
+    <message>
+        <source>Of the program: each move has the feed of its own block, rapids are rapids. One for all moves: rapids have it, too.</source>
+        <translation>Del programma: ogni movimento ha l’avanzamento del suo blocco, i rapidi restano rapidi. Avanzamento fisso: vale anche per i rapidi.</translation>
+    </message>
+    <message>
+        <source>Largest override</source>
+        <translation>Override massimo</translation>
+    </message>
+    <message>
+        <source>Use override = %1&#xa0;%</source>
+        <translation>Usa override = %1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NumberField</name>
+    <message>
+        <source>%1 can be read in two ways. Type it without a separator between thousands, or with %2 before the decimals.</source>
+        <translation>%1 si può leggere in due modi. Scriverlo senza separatore delle migliaia, o con %2 prima dei decimali.</translation>
+    </message>
+    <message>
+        <source>%1 has more than one separator. Type it without separators between thousands.</source>
+        <translation>%1 ha più di un separatore. Scriverlo senza separatori delle migliaia.</translation>
+    </message>
+    <message>
+        <source>The field was empty.</source>
+        <translation>Il campo era vuoto.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 non è un numero.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: %2 to %3.</source>
+        <translation>%1 è fuori campo: da %2 a %3.</translation>
+    </message>
+    <message>
+        <source>%1 The value stays %2.</source>
+        <translation>%1 Il valore resta %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number. Type it without separators.</source>
+        <translation>%1 non è un numero intero. Scriverlo senza separatori.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathView</name>
+    <message>
+        <source>Top (XY)</source>
+        <translation>Dall’alto (XY)</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrica</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Adatta</translation>
+    </message>
+    <message>
+        <source>Show the whole path (double click does the same)</source>
+        <translation>Mostra tutto il percorso (come il doppio clic)</translation>
+    </message>
+    <message>
+        <source>No program is loaded</source>
+        <translation>Nessun programma caricato</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Rapido</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Eseguito</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inizio</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Utensile</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Colore per</translation>
+    </message>
+    <message>
+        <source>Kind of move</source>
+        <translation>Tipo di movimento</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>Margin of the method</source>
+        <translation>Margine del metodo</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>by point</source>
+        <translation>per punto</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>per tempo</translation>
+    </message>
+    <message>
+        <source>Walk along the path</source>
+        <translation>Scorri il percorso</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Retta</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Arco</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>no feed given</source>
+        <translation>avanzamento non indicato</translation>
+    </message>
+    <message>
+        <source>margin over %1</source>
+        <translation>margine oltre %1</translation>
+    </message>
+    <message>
+        <source>not kept (below %1)</source>
+        <translation>non rispettato (sotto %1)</translation>
+    </message>
+    <message>
+        <source>Click on the path or move the slider.</source>
+        <translation>Fare clic sul percorso o muovere il cursore.</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2, line %3</source>
+        <translation>Punto %1 di %2, riga %3</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calcolo in corso…</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>fino a %1</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Mark where the run will pause</source>
+        <translation>Segna dove l’esecuzione farà una pausa</translation>
+    </message>
+    <message>
+        <source>Pause off the cut, after point %1, line %2</source>
+        <translation>Pausa fuori dal taglio, dopo il punto %1, riga %2</translation>
+    </message>
+    <message>
+        <source>Pause in the cut, after point %1, line %2</source>
+        <translation>Pausa nel taglio, dopo il punto %1, riga %2</translation>
+    </message>
+    <message>
+        <source>%1 pauses off the cut</source>
+        <translation>%1 pause fuori dal taglio</translation>
+    </message>
+    <message>
+        <source>%1 in the cut</source>
+        <translation>%1 nel taglio</translation>
+    </message>
+    <message>
+        <source>then a pause in the cut</source>
+        <translation>poi una pausa nel taglio</translation>
+    </message>
+    <message>
+        <source>then a pause off the cut</source>
+        <translation>poi una pausa fuori dal taglio</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PauseModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Inizio</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PositionLine</name>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Nessun dato</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>In diretta</translation>
+    </message>
+    <message>
+        <source>Last executed point, %1. The axes were read %2 ago.</source>
+        <translation>Ultimo punto eseguito, %1. Assi letti %2 fa.</translation>
+    </message>
+    <message>
+        <source>Old: read %1 ago</source>
+        <translation>Vecchio: letto %1 fa</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PreflightSheet</name>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the machine moves.</source>
+        <translation>Ancora non si è mosso nulla. Tenere premuto Avvia per un secondo: poi la macchina si muove.</translation>
+    </message>
+    <message>
+        <source>Start is not possible yet.</source>
+        <translation>L’avvio non è ancora possibile.</translation>
+    </message>
+    <message>
+        <source>Before the start</source>
+        <translation>Prima dell’avvio</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Non ora</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
+        <translation>Ancora non si è mosso nulla. Tenere premuto per un secondo il pulsante con il punto in basso: poi la macchina si muove.</translation>
+    </message>
+    <message>
+        <source>Resuming is not possible yet.</source>
+        <translation>La ripresa non è ancora possibile.</translation>
+    </message>
+    <message>
+        <source>Before the run is resumed</source>
+        <translation>Prima di riprendere l’esecuzione</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPage</name>
+    <message>
+        <source>Program text</source>
+        <translation>Testo del programma</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPanel</name>
+    <message>
+        <source>Open an NC program</source>
+        <translation>Apri un programma NC</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Apri…</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recenti</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Dati</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Segnalazioni</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Righe</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Movimenti</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punti</translation>
+    </message>
+    <message>
+        <source>Cutting path</source>
+        <translation>Percorso in lavoro</translation>
+    </message>
+    <message>
+        <source>Rapid path</source>
+        <translation>Percorso in rapido</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Avanzamenti</translation>
+    </message>
+    <message>
+        <source>Smallest distance of neighbouring points</source>
+        <translation>Distanza minima tra punti vicini</translation>
+    </message>
+    <message>
+        <source>Smallest path length of half a loop (N/2 points, rounded down)</source>
+        <translation>Lunghezza minima di mezzo loop (N/2 punti, arrotondato per difetto)</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Nessun programma</translation>
+    </message>
+    <message>
+        <source>Drop a file here or press Open…</source>
+        <translation>Trascinare qui un file o premere Apri…</translation>
+    </message>
+    <message>
+        <source>Hash %1</source>
+        <translation>Hash %1</translation>
+    </message>
+    <message>
+        <source>Errors: %1, warnings: %2, notes: %3</source>
+        <translation>Errori: %1, avvisi: %2, note: %3</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed.</source>
+        <translation>Non trasmissibile in continuo.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>riga %1</translation>
+    </message>
+    <message>
+        <source>lines %1–%2</source>
+        <translation>righe %1–%2</translation>
+    </message>
+    <message>
+        <source>%1 … %2 (%3 values)</source>
+        <translation>%1 … %2 (%3 valori)</translation>
+    </message>
+    <message>
+        <source>No findings</source>
+        <translation>Nessuna segnalazione</translation>
+    </message>
+    <message>
+        <source>NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</source>
+        <translation>Programmi NC (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap *.cnc *.gcode *.h *.H *.txt)</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialetto</translation>
+    </message>
+    <message>
+        <source>Accept…</source>
+        <translation>Accetta…</translation>
+    </message>
+    <message>
+        <source>The program is read again with this word left out</source>
+        <translation>Il programma viene riletto senza questa parola</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unità</translation>
+    </message>
+    <message>
+        <source>By kind</source>
+        <translation>Per tipo</translation>
+    </message>
+    <message>
+        <source>Time, feeds as programmed</source>
+        <translation>Tempo, avanzamenti programmati</translation>
+    </message>
+    <message>
+        <source>Time, as streamed</source>
+        <translation>Tempo, in trasmissione</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distanze</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Spigoli</translation>
+    </message>
+    <message>
+        <source>Distances of neighbouring points, mm</source>
+        <translation>Distanze tra punti vicini, mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated ones left out)</source>
+        <translation>%1 (omessi %2 punti ripetuti)</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indicata</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pollici</translation>
+    </message>
+    <message>
+        <source>mm and inch</source>
+        <translation>mm e pollici</translation>
+    </message>
+    <message>
+        <source>lines %1</source>
+        <translation>rette %1</translation>
+    </message>
+    <message>
+        <source>arcs %1</source>
+        <translation>archi %1</translation>
+    </message>
+    <message>
+        <source>splines %1</source>
+        <translation>spline %1</translation>
+    </message>
+    <message>
+        <source>median %1, largest %2</source>
+        <translation>mediana %1, massima %2</translation>
+    </message>
+    <message>
+        <source>%1 of 45° and more; sharpest %2° (%3)</source>
+        <translation>%1 da 45° in su; il più acuto %2° (%3)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
+        <source>Findings (%1)</source>
+        <translation>Segnalazioni (%1)</translation>
+    </message>
+    <message>
+        <source>%1 without pauses</source>
+        <translation>%1 senza pause</translation>
+    </message>
+    <message>
+        <source>as detected</source>
+        <translation>come riconosciuto</translation>
+    </message>
+    <message>
+        <source>Read as %1, as selected.</source>
+        <translation>Letto come %1, come scelto.</translation>
+    </message>
+    <message>
+        <source>Read as %1: the text gives no evidence of its dialect.</source>
+        <translation>Letto come %1: il testo non rivela il suo dialetto.</translation>
+    </message>
+    <message>
+        <source>Read as %1 because of &quot;%2&quot;.</source>
+        <translation>Letto come %1 per via di «%2».</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Accettato: %1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Revoca</translation>
+    </message>
+    <message>
+        <source>Take back %1</source>
+        <translation>Revoca %1</translation>
+    </message>
+    <message>
+        <source>Accept %1</source>
+        <translation>Accetta %1</translation>
+    </message>
+    <message>
+        <source>Rivulet does not understand %1. If you accept it, it is left out wherever the program has it, and the path is taken as if it were not there.
+
+Is it certain that %1 does not change the path of the tool?</source>
+        <translation>Rivulet non comprende %1. Se viene accettato, viene omesso ovunque compaia nel programma e il percorso vale come se non ci fosse.
+
+È certo che %1 non cambia il percorso dell’utensile?</translation>
+    </message>
+    <message>
+        <source>Accept and read again</source>
+        <translation>Accetta e rileggi</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>calcolo in corso…</translation>
+    </message>
+    <message>
+        <source>Computed with the axes of %1</source>
+        <translation>Calcolato con gli assi di %1</translation>
+    </message>
+    <message>
+        <source>I, J, K are read as the centre itself</source>
+        <translation>I, J, K sono letti come il centro stesso</translation>
+    </message>
+    <message>
+        <source>I, J, K are read from the centre to the start</source>
+        <translation>I, J, K sono letti dal centro all’inizio</translation>
+    </message>
+    <message>
+        <source>Read I, J, K as usual</source>
+        <translation>Leggi I, J, K come di consueto</translation>
+    </message>
+    <message>
+        <source>Read it that way</source>
+        <translation>Leggi così</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: no axis moves.</source>
+        <translation>Non trasmissibile: nessun asse si muove.</translation>
+    </message>
+    <message>
+        <source>Cannot be streamed: it needs a transformation of the control.</source>
+        <translation>Non trasmissibile: richiede una trasformazione del controllo.</translation>
+    </message>
+    <message>
+        <source>%1 with %2 pauses, which cost %3</source>
+        <translation>%1 con %2 pause, che costano %3</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramTextView</name>
+    <message>
+        <source>No program is loaded</source>
+        <translation>Nessun programma caricato</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RegionChart</name>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>d_min, mm</source>
+        <translation>d_min, mm</translation>
+    </message>
+    <message>
+        <source>N, points per loop</source>
+        <translation>N, punti per loop</translation>
+    </message>
+    <message>
+        <source>δ, mm</source>
+        <translation>δ, mm</translation>
+    </message>
+    <message>
+        <source>reach</source>
+        <translation>portata</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReportPanel</name>
+    <message>
+        <source>Run</source>
+        <translation>Esecuzione</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punti</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Access time per variable</source>
+        <translation>Tempo di accesso per variabile</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Eseguiti</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Ripetuti</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Saltati</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Movimento estraneo</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Quantità</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Totale</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Richieste</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95º percentile</translation>
+    </message>
+    <message>
+        <source>99th percentile</source>
+        <translation>99º percentile</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Massimo</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Stop confermato</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Nessuna esecuzione</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Completata con movimento errato</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Completata</translation>
+    </message>
+    <message>
+        <source>Completed, not judged</source>
+        <translation>Completata, non valutata</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Arrestata, non valutata</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: longer than the trace of the control)</source>
+        <translation>%1 di %2 (non valutato: più lungo della registrazione del controllo)</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Arrestata, con movimento errato</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrestata</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallita</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Segnale</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (not judged: no trace of the control)</source>
+        <translation>%1 di %2 (non valutato: manca la registrazione del controllo)</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non valutato</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>dopo %1</translation>
+    </message>
+    <message>
+        <source>NOT confirmed: check the machine</source>
+        <translation>NON confermato: controllare la macchina</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Finestra</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Credito (sperimentale)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>%1, from point %2 on</source>
+        <translation>%1, dal punto %2</translation>
+    </message>
+    <message>
+        <source>%1 (proved)</source>
+        <translation>%1 (provata)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResumeBar</name>
+    <message>
+        <source>Not now</source>
+        <translation>Non ora</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Chiudi</translation>
+    </message>
+    <message>
+        <source>Asking the control where the run was left …</source>
+        <translation>Si chiede al controllo dove l’esecuzione si è interrotta…</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Ancora non si è mosso nulla. L’esecuzione riprenderà dal punto %1 di %2, riga %3: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>L’utensile percorre prima %1 in linea retta fino a quel punto.</translation>
+    </message>
+    <message>
+        <source>The run cannot be resumed: %1</source>
+        <translation>L’esecuzione non può essere ripresa: %1</translation>
+    </message>
+    <message>
+        <source>Press and hold: resume at point %1</source>
+        <translation>Tenere premuto: riprende dal punto %1</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Tenere premuto per un secondo. Poi la macchina si muove.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>Dal punto %1 il programma è diverso da quello dell’esecuzione interrotta. Nessuno di questi punti è stato eseguito: controllare il nuovo percorso prima di continuare.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunPanel</name>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Inviati</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Accettati</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Eseguiti</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margine</translation>
+    </message>
+    <message>
+        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Tempo fino a quando il controllo ha bisogno del punto successivo, meno il 99º percentile del tempo di accesso</translation>
+    </message>
+    <message>
+        <source>Start is not possible: %1</source>
+        <translation>Avvio non possibile: %1</translation>
+    </message>
+    <message>
+        <source>Ready to start</source>
+        <translation>Pronto all’avvio</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Stop richiesto, non ancora confermato</translation>
+    </message>
+    <message>
+        <source>Stop confirmed after %1</source>
+        <translation>Stop confermato dopo %1</translation>
+    </message>
+    <message>
+        <source>Stop confirmed</source>
+        <translation>Stop confermato</translation>
+    </message>
+    <message>
+        <source>Stop NOT confirmed: check the machine</source>
+        <translation>Stop NON confermato: controllare la macchina</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>(too late)</source>
+        <translation>(troppo tardi)</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Riprendi…</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Sospendi</translation>
+    </message>
+    <message>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>La macchina attende prima della finestra successiva finché non si preme Continua.</translation>
+    </message>
+    <message>
+        <source>Only method window can hold.</source>
+        <translation>Solo il metodo Finestra può sospendere.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Termina l’esecuzione alla fine del loop. Esc fa lo stesso, da ogni punto della finestra. Non sostituisce l’arresto d’emergenza della macchina.</translation>
+    </message>
+    <message>
+        <source>Waiting for the test of the template on the virtual machine</source>
+        <translation>Attende il test del modello sulla macchina virtuale</translation>
+    </message>
+    <message>
+        <source>Waiting for the transfer of the template to the control</source>
+        <translation>Attende il trasferimento del modello al controllo</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start at the control</source>
+        <translation>Attende Start NC sul controllo</translation>
+    </message>
+    <message>
+        <source>Waiting for selection of the template and cycle start at the control</source>
+        <translation>Attende la selezione del modello e Start NC sul controllo</translation>
+    </message>
+    <message>
+        <source>Nothing comes from the control. Check cable, switch and server.</source>
+        <translation>Dal controllo non arriva nulla. Controllare cavo, switch e server.</translation>
+    </message>
+    <message>
+        <source>Waiting for the control&apos;s own trace</source>
+        <translation>Attende la registrazione del controllo</translation>
+    </message>
+    <message>
+        <source>Waiting for %1</source>
+        <translation>Attende %1</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Tenere premuto</translation>
+    </message>
+    <message>
+        <source>Start over …</source>
+        <translation>Ricomincia…</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Avvia…</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Tenere premuto per un secondo. Poi la macchina si muove.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Mostra che cosa accadrà per prima cosa. Ancora non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Pronto</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>Non pronto</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Arrestato a %1</translation>
+    </message>
+    <message>
+        <source>Failed at %1</source>
+        <translation>Fallito a %1</translation>
+    </message>
+    <message>
+        <source>Wrong motion</source>
+        <translation>Movimento errato</translation>
+    </message>
+    <message>
+        <source>The run has executed wrong points: see the report.</source>
+        <translation>L’esecuzione ha eseguito punti errati: vedi il rapporto.</translation>
+    </message>
+    <message>
+        <source>Resume goes on where the run was left.</source>
+        <translation>Riprendi continua da dove l’esecuzione si è interrotta.</translation>
+    </message>
+    <message>
+        <source>A new start begins at the first point.</source>
+        <translation>Un nuovo avvio comincia dal primo punto.</translation>
+    </message>
+    <message>
+        <source>Waiting until the claim of another client lapses, because it may be dead (10 s)</source>
+        <translation>Attende che scada la prenotazione di un altro client, che potrebbe essere bloccato (10 s)</translation>
+    </message>
+    <message>
+        <source>Wrong motion. %1</source>
+        <translation>Movimento errato. %1</translation>
+    </message>
+    <message>
+        <source>Watching run %1: it waits</source>
+        <translation>Osserva l’esecuzione %1: attende</translation>
+    </message>
+    <message>
+        <source>Watching run %1</source>
+        <translation>Osserva l’esecuzione %1</translation>
+    </message>
+    <message>
+        <source>A program waits on the control</source>
+        <translation>Un programma attende sul controllo</translation>
+    </message>
+    <message>
+        <source>Run %1 is on the control</source>
+        <translation>L’esecuzione %1 è sul controllo</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop ends it.</source>
+        <translation>Questa finestra la mostra soltanto. Stop la termina.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop ends it.</source>
+        <translation>Questa finestra non l’ha avviata. Stop la termina.</translation>
+    </message>
+    <message>
+        <source>%1 windows</source>
+        <translation>%1 finestre</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SeriesModel</name>
+    <message>
+        <source>The control refused arrays of this size.</source>
+        <translation>Il controllo ha rifiutato array di questa dimensione.</translation>
+    </message>
+    <message>
+        <source>%1 were requested; there was no time for more.</source>
+        <translation>Ne erano richieste %1; non c’era tempo per altre.</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lettura</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>rifiutato</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accesso</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celle</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Misure</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Massimo</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TemplatePage</name>
+    <message>
+        <source>Save the template</source>
+        <translation>Salva il modello</translation>
+    </message>
+    <message>
+        <source>NC programs (*.MPF *.mpf)</source>
+        <translation>Programmi NC (*.MPF *.mpf)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copia</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celle</translation>
+    </message>
+    <message>
+        <source>No template: %1</source>
+        <translation>Nessun modello: %1</translation>
+    </message>
+    <message>
+        <source>No template yet</source>
+        <translation>Ancora nessun modello</translation>
+    </message>
+    <message>
+        <source>%1, layout number %2</source>
+        <translation>%1, numero di layout %2</translation>
+    </message>
+    <message>
+        <source>Flexible program</source>
+        <translation>Programma flessibile</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
+    <message>
+        <source>Time, s</source>
+        <translation>Tempo, s</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>In diretta</translation>
+    </message>
+    <message>
+        <source>Follow the newest samples</source>
+        <translation>Segui i campioni più recenti</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostra tutto</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move.</source>
+        <translation>Rotella: zoom. Trascinare: sposta.</translation>
+    </message>
+    <message>
+        <source>Pauses (STOPRE)</source>
+        <translation>Pause (STOPRE)</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Quantità</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Totale</translation>
+    </message>
+    <message>
+        <source>No samples yet</source>
+        <translation>Ancora nessun campione</translation>
+    </message>
+    <message>
+        <source>Live samples: read while the stream has time; short pauses may be missing from the curves</source>
+        <translation>Campioni in diretta: letti quando la trasmissione lascia tempo; nelle curve possono mancare pause brevi</translation>
+    </message>
+    <message>
+        <source>The control&apos;s own trace: one sample every %1</source>
+        <translation>Registrazione del controllo: un campione ogni %1</translation>
+    </message>
+    <message>
+        <source>incomplete: the trace memory was full</source>
+        <translation>incompleta: la memoria di registrazione era piena</translation>
+    </message>
+    <message>
+        <source>%1: pause %2</source>
+        <translation>%1: pausa %2</translation>
+    </message>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserButton</name>
+    <message>
+        <source>Locked: log in</source>
+        <translation>Bloccato: accedere</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Only Stop works. Log in with your PIN (Ctrl+L).</source>
+        <translation>Funziona solo Stop. Accedere con il proprio PIN (Ctrl+L).</translation>
+    </message>
+    <message>
+        <source>Lock the window, or let somebody else in (Ctrl+L).</source>
+        <translation>Blocca la finestra, o fa accedere un’altra persona (Ctrl+L).</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UserModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Ruolo</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>impostato</translation>
+    </message>
+    <message>
+        <source>none: user of this computer</source>
+        <translation>nessuno: utente di questo computer</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::UsersPage</name>
+    <message>
+        <source>No users are set up: everybody at this window may do everything. To let operators start only what is released, add an engineer (name and PIN), then the operators.</source>
+        <translation>Nessun utente configurato: chiunque a questa finestra può fare tutto. Perché gli operatori avviino solo ciò che è approvato, aggiungere un attrezzista (nome e PIN), poi gli operatori.</translation>
+    </message>
+    <message>
+        <source>An operator starts what an engineer has released in the preflight, holds, stops and acknowledges. An engineer may do everything. In a locked window only Stop works. The user of this computer (%1) needs no PIN.</source>
+        <translation>Un operatore avvia ciò che un attrezzista ha approvato nel controllo prima dell’avvio, sospende, arresta e tacita. Un attrezzista può fare tutto. In una finestra bloccata funziona solo Stop. L’utente di questo computer (%1) non ha bisogno di PIN.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Ruolo</translation>
+    </message>
+    <message>
+        <source>PIN, at least 4 characters</source>
+        <translation>PIN, almeno 4 caratteri</translation>
+    </message>
+    <message>
+        <source>Lock the window if nobody touches it for</source>
+        <translation>Blocca la finestra se nessuno la tocca per</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>mai</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Add or change</source>
+        <translation>Aggiungi o modifica</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>Utenti</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::WrongMotionBar</name>
+    <message>
+        <source>Stop the run</source>
+        <translation>Arresta l’esecuzione</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Tacita</translation>
+    </message>
+</context>
+</TS>
