@@ -13,11 +13,11 @@
 #include <QTemporaryDir>
 #include <QTranslator>
 #include <QtTest>
-#include <array>
 
 #include "base/units.h"
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
+#include "hmi/translator.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/common/focus_frame.h"
@@ -49,13 +49,18 @@ QString pictureFolder() {
 }
 
 std::vector<Look> looks() {
-  const std::array<QString, 3> languages{QStringLiteral("en"), QStringLiteral("de"), kPseudo};
   if (pictureFolder().isEmpty()) {
-    // Each size, theme and language at least once; 960x540 is FullHD at 200 %.
-    return {{{1024, 768}, Theme::Dark, languages[0]},     {{1024, 768}, Theme::Contrast, kPseudo},
-            {{960, 540}, Theme::Light, languages[1]},     {{960, 540}, Theme::Contrast, kPseudo},
-            {{1280, 720}, Theme::Light, kPseudo},         {{1440, 900}, Theme::Dark, languages[1]},
-            {{1920, 1080}, Theme::Contrast, languages[0]}};
+    // Each size, theme and translation at least once; 960x540 is FullHD at 200 %. Where the pseudo
+    // language has room, English has, too.
+    const auto code = [](const char* language) { return QString::fromLatin1(language); };
+    return {{{1024, 768}, Theme::Dark, code("fr")},     {{1024, 768}, Theme::Contrast, kPseudo},
+            {{960, 540}, Theme::Light, code("de")},     {{960, 540}, Theme::Contrast, kPseudo},
+            {{1280, 720}, Theme::Light, kPseudo},       {{1440, 900}, Theme::Dark, code("it")},
+            {{1920, 1080}, Theme::Contrast, code("es")}};
+  }
+  QStringList languages{kPseudo};
+  for (const hmi::Language& language : hmi::languages()) {
+    languages.append(language.code);
   }
   // The script sets the scale of the screen; at 150 and 200 % only FullHD is asked for.
   const double scale = std::max(1.0, qEnvironmentVariable("QT_SCALE_FACTOR").toDouble());
