@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QPointer>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTranslator>
@@ -158,7 +157,6 @@ class TestLook : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
     qputenv("XDG_DATA_HOME", m_folder.path().toUtf8());
     qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());
     QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));

@@ -219,7 +219,6 @@ class TestMainWindow : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
     qputenv("XDG_DATA_HOME", m_folder.path().toUtf8());    // where the machine store is
     qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());  // where earlier versions kept profiles
     QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));

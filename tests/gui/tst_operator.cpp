@@ -92,8 +92,6 @@ class TestOperator : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-
   void withoutUsersNobodyIsBothered() {
     Users users({}, QStringLiteral("anna"));
     QVERIFY(!users.isSetUp() && !users.isLocked());

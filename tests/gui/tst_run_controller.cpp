@@ -5,7 +5,6 @@
 /// run on a virtual machine in virtual time.
 
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -68,8 +67,6 @@ class TestRunController : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-
   void aDocumentNeedsNoMachine() {
     Document document(settings(base::MethodKind::Window, 1500.0));
     QVERIFY(!document.view() && !document.findings().verdict);

@@ -52,7 +52,6 @@ class TestWindowOverOpcua : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
   }
 

@@ -33,9 +33,11 @@ std::string stem(std::string_view path) {
   return std::string(name.substr(0, name.find('.')));
 }
 
-/// Each test has folders of its own for what a user keeps: it finds no runs or machines of others.
+/// Each test has folders of its own for what a user keeps: it finds no runs, machines or settings of
+/// others, and leaves none.
 int run(rivulet::tests::MakeTest make, std::vector<char*> arguments) {
   const QTemporaryDir home;
+  qputenv("XDG_CONFIG_HOME", home.filePath(QStringLiteral("config")).toUtf8());
   qputenv("XDG_DATA_HOME", home.filePath(QStringLiteral("data")).toUtf8());
   qputenv("XDG_STATE_HOME", home.filePath(QStringLiteral("state")).toUtf8());
   return QTest::qExec(make().get(), static_cast<int>(arguments.size()), arguments.data());
