@@ -31,6 +31,7 @@ namespace {
 
 constexpr int kRunMs = 120'000;
 constexpr int kPollMs = 10;
+constexpr qsizetype kHistoryBytes = 300;  // of what a client has printed
 /// Of a whole run, about: kills are drawn within it.
 constexpr double kStreamMs = 6000.0;
 
@@ -75,6 +76,7 @@ class TestKills : public QObject {
   QString m_program;
   base::Random m_random{1};
   Tally m_tally;
+  QStringList m_history;  ///< of this run, shown if something is wrong
 
   [[nodiscard]] QString path(const char* name) const {
     return m_folder.filePath(QString::fromUtf8(name));
@@ -206,15 +208,21 @@ class TestKills : public QObject {
     return client.state() == QProcess::Running && !client.waitForFinished(delayMs);
   }
 
+  void note(const QString& what) {
+    m_history << QStringLiteral("%1 blocks: %2").arg(executed().size()).arg(what);
+  }
+
   /// One run to the end of the path, killed on the way. @return false if something was wrong
   bool run(bool credit, int killsMax) {
     const std::size_t before = executed().size();
+    m_history.clear();
     QStringList candidates;
     int kills = 0;
     bool wasSwitchedOff = false;
     for (int starts = 0; starts < 100; ++starts) {
       const QString resume = candidates.isEmpty() ? QString() : candidates.takeFirst();
       QProcess client;
+      note(resume.isEmpty() ? QStringLiteral("start") : QStringLiteral("resume ") + resume);
       start(client, streamed(credit, resume));
       bool wasKilled = false;
       bool wasMachine = false;
@@ -237,6 +245,12 @@ class TestKills : public QObject {
       const int exit = finished(client);
       const QByteArray output = client.readAllStandardOutput();
       const QByteArray errors = client.readAllStandardError();
+      note(QStringLiteral("%1, exit %2 %3")
+               .arg(wasMachine  ? QStringLiteral("machine off")
+                    : wasKilled ? QStringLiteral("client killed")
+                                : QStringLiteral("not killed"))
+               .arg(exit)
+               .arg(QString::fromUtf8(output.left(kHistoryBytes))));
       if (wasMachine) {
         if (exit != 3 && exit != 0) {
           qWarning("exit %d after the machine was switched off: %s", exit, errors.constData());
@@ -272,7 +286,7 @@ class TestKills : public QObject {
       if (wasKilled && m_random.uniform() < 0.5) {
         QProcess stop;  // not even the windows that were delivered are waited for
         start(stop, words("runs --stop --endpoint") << m_endpoint);
-        finished(stop);
+        note(QStringLiteral("stop, exit %1").arg(finished(stop)));
       }
       awaitStandstill();
       if (!wasKilled) {
@@ -292,6 +306,14 @@ class TestKills : public QObject {
     if (!integrity.isFaultless() || integrity.executed != points.size()) {
       qWarning("%zu of %zu executed, %zu repeated, %zu skipped, %zu foreign", integrity.executed,
                points.size(), integrity.repeated, integrity.skipped, integrity.foreign);
+      for (const trace::ExecutedBlock& block : executed(before)) {
+        m_history << QStringLiteral("to X%1 Y%2 Z%3 over %4 mm")
+                         .arg(block.targetMm.x)
+                         .arg(block.targetMm.y)
+                         .arg(block.targetMm.z)
+                         .arg(block.lengthMm);
+      }
+      qWarning("%s", qPrintable(m_history.join(QLatin1Char('\n'))));
       return false;
     }
     return true;
