@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/contract.h"
+#include "gcode/block_observer.h"
 #include "gcode/fact_counter.h"
 #include "gcode/findings.h"
 #include "gcode/path_builder.h"
@@ -37,22 +41,50 @@ bool hasBlockSkip(const nc::Words& block) {
                      [](const Token& token) { return token.kind == TokenKind::BlockSkip; });
 }
 
+/// The lines of a text by their number.
+class SourceLines {
+ public:
+  SourceLines() = default;
+  explicit SourceLines(std::string text) : m_text(std::move(text)) {
+    nc::Lexer lexer(m_text);
+    while (const std::optional<std::string_view> line = lexer.nextLine()) {
+      m_begins.push_back(static_cast<std::size_t>(line->data() - m_text.data()));
+      m_sizes.push_back(static_cast<std::uint32_t>(line->size()));
+    }
+  }
+
+  [[nodiscard]] std::string_view at(base::LineNumber line) const {
+    const std::size_t index = line.value - std::size_t{1};
+    return index < m_begins.size()
+               ? std::string_view(m_text).substr(m_begins[index], m_sizes[index])
+               : std::string_view();
+  }
+
+ private:
+  std::string m_text;
+  std::vector<std::size_t> m_begins;
+  std::vector<std::uint32_t> m_sizes;
+};
+
 class Interpreter {
  public:
-  Interpreter(std::string_view text, const LoadOptions& options, nc::DialectGuess guess)
+  Interpreter(std::string_view text, const LoadOptions& options, nc::DialectGuess guess,
+              BlockObserver* observer)
       : m_text(text),
         m_options(options),
+        m_observer(observer),
         m_language(nc::languageOf(guess.dialect)),
         m_findings(options.accepted),
         m_variables(m_language.comparison,
                     [this](char axis, bool inWorkpiece) {
                       return m_executor.positionOf(axis, inWorkpiece);
                     }),
-        m_cursorOptions{options.repeatedLinesMax, options.subprogram},
+        m_cursorOptions(cursorOptions()),
         m_flow(text, guess.dialect, m_variables, m_cursorOptions),
         m_path(options, m_out.trajectory, m_out.statistics, m_findings),
         m_executorOptions{.centres = options.centres},
-        m_executor(m_language, m_executorOptions, m_variables, {m_path, m_findings, m_facts}) {
+        m_to(sinks()),
+        m_executor(m_language, m_executorOptions, m_variables, m_to) {
     if (m_language.hasTurningCycles && !guess.turningCycle.empty()) {
       nc::ModalState& state = m_executor.state();
       state.isLathe = true;
@@ -92,10 +124,18 @@ class Interpreter {
       if (step == nc::Cursor::Step::Report) {
         Token statement;
         statement.column = place.column;
+        begin({});
         settle(m_flow.outcome(), statement);
+        end();
         continue;
       }
-      interpretBlock(m_flow.words());
+      const nc::Words& block = m_flow.words();
+      if (m_options.blockSkip && hasBlockSkip(block)) {
+        continue;
+      }
+      begin(block.tokens);
+      interpretBlock(block);
+      end();
       if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
         m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
                           fmt::format("{}", kTrajectoryPointsMax));
@@ -108,6 +148,51 @@ class Interpreter {
   }
 
  private:
+  [[nodiscard]] nc::Sinks sinks() {
+    const nc::Sinks own{m_path, m_findings, m_facts};
+    return m_observer != nullptr ? m_observer->observe(m_language, own) : own;
+  }
+
+  /// Subprograms from elsewhere are kept for an observer.
+  [[nodiscard]] nc::CursorOptions cursorOptions() {
+    nc::CursorOptions made{m_options.repeatedLinesMax, m_options.subprogram};
+    if (m_observer != nullptr && m_options.subprogram) {
+      made.load = [this](std::string_view name) {
+        std::optional<nc::LoadedText> loaded = m_options.subprogram(name);
+        if (loaded) {
+          m_loaded[loaded->fileName] = SourceLines(loaded->text);
+        }
+        return loaded;
+      };
+    }
+    return made;
+  }
+
+  [[nodiscard]] std::string_view lineText(const nc::Place& place) {
+    if (place.file == 0) {
+      if (!m_lines) {
+        m_lines.emplace(std::string(m_text));
+      }
+      return m_lines->at(place.line);
+    }
+    return m_loaded[m_flow.fileName(place.file)].at(place.line);
+  }
+
+  void begin(std::span<const Token> tokens) {
+    if (m_observer != nullptr) {
+      const nc::Place place = m_flow.place();
+      m_observer->begin(
+          {place, m_flow.fileName(place.file), lineText(place), tokens, m_flow.isInSubprogram()},
+          m_executor);
+    }
+  }
+
+  void end() {
+    if (m_observer != nullptr) {
+      m_observer->end(m_executor, m_out.trajectory.points.size());
+    }
+  }
+
   [[nodiscard]] bool goesOn(std::size_t lines) const {
     const double share =
         lines == 0 ? 1.0 : static_cast<double>(m_flow.linesRead()) / static_cast<double>(lines + 1);
@@ -115,9 +200,6 @@ class Interpreter {
   }
 
   void interpretBlock(const nc::Words& block) {
-    if (m_options.blockSkip && hasBlockSkip(block)) {
-      return;
-    }
     BlockWords words;
     words.line = m_flow.line();
     bool counts = false;
@@ -128,7 +210,7 @@ class Interpreter {
                 token.kind != TokenKind::Comment;
       if (isNumber && token.address == 'O' && m_out.blocks > 0 && !m_flow.isInSubprogram()) {
         // Another program begins: the one before has ended.
-        m_findings.error(token, DiagnosticCode::UnknownWord);
+        m_to.faults.error(token, DiagnosticCode::UnknownWord);
       }
       m_executor.read(token, words);
     }
@@ -141,6 +223,9 @@ class Interpreter {
       return;
     }
     m_executor.execute(words);
+    if (m_observer != nullptr) {
+      m_observer->executed(words, m_executor);
+    }
     if (words.rare) {
       executeFlow(words);
     }
@@ -169,7 +254,7 @@ class Interpreter {
       settle(m_flow.call(*rare.call, times), *rare.call);
     }
     if ((rare.call98 || rare.macroCall) && !words.p) {
-      m_findings.report(Severity::Error, 1, DiagnosticCode::NumberMissing, "P");
+      m_to.faults.report(Severity::Error, 1, DiagnosticCode::NumberMissing, "P");
     } else if (rare.call98 || rare.macroCall) {
       int number = static_cast<int>(std::clamp(*words.p, 0.0, 1e9));
       int times = static_cast<int>(std::clamp(words.l.value_or(1.0), 0.0, 1e6));
@@ -193,19 +278,22 @@ class Interpreter {
   void settle(const nc::Outcome& outcome, const Token& token) {
     if (const auto* const fault = std::get_if<nc::Fault>(&outcome)) {
       m_facts.incomplete();
-      m_findings.fault(token.column, *fault);
+      m_to.faults.fault(token.column, *fault);
     } else if (const auto* const missing = std::get_if<nc::SubprogramMissing>(&outcome)) {
-      m_findings.error(token, DiagnosticCode::SubprogramMissing, missing->name);
+      m_to.faults.error(token, DiagnosticCode::SubprogramMissing, missing->name);
     } else if (const auto* const unsupported = std::get_if<nc::Unsupported>(&outcome)) {
       m_facts.incomplete();
-      m_findings.error(token, DiagnosticCode::UnsupportedExpression, unsupported->word);
+      m_to.faults.error(token, DiagnosticCode::UnsupportedExpression, unsupported->word);
     } else if (const auto* const ignored = std::get_if<nc::Ignored>(&outcome)) {
       if (!ignored->word.empty()) {
-        m_findings.ignore(token, ignored->word);
+        m_to.faults.ignore(token, ignored->word);
       }
     } else if (const auto* const modal = std::get_if<nc::ModalCall>(&outcome)) {
+      if (m_observer != nullptr) {
+        m_observer->modalCall(modal->name);
+      }
       if (!modal->name.empty()) {
-        m_findings.error(token, DiagnosticCode::CycleNotRun, modal->name);
+        m_to.faults.error(token, DiagnosticCode::CycleNotRun, modal->name);
         m_facts.otherMotion();
       }
     }
@@ -213,6 +301,9 @@ class Interpreter {
 
   void finish() {
     m_executor.finishCurve();
+    if (m_observer != nullptr) {
+      m_observer->finish(m_out.trajectory.points.size());
+    }
     if (const std::optional<base::LineNumber> line = m_flow.endlessLoop()) {
       m_findings.setPlace(*line, m_flow.fileName(0));
       m_findings.report(Severity::Error, 1, DiagnosticCode::EndlessLoop,
@@ -257,6 +348,9 @@ class Interpreter {
 
   std::string_view m_text;
   const LoadOptions& m_options;
+  BlockObserver* m_observer;
+  std::optional<SourceLines> m_lines;  ///< of the program file, for the observer
+  std::map<std::string, SourceLines> m_loaded;
   const nc::Language& m_language;
   Interpretation m_out;
   Findings m_findings;
@@ -266,6 +360,7 @@ class Interpreter {
   nc::Cursor m_flow;
   PathBuilder m_path;
   nc::ExecutorOptions m_executorOptions;
+  nc::Sinks m_to;
   nc::Executor m_executor;
   bool m_ended = false;
   bool m_tailReported = false;
@@ -274,14 +369,14 @@ class Interpreter {
 }  // namespace
 
 Interpretation interpret(std::string_view text, const LoadOptions& options,
-                         std::string_view fileName) {
+                         std::string_view fileName, BlockObserver* observer) {
   RIVULET_ASSERT(options.chordToleranceMm > 0.0);
   nc::DialectGuess guess = detectDialect(text, fileName);
   if (options.dialect) {
     guess.dialect = *options.dialect;
     guess.evidence.clear();
   }
-  return Interpreter(text, options, std::move(guess)).run();
+  return Interpreter(text, options, std::move(guess), observer).run();
 }
 
 }  // namespace rivulet::gcode

@@ -15,6 +15,8 @@
 
 namespace rivulet::gcode {
 
+class BlockObserver;
+
 struct Interpretation {
   Trajectory trajectory;
   std::vector<Diagnostic> diagnostics;
@@ -27,8 +29,10 @@ struct Interpretation {
 };
 
 /// @param options chordToleranceMm > 0  @param fileName  its ending helps to find the dialect
+/// @param observer  follows the blocks; null: nobody does
 /// @threadsafety pure; O(text + points), and what the program repeats.
 [[nodiscard]] Interpretation interpret(std::string_view text, const LoadOptions& options,
-                                       std::string_view fileName = {});
+                                       std::string_view fileName = {},
+                                       BlockObserver* observer = nullptr);
 
 }  // namespace rivulet::gcode

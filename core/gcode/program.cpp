@@ -16,6 +16,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "gcode/block_observer.h"
 #include "gcode/interpreter.h"
 
 namespace rivulet::gcode {
@@ -116,7 +117,12 @@ Readiness Program::readiness() const {
 
 base::Result<Program> interpretProgram(std::string name, std::string text,
                                        const LoadOptions& options) {
-  Interpretation interpretation = interpret(text, options, name);
+  return interpretProgram(std::move(name), std::move(text), options, nullptr);
+}
+
+base::Result<Program> interpretProgram(std::string name, std::string text,
+                                       const LoadOptions& options, BlockObserver* observer) {
+  Interpretation interpretation = interpret(text, options, name, observer);
   if (interpretation.cancelled) {
     return base::fail(GcodeError::Cancelled, "Loading the program was cancelled.", std::move(name));
   }
@@ -134,6 +140,12 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
                  std::move(interpretation.diagnostics),
                  std::move(interpretation.statistics),
                  std::move(interpretation.facts)};
+}
+
+std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogramsBeside(
+    const std::filesystem::path& file) {
+  return
+      [folder = file.parent_path()](std::string_view name) { return subprogramIn(folder, name); };
 }
 
 base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadOptions& options) {
@@ -173,9 +185,7 @@ base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadO
   }
   LoadOptions own = options;
   if (!own.subprogram) {
-    own.subprogram = [folder = path.parent_path()](std::string_view name) {
-      return subprogramIn(folder, name);
-    };
+    own.subprogram = subprogramsBeside(path);
   }
   base::Result<Program> program = interpretProgram(path.filename().string(), std::move(text), own);
   if (!program) {
