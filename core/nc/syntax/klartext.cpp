@@ -106,7 +106,10 @@ class LineReader {
     }
     if (word == "BLK" || word == "TOOL" || (word == "CYCL" && second == "CALL")) {
       if (word == "TOOL" && second == "CALL") {
-        add(TokenKind::Word, from, m_at, 'T', number().value_or(0.0));
+        if (const std::optional<double> tool = number()) {
+          add(TokenKind::Word, from, m_at, 'T', *tool);
+        }
+        spindleOfToolCall();
         return;
       }
       add(TokenKind::Name, from, m_at);
@@ -168,6 +171,18 @@ class LineReader {
       return;
     }
     statement(from);
+  }
+
+  /// "Z S3000 DL+0.1": only the speed belongs to a word of its own.
+  void spindleOfToolCall() {
+    for (skipBlanks(); m_at < m_end; skipBlanks()) {
+      const std::size_t from = m_at;
+      if (takeWord() != "S") {
+        m_at = std::max(m_at, from + 1);
+      } else if (const std::optional<double> speed = number()) {
+        add(TokenKind::Word, from, m_at, 'S', *speed);
+      }
+    }
   }
 
   [[nodiscard]] std::string upperRest() const {
