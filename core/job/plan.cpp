@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "job/plan.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "nc/fault.h"
+
+namespace rivulet::job {
+
+namespace {
+
+struct RefusalText {
+  std::string_view name;
+  std::string_view sentence;
+};
+
+const RefusalText& textOf(RefusalCode code) {
+  static constexpr std::array<RefusalText, 2> kTexts{{
+      {"not-translated",
+       "There is no translation of %1 for the control: leave it out (--accept %1)."},
+      {"curve-interrupted",
+       "%1 stands within a spline, which cannot be split there: move the block before it."},
+  }};
+  return kTexts[static_cast<std::size_t>(code)];
+}
+
+}  // namespace
+
+std::string_view refusalName(RefusalCode code) {
+  return textOf(code).name;
+}
+
+std::string describe(const Refusal& refusal) {
+  return nc::filled(textOf(refusal.code).sentence, refusal.argument);
+}
+
+std::size_t Plan::stretchCount() const {
+  return static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), [](const Part& part) {
+    const auto* const stretch = std::get_if<Stretch>(&part);
+    return stretch != nullptr && stretch->number > 0;
+  }));
+}
+
+std::size_t Plan::nativeCount() const {
+  return static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), [](const Part& part) {
+    return std::holds_alternative<NativeBlock>(part);
+  }));
+}
+
+}  // namespace rivulet::job

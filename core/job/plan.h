@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A whole job: what Rivulet streams of a program, and what the control executes itself, in the
+/// order of the program. Every block is in exactly one part. @threadsafety plain values.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/id.h"
+#include "base/result.h"
+#include "gcode/program.h"
+#include "job/native_reason.h"
+#include "nc/modal/state.h"
+
+namespace rivulet::job {
+
+/// Blocks that Rivulet reads: what they move is sent as points.
+struct Stretch {
+  int number = 0;              ///< from 1 in the order of the program; 0: its blocks move nothing
+  std::size_t firstPoint = 0;  ///< of `Plan::program`'s trajectory
+  std::size_t pointCount = 0;
+  std::vector<nc::Place> blocks;
+  /// False: where it begins is read from the control, at least for one axis.
+  bool startIsKnown = false;
+};
+
+/// A block that the control executes itself.
+struct NativeBlock {
+  nc::Place place;
+  std::string file;  ///< the called file it stands in; empty: the program itself
+  NativeReason reason = NativeReason::Other;
+  std::string source;  ///< its line as written
+  /// What the control gets. SINUMERIK: the line, without a jump label, a skip mark and a call that
+  /// Rivulet has followed; others: its translation. Empty: there is none.
+  std::string text;
+  nc::ModalState before;  ///< in force when the program reaches it
+  /// TRANS, ROT and the like in force, one line each; empty: none.
+  std::vector<std::string> frame;
+  bool moves = false;       ///< it names an axis
+  bool calculates = false;  ///< its text reads variables
+  /// The same block also moves, and is streamed for that (not SINUMERIK).
+  bool isHalf = false;
+};
+
+using Part = std::variant<Stretch, NativeBlock>;
+
+/// Why the job cannot run.
+enum class RefusalCode : unsigned char {
+  NotTranslated,     ///< argument: the word that the table has no translation for
+  CurveInterrupted,  ///< a native block within a spline
+};
+
+struct Refusal {
+  RefusalCode code = RefusalCode::NotTranslated;
+  base::LineNumber line;
+  std::string file;
+  std::string argument;
+};
+/// "not-translated", "curve-interrupted".
+[[nodiscard]] std::string_view refusalName(RefusalCode code);
+/// One English sentence.
+[[nodiscard]] std::string describe(const Refusal& refusal);
+
+struct Plan {
+  /// The streamed points alone, and the findings about streamed blocks.
+  gcode::Program program;
+  std::vector<Part> parts;
+  std::vector<Refusal> refusals;  ///< at most `gcode::kDiagnosticsMax`
+
+  /// True if control and Rivulet together execute every block.
+  [[nodiscard]] bool isWhole() const { return refusals.empty() && program.isUnderstood(); }
+  [[nodiscard]] std::size_t stretchCount() const;
+  [[nodiscard]] std::size_t nativeCount() const;
+};
+
+/// What a machine has for words that its control spells differently.
+struct Profile {
+  /// Retracts the tool where the source moves to a fixed point or in machine coordinates.
+  std::string retract = "SUPA G0 Z0 D0";
+  /// The axes across the tool, afterwards.
+  std::string home = "SUPA G0 X0 Y0";
+  /// With the number of the tool in place of "%1".
+  std::string toolChange = "T%1 M6";
+};
+
+/// Splits a program. A block that Rivulet and the control both do not understand stays a finding of
+/// severity error. @return error EmptyProgram, Cancelled @threadsafety pure
+[[nodiscard]] base::Result<Plan> makePlan(std::string name, std::string text,
+                                          const gcode::LoadOptions& options = {},
+                                          const Profile& profile = {});
+
+}  // namespace rivulet::job

@@ -1,0 +1,654 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Splits a program while it is interpreted: what the executor tells of a block decides who executes
+// it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/contract.h"
+#include "base/hash.h"
+#include "base/text.h"
+#include "gcode/block_observer.h"
+#include "gcode/interpreter.h"
+#include "job/plan.h"
+#include "job/regions.h"
+#include "job/translation.h"
+
+namespace rivulet::job {
+
+namespace {
+
+using nc::FaultCode;
+using nc::MachineWord;
+using nc::Motion;
+using nc::Severity;
+using nc::Token;
+using nc::TokenKind;
+
+/// The motion of a block can be streamed without such a word.
+bool isSeparable(NativeReason reason) {
+  return reason >= NativeReason::Tool;
+}
+
+/// A curve that goes over several blocks.
+bool isLongCurve(Motion motion) {
+  return motion == Motion::BSpline || motion == Motion::Nurbs;
+}
+
+/// True if the text of a call or calculation names a variable.
+bool readsVariables(const Token& token) {
+  if (token.calculation != nullptr) {
+    return true;
+  }
+  bool isQuoted = false;
+  bool isInside = false;
+  for (const char c : token.text) {
+    isQuoted = isQuoted != (c == '"');
+    isInside = isInside || c == '(';
+    if (isInside && !isQuoted && ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '$')) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A fault or note of a block, kept until it is known who executes the block.
+struct Heard {
+  enum class Kind : unsigned char { Report, Word, G, M, Letter };
+  Kind kind = Kind::Report;
+  Severity severity = Severity::Note;
+  int number = 0;  ///< column, key of G, number of M
+  FaultCode code = FaultCode::IgnoredCode;
+  std::string text;
+  Token token;
+};
+
+/// What one block says.
+struct BlockNotes {
+  nc::Place place;
+  std::string_view text;
+  std::span<const Token> tokens;
+  bool isInSubprogram = false;
+  nc::ModalState before;
+  std::vector<std::string> frame;  ///< before it
+  bool startIsKnown = false;
+  std::size_t firstPoint = 0;
+  bool continuesCurve = false;  ///< one was in progress
+
+  std::optional<NativeReason> reason;  ///< of its own words
+  std::optional<NativeReason> region;
+  bool isSeparable = true;  ///< its words do not concern its motion
+  bool forgetsAll = false;
+  bool forgetsNamed = false;  ///< the axes it names
+  bool isMissing = false;     ///< the subprogram it calls is not at hand
+  bool calls = false;
+  bool moves = false;
+  std::array<bool, nc::kProgrammedAxisCount> given{};
+  std::vector<ForeignWord> words;
+  std::optional<HomeMove> home;
+  bool toFixedPoint = false;
+  std::vector<Heard> heard;
+};
+
+class Splitter final : public gcode::BlockObserver,
+                       private nc::PathSink,
+                       private nc::FaultSink,
+                       private nc::WordObserver {
+ public:
+  Splitter(const gcode::LoadOptions& options, const Profile& profile)
+      : m_options(options), m_translator(profile) {}
+
+  nc::Sinks observe(const nc::Language& language, nc::Sinks own) override {
+    m_language = &language;
+    m_own.emplace(own);
+    return {*this, *this, *this};
+  }
+
+  void begin(const gcode::SourceBlock& block, nc::Executor& executor) override {
+    m_executor = &executor;
+    m_fileName = &block.fileName;
+    m_block.emplace();
+    m_block->place = block.place;
+    m_block->text = block.text;
+    m_block->tokens = block.tokens;
+    m_block->isInSubprogram = block.isInSubprogram;
+    m_block->before = executor.state();
+    m_block->frame = m_frame;
+    m_block->startIsKnown = base::isFinite(executor.start().programmedMm);
+    m_block->firstPoint = m_points;
+    m_block->continuesCurve = isLongCurve(executor.state().motion);
+  }
+
+  void executed(const nc::BlockWords& words, nc::Executor& executor) override {
+    BlockNotes& block = *m_block;
+    if (block.reason == NativeReason::UnknownPosition && isLongCurve(executor.state().motion)) {
+      m_regions.curve();
+    }
+    block.calls = words.rare && (words.rare->call || words.rare->call98 || words.rare->macroCall);
+    block.moves = words.moves() || words.hasAnyCentre();
+    block.given = words.axes.given;
+    if ((words.ends || (words.rare && words.rare->returns)) && !block.isInSubprogram) {
+      add(NativeReason::End);
+      block.words.push_back({ForeignWord::Kind::M, 30.0, "M30"});
+    }
+    noteFrame(words);
+    if (block.reason == NativeReason::Retract) {
+      block.home.emplace();
+      block.home->toFixedPoint = block.toFixedPoint;
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (words.axes.given[axis]) {
+          block.home->targetMm[axis] = words.axes.value[axis] * executor.state().lengthFactor;
+        }
+      }
+    }
+    block.region = regionReason();
+    m_regions.blockExecuted(words, executor.state());
+  }
+
+  void modalCall(std::string_view name) override {
+    add(NativeReason::Cycle);
+    m_regions.modalCall(!name.empty());
+  }
+
+  void end(nc::Executor& executor, std::size_t points) override {
+    m_points = points;
+    BlockNotes& block = *m_block;
+    const std::optional<NativeReason> reason = nativeReason();
+    if (!reason) {
+      forward();
+      stretch().blocks.push_back(block.place);
+    } else if (isForeign()) {
+      endForeign(*reason);
+    } else {
+      closeStretch(points);
+      pushNative(*reason, verbatim(), block.before);
+      noteInterruption();
+    }
+    if (reason) {
+      forgetPosition(*reason);
+    }
+    const Motion motion = executor.state().motion;
+    m_curveIsStreamed = isLongCurve(motion) && !reason;
+    m_block.reset();
+  }
+
+  void finish(std::size_t points) override { closeStretch(points); }
+
+  void take(Plan& plan) {
+    plan.parts = std::move(m_parts);
+    plan.refusals = std::move(m_refusals);
+  }
+
+ private:
+  [[nodiscard]] bool isForeign() const { return m_language->dialect != nc::Dialect::Sinumerik; }
+
+  [[nodiscard]] bool isAccepted(const std::string& name) const {
+    const std::vector<std::string>& names = m_options.accepted;
+    return !name.empty() && std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  // --- whose the block is -----------------------------------------------------------------------
+
+  [[nodiscard]] std::optional<NativeReason> regionReason() const {
+    const std::optional<NativeReason> reason = m_regions.reason();
+    if (!reason && m_executor->state().motion == Motion::Unsupported) {
+      return NativeReason::Cycle;
+    }
+    return reason;
+  }
+
+  [[nodiscard]] std::optional<NativeReason> nativeReason() const {
+    if (!m_block) {
+      return std::nullopt;
+    }
+    if (m_block->reason) {
+      return m_block->reason;
+    }
+    return m_block->region ? m_block->region : regionReason();
+  }
+
+  /// The motion of the present block is part of the path.
+  [[nodiscard]] bool isStreamed() const {
+    if (!nativeReason()) {
+      return true;
+    }
+    return isForeign() && m_block->isSeparable && !m_block->region && !regionReason();
+  }
+
+  void add(NativeReason reason) {
+    if (isForeign() && (reason == NativeReason::Mode || reason == NativeReason::Message)) {
+      return;  // nothing the path or the machine needs
+    }
+    BlockNotes& block = *m_block;
+    block.reason = block.reason ? std::min(*block.reason, reason) : reason;
+    block.isSeparable = block.isSeparable && isSeparable(reason);
+    if (reason == NativeReason::Retract) {
+      block.forgetsNamed = true;
+    } else if (rowOf(reason).after == PositionAfter::ControlOnly) {
+      block.forgetsAll = true;
+      if (isForeign() && isSeparable(reason)) {
+        forgetAll();  // the motion of the block begins there
+      }
+    }
+  }
+
+  void forgetPosition(NativeReason reason) {
+    const BlockNotes& block = *m_block;
+    if (block.forgetsAll || (!block.reason && rowOf(reason).after == PositionAfter::ControlOnly)) {
+      if (!isForeign() || !isSeparable(reason)) {
+        forgetAll();
+      }
+    } else if (block.forgetsNamed) {
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (block.given[axis] || block.toFixedPoint) {
+          forget(axis);
+        }
+      }
+    }
+  }
+
+  void forgetAll() {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      forget(axis);
+    }
+    m_executor->start().rotaryDeg.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  void forget(std::size_t axis) {
+    nc::Position& position = m_executor->start();
+    position.programmedMm.set(axis, std::numeric_limits<double>::quiet_NaN());
+    position.direction = {};
+    m_executor->state().incrementFrom[axis].reset();
+  }
+
+  // --- what the executor tells ------------------------------------------------------------------
+
+  void line(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) override {
+    if (isStreamed()) {
+      m_own->path.line(from, targetMm, move);
+    }
+  }
+  void arc(const nc::Position& from, const nc::Arc& arc, const nc::Move& move) override {
+    if (isStreamed()) {
+      m_own->path.arc(from, arc, move);
+    }
+  }
+  void spaceArc(const nc::Position& from, const nc::SpaceArc& arc, base::Vec3 targetMm,
+                const nc::Move& move) override {
+    if (isStreamed()) {
+      m_own->path.spaceArc(from, arc, targetMm, move);
+    }
+  }
+  void spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move) override {
+    const bool isEarlier = !m_block || m_block->continuesCurve;
+    if (isEarlier ? m_curveIsStreamed : isStreamed()) {
+      m_own->path.spline(from, spline, move);
+    }
+  }
+  void unknownWay(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) override {
+    if (isStreamed()) {
+      m_own->path.unknownWay(from, targetMm, move);
+    }
+  }
+  void feed(double mmPerMin) override { m_own->path.feed(mmPerMin); }
+
+  void machineWord(MachineWord kind, double value, base::LineNumber line) override {
+    m_own->path.machineWord(kind, value, line);
+    std::vector<ForeignWord>& words = m_block->words;
+    switch (kind) {
+      case MachineWord::Spindle:
+        add(NativeReason::Spindle);
+        words.push_back({ForeignWord::Kind::Spindle, value, "S"});
+        break;
+      case MachineWord::M: {
+        const int number = static_cast<int>(value);
+        add(reasonOfM(number));
+        words.push_back({ForeignWord::Kind::M, value, fmt::format("M{}", number)});
+        break;
+      }
+      case MachineWord::Tool:
+      case MachineWord::NamedTool:
+        add(NativeReason::Tool);
+        words.push_back({ForeignWord::Kind::Tool, value, "T"});
+        if (m_language->toolChangesZ) {
+          words.push_back({ForeignWord::Kind::M, 6.0, "M6"});
+        }
+        break;
+      case MachineWord::Dwell:
+        add(NativeReason::Dwell);
+        words.push_back({ForeignWord::Kind::Dwell, value, "G4"});
+        break;
+    }
+  }
+  void toolName(std::string_view name, base::LineNumber line) override {
+    m_own->path.toolName(name, line);
+    add(NativeReason::Tool);
+    m_block->words.push_back({ForeignWord::Kind::NamedTool, 0.0, std::string(name)});
+  }
+
+  void report(Severity severity, int column, FaultCode code, std::string argument) override {
+    if (!m_block) {
+      m_own->faults.report(severity, column, code, std::move(argument));
+      return;
+    }
+    const bool isLeftOut =
+        isAccepted(gcode::acceptableName({severity, {}, column, code, argument}));
+    const std::optional<NativeReason> reason =
+        severity == Severity::Error && !isLeftOut
+            ? reasonOfFault(m_language->dialect, code, argument)
+            : std::nullopt;
+    if (!reason) {
+      m_block->heard.push_back(
+          {Heard::Kind::Report, severity, column, code, std::move(argument), {}});
+      return;
+    }
+    add(*reason);
+    m_regions.word(argument, false);
+    m_block->isMissing = m_block->isMissing || code == FaultCode::SubprogramMissing;
+    if (*reason == NativeReason::Retract) {
+      m_block->toFixedPoint = code != FaultCode::MachineCoordinates;
+    } else if (*reason == NativeReason::WorkOffset && keyOfG(argument)) {
+      m_block->words.push_back(
+          {ForeignWord::Kind::G, static_cast<double>(*keyOfG(argument)), std::move(argument)});
+    } else {
+      m_block->words.push_back({ForeignWord::Kind::Other, 0.0, std::move(argument)});
+    }
+  }
+  void fault(int column, const nc::Fault& fault) override { m_own->faults.fault(column, fault); }
+
+  void ignore(const Token& token, std::string word) override {
+    const bool isIndexed = token.kind == TokenKind::IndexedWord;
+    const std::optional<NativeReason> reason =
+        !isIndexed                                     ? reasonOfName(word)
+        : token.address == 'T' || token.address == 'D' ? std::optional(NativeReason::Tool)
+        : token.address == 'H'                         ? std::optional(NativeReason::Other)
+                                                       : std::optional(NativeReason::Spindle);
+    if (!reason || !m_block) {
+      hear({Heard::Kind::Word, Severity::Note, 0, FaultCode::IgnoredCode, std::move(word), token});
+      return;
+    }
+    add(*reason);
+    const std::string_view text = token.text;
+    m_regions.word(word, text.size() >= 2 && text.substr(text.size() - 2) == "()");
+    if (*reason != NativeReason::Tool || isIndexed) {  // else told by `machineWord`
+      m_block->words.push_back({ForeignWord::Kind::Other, 0.0, std::move(word)});
+    }
+  }
+  void ignoreG(int key, const Token& token) override {
+    constexpr int kCompensationOff = 400;
+    if (key == kCompensationOff) {
+      m_regions.compensationOff();
+    }
+    const std::optional<NativeReason> reason = reasonOfG(m_language->dialect, key);
+    if (!reason || !m_block) {
+      hear({Heard::Kind::G, Severity::Note, key, FaultCode::IgnoredCode, {}, token});
+      return;
+    }
+    add(*reason);
+    if (*reason != NativeReason::Dwell) {
+      m_block->words.push_back(
+          {ForeignWord::Kind::G, static_cast<double>(key), nc::wordText(token)});
+    }
+  }
+  void ignoreM(Severity severity, int number, const Token& token) override {
+    if (!m_block) {
+      m_own->faults.ignoreM(severity, number, token);
+    }  // else told by `machineWord`
+  }
+  void ignoreLetter(const Token& token) override {
+    if (!m_block) {
+      m_own->faults.ignoreLetter(token);
+    } else if (token.address == 'D' || token.address == 'H') {
+      add(token.address == 'D' || isForeign() ? NativeReason::Tool : NativeReason::Other);
+      if (token.address == 'H' || m_language->dialect == nc::Dialect::Sinumerik) {
+        m_block->words.push_back({ForeignWord::Kind::LengthCell, token.value, nc::wordText(token)});
+      }
+    }
+  }
+
+  void motion(int g, const nc::AxisValues& axes) override { m_own->words.motion(g, axes); }
+  void arc(const nc::AxisValues& axes, nc::Arc arc, nc::ArcWords words) override {
+    m_own->words.arc(axes, arc, words);
+  }
+  void machineMotion(int g, const nc::AxisValues& axes) override {
+    m_own->words.machineMotion(g, axes);
+  }
+  void otherMotion() override { m_own->words.otherMotion(); }
+  void units(bool inches) override { m_own->words.units(inches); }
+  void forget(std::optional<std::size_t> axis) override { m_own->words.forget(axis); }
+
+  void hear(Heard heard) {
+    if (m_block) {
+      m_block->heard.push_back(std::move(heard));
+    } else {
+      tell(heard);
+    }
+  }
+
+  void tell(const Heard& heard) {
+    switch (heard.kind) {
+      case Heard::Kind::Report:
+        m_own->faults.report(heard.severity, heard.number, heard.code, heard.text);
+        break;
+      case Heard::Kind::Word:
+        m_own->faults.ignore(heard.token, heard.text);
+        break;
+      case Heard::Kind::G:
+        m_own->faults.ignoreG(heard.number, heard.token);
+        break;
+      case Heard::Kind::M:
+        m_own->faults.ignoreM(heard.severity, heard.number, heard.token);
+        break;
+      case Heard::Kind::Letter:
+        m_own->faults.ignoreLetter(heard.token);
+        break;
+    }
+  }
+
+  void forward() {
+    for (const Heard& heard : m_block->heard) {
+      tell(heard);
+    }
+  }
+
+  // --- parts ------------------------------------------------------------------------------------
+
+  Stretch& stretch() {
+    if (!m_isOpen) {
+      m_isOpen = true;
+      m_open = {};
+      m_open.firstPoint = m_block->firstPoint;
+      m_open.startIsKnown = m_block->startIsKnown;
+    }
+    return m_open;
+  }
+
+  /// @param points  of the trajectory at its end
+  void closeStretch(std::size_t points) {
+    if (!m_isOpen) {
+      return;
+    }
+    m_isOpen = false;
+    m_open.pointCount = points - m_open.firstPoint;
+    m_open.number = m_open.pointCount > 0 ? ++m_stretches : 0;
+    m_parts.emplace_back(std::move(m_open));
+  }
+
+  void pushNative(NativeReason reason, std::string text, const nc::ModalState& before) {
+    const BlockNotes& block = *m_block;
+    NativeBlock native;
+    native.place = block.place;
+    native.file = *m_fileName;
+    native.reason = reason;
+    native.source = base::trim(block.text);
+    native.text = std::move(text);
+    native.before = before;
+    native.frame = block.frame;
+    native.moves = block.moves;
+    native.isHalf = isForeign() && m_points > block.firstPoint;
+    native.calculates =
+        !isForeign() && std::any_of(block.tokens.begin(), block.tokens.end(), readsVariables);
+    m_parts.emplace_back(std::move(native));
+  }
+
+  /// The line without what Rivulet has followed: labels, skip marks, calls, returns.
+  [[nodiscard]] std::string verbatim() const {
+    const BlockNotes& block = *m_block;
+    std::string text(block.text);
+    for (auto token = block.tokens.rbegin(); token != block.tokens.rend(); ++token) {
+      if (isFollowed(*token)) {
+        const auto at = static_cast<std::size_t>(token->column - 1);
+        RIVULET_ASSERT(block.text.substr(at, token->text.size()) == token->text);
+        text.erase(at, token->text.size());
+      }
+    }
+    return std::string(base::trim(text));
+  }
+
+  [[nodiscard]] bool isFollowed(const Token& token) const {
+    const BlockNotes& block = *m_block;
+    const bool isCall = token.kind == TokenKind::Call || token.kind == TokenKind::Name ||
+                        (token.kind == TokenKind::Word && token.address == 'L');
+    switch (token.kind) {
+      case TokenKind::BlockSkip:
+      case TokenKind::Label:
+        return true;
+      case TokenKind::Word:
+        if (token.address == 'M' && block.isInSubprogram) {
+          const nc::MEffect effect =
+              nc::mEffect(m_language->dialect, static_cast<int>(token.value));
+          return effect == nc::MEffect::End || effect == nc::MEffect::Return;
+        }
+        break;
+      default:
+        break;
+    }
+    const std::string name = base::toUpper(nc::tokenName(token));
+    if (block.isInSubprogram && token.kind == TokenKind::Name &&
+        nc::nameEffect(m_language->dialect, name) == nc::NameEffect::End) {
+      return true;
+    }
+    const bool isOwnCall = isCall && block.calls && !block.isMissing &&
+                           (token.kind == TokenKind::Word ||
+                            nc::nameEffect(m_language->dialect, name) == nc::NameEffect::Unknown);
+    return isOwnCall;
+  }
+
+  /// A spline ends where a native block stands in it, which the source does not say.
+  void noteInterruption() {
+    if (m_block->continuesCurve && m_curveIsStreamed && isLongCurve(m_executor->state().motion)) {
+      refuse(RefusalCode::CurveInterrupted, std::string(base::trim(m_block->text)));
+    }
+  }
+
+  void refuse(RefusalCode code, std::string argument) {
+    if (m_refusals.size() < gcode::kDiagnosticsMax) {
+      m_refusals.push_back({code, m_block->place.line, *m_fileName, std::move(argument)});
+    }
+  }
+
+  void endForeign(NativeReason reason) {
+    BlockNotes& block = *m_block;
+    forward();
+    const Translation translation = m_translator.translate(block.words, block.home);
+    for (const std::string& word : translation.missing) {
+      if (!isAccepted(word)) {
+        refuse(RefusalCode::NotTranslated, word);
+      }
+    }
+    const std::string before = fmt::format("{}", fmt::join(translation.before, "\n"));
+    const std::string after = fmt::format("{}", fmt::join(translation.after, "\n"));
+    const bool isHalf = m_points > block.firstPoint;
+    if (!isHalf) {
+      closeStretch(m_points);
+      pushNative(reason, before + (before.empty() || after.empty() ? "" : "\n") + after,
+                 block.before);
+      return;
+    }
+    if (!before.empty()) {
+      closeStretch(block.firstPoint);
+      pushNative(reason, before, block.before);
+    }
+    stretch().blocks.push_back(block.place);
+    if (!after.empty()) {
+      closeStretch(m_points);
+      pushNative(reason, after, m_executor->state());
+    }
+    noteInterruption();
+  }
+
+  /// TRANS, ROT, SCALE and MIRROR as lines that repeat them.
+  void noteFrame(const nc::BlockWords& words) {
+    if (!words.rare || words.rare->frame.empty()) {
+      return;
+    }
+    const std::string& name = words.rare->frame;
+    if (name.front() != 'A') {
+      m_frame.clear();  // it replaces what there was
+    }
+    std::string text = name;
+    bool isEmpty = true;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (words.axes.given[axis]) {
+        text += fmt::format(" {}{}", base::kAxisNames[axis],
+                            base::formatNumber(words.axes.value[axis]));
+        isEmpty = false;
+      }
+    }
+    if (const nc::NamedWord* const turn = words.named("RPL")) {
+      text += " RPL=" + base::formatNumber(turn->value);
+      isEmpty = false;
+    }
+    if (!isEmpty) {
+      m_frame.push_back(std::move(text));
+    }
+  }
+
+  [[nodiscard]] static std::optional<int> keyOfG(std::string_view word) {
+    const std::optional<double> number =
+        word.size() > 1 && word.front() == 'G' ? base::parseNumber(word.substr(1)) : std::nullopt;
+    return number ? std::optional(static_cast<int>(std::lround(*number * 10.0))) : std::nullopt;
+  }
+
+  const gcode::LoadOptions& m_options;
+  Translator m_translator;
+  const nc::Language* m_language = nullptr;
+  std::optional<nc::Sinks> m_own;
+  nc::Executor* m_executor = nullptr;
+  const std::string* m_fileName = nullptr;
+  Regions m_regions;
+  std::optional<BlockNotes> m_block;  ///< nothing: between two blocks
+  std::vector<std::string> m_frame;
+  bool m_curveIsStreamed = false;
+  std::size_t m_points = 0;
+
+  Stretch m_open;
+  bool m_isOpen = false;
+  int m_stretches = 0;
+  std::vector<Part> m_parts;
+  std::vector<Refusal> m_refusals;
+};
+
+}  // namespace
+
+base::Result<Plan> makePlan(std::string name, std::string text, const gcode::LoadOptions& options,
+                            const Profile& profile) {
+  Plan plan;
+  Splitter splitter(options, profile);
+  base::Result<gcode::Program> program =
+      gcode::interpretProgram(std::move(name), std::move(text), options, &splitter);
+  if (!program) {
+    return base::fail(program.error());
+  }
+  plan.program = std::move(*program);
+  splitter.take(plan);
+  return plan;
+}
+
+}  // namespace rivulet::job

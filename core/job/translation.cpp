@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "job/translation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "nc/fault.h"
+
+namespace rivulet::job {
+
+namespace {
+
+void addWord(std::string& line, const std::string& word) {
+  line += line.empty() ? "" : " ";
+  line += word;
+}
+
+/// The settable frames by the G functions of the other dialects.
+std::optional<std::string> workOffsetOf(int key) {
+  struct Row {
+    int key;
+    const char* word;
+  };
+  static constexpr std::array kRows{Row{540, "G54"},  Row{550, "G55"},  Row{560, "G56"},
+                                    Row{570, "G57"},  Row{580, "G505"}, Row{590, "G506"},
+                                    Row{591, "G507"}, Row{592, "G508"}, Row{593, "G509"}};
+  const auto* const found =
+      std::find_if(kRows.begin(), kRows.end(), [key](const Row& row) { return row.key == key; });
+  return found == kRows.end() ? std::nullopt : std::optional<std::string>(found->word);
+}
+
+}  // namespace
+
+std::string Translator::toolChange() const {
+  return m_tool ? nc::filled(m_profile.toolChange, *m_tool) : "M6";
+}
+
+void Translator::translateM(int number, const ForeignWord& word, std::string& before,
+                            Translation& out) {
+  static constexpr std::array kBefore{3, 4, 7, 8};
+  static constexpr std::array kAfter{0, 1, 5, 9, 19, 30};
+  if (number == 6) {
+    addWord(before, toolChange());
+  } else if (number == 13 || number == 14) {  // of plain text
+    addWord(before, number == 13 ? "M3 M8" : "M4 M8");
+  } else if (number == 2) {
+    out.after.emplace_back("M30");
+  } else if (std::find(kBefore.begin(), kBefore.end(), number) != kBefore.end()) {
+    addWord(before, fmt::format("M{}", number));
+  } else if (std::find(kAfter.begin(), kAfter.end(), number) != kAfter.end()) {
+    out.after.push_back(fmt::format("M{}", number));
+  } else {
+    out.missing.push_back(word.text);
+  }
+}
+
+/// First away from the part, then the other axes: nobody has said how the source does it.
+void Translator::goHome(const HomeMove& home, Translation& out) const {
+  constexpr std::size_t kZ = 2;
+  if (home.targetMm[kZ]) {
+    const bool isTop = home.toFixedPoint || *home.targetMm[kZ] == 0.0;
+    out.before.push_back(
+        isTop ? m_profile.retract
+              : fmt::format("SUPA G0 Z{} D0", base::formatNumber(*home.targetMm[kZ])));
+  }
+  if (home.targetMm[0] || home.targetMm[1]) {
+    std::string line = home.toFixedPoint ? m_profile.home : "SUPA G0";
+    for (std::size_t axis = 0; axis < kZ && !home.toFixedPoint; ++axis) {
+      if (home.targetMm[axis]) {
+        addWord(line, fmt::format("{}{}", base::kAxisNames[axis],
+                                  base::formatNumber(*home.targetMm[axis])));
+      }
+    }
+    out.before.push_back(line);
+  }
+  if (home.targetMm[kZ]) {
+    // The source keeps its length offset, and the line above has cancelled it.
+    out.before.push_back(fmt::format("D{}", m_length));
+  }
+}
+
+Translation Translator::translate(const std::vector<ForeignWord>& words,
+                                  const std::optional<HomeMove>& home) {
+  using Kind = ForeignWord::Kind;
+  Translation out;
+  const auto has = [&words](Kind kind, double value) {
+    return std::any_of(words.begin(), words.end(), [&](const ForeignWord& word) {
+      return word.kind == kind && word.value == value;
+    });
+  };
+  for (const ForeignWord& word : words) {
+    if (word.kind == Kind::Tool) {
+      m_tool = base::formatNumber(word.value);
+    } else if (word.kind == Kind::NamedTool) {
+      m_tool = "=\"" + word.text + "\"";
+    }
+  }
+  const bool changes = has(Kind::M, 6.0);
+  std::string line;
+  for (const ForeignWord& word : words) {
+    switch (word.kind) {
+      case Kind::Tool:
+      case Kind::NamedTool:
+        if (!changes) {
+          addWord(line, "T" + *m_tool);
+        }
+        break;
+      case Kind::M:
+        translateM(static_cast<int>(word.value), word, line, out);
+        break;
+      case Kind::Spindle:
+        addWord(line, "S" + base::formatNumber(word.value));
+        break;
+      case Kind::Dwell:
+        if (std::isfinite(word.value)) {
+          out.before.push_back("G4 F" + base::formatNumber(word.value));
+        } else {
+          out.missing.push_back(word.text);
+        }
+        break;
+      case Kind::LengthCell:
+        m_length = word.value > 0.0 ? 1 : 0;
+        addWord(line, fmt::format("D{}", m_length));
+        break;
+      case Kind::G: {
+        const int key = static_cast<int>(word.value);
+        constexpr int kLengthOn = 430;
+        constexpr int kLengthOff = 490;
+        if (key == kLengthOff) {
+          m_length = 0;
+          addWord(line, "D0");
+        } else if (key == 970) {
+          addWord(line, "G97");
+        } else if (const auto offset = workOffsetOf(key)) {
+          addWord(line, *offset);
+        } else if (key != kLengthOn) {  // its H says the rest
+          out.missing.push_back(word.text);
+        }
+        break;
+      }
+      case Kind::Other:
+        out.missing.push_back(word.text);
+        break;
+    }
+  }
+  if (!line.empty()) {
+    out.before.insert(out.before.begin(), line);
+  }
+  if (home) {
+    goHome(*home, out);
+  }
+  return out;
+}
+
+}  // namespace rivulet::job

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Words of other dialects in the language of a SINUMERIK: what is common, and nothing else.
+/// @threadsafety plain values.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec3.h"
+#include "job/plan.h"
+
+namespace rivulet::job {
+
+/// A word that the control executes, as the reader of the program has understood it.
+struct ForeignWord {
+  enum class Kind : unsigned char {
+    Tool,
+    NamedTool,
+    M,
+    Spindle,
+    Dwell,       ///< seconds
+    G,           ///< key as in `nc::gTable`
+    LengthCell,  ///< H, and D of the dialects that have no H
+    Other,       ///< see `text`
+  };
+  Kind kind = Kind::Other;
+  double value = 0.0;
+  std::string text;  ///< as written, for messages; of a named tool its name
+};
+
+/// A move to a fixed point or in machine coordinates, mm; nothing: the axis is not named.
+struct HomeMove {
+  bool toFixedPoint = false;  ///< G28, G30: the values are those of a point on the way
+  std::array<std::optional<double>, base::kAxisCount> targetMm{};
+};
+
+struct Translation {
+  std::vector<std::string> before;  ///< lines that precede the motion of the block
+  std::vector<std::string> after;
+  std::vector<std::string> missing;  ///< words without a translation
+};
+
+class Translator {
+ public:
+  explicit Translator(const Profile& profile) : m_profile(profile) {}
+
+  /// The words of one block. @param home  nothing: the block has no such move
+  [[nodiscard]] Translation translate(const std::vector<ForeignWord>& words,
+                                      const std::optional<HomeMove>& home);
+
+ private:
+  void translateM(int number, const ForeignWord& word, std::string& before, Translation& out);
+  [[nodiscard]] std::string toolChange() const;
+  void goHome(const HomeMove& home, Translation& out) const;
+
+  const Profile& m_profile;
+  std::optional<std::string> m_tool;  ///< the last one named
+  int m_length = 1;                   ///< D in force; 0: none
+};
+
+}  // namespace rivulet::job

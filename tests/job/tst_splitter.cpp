@@ -1,0 +1,367 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include "gcode/gcode_text.h"
+#include "job/plan.h"
+#include "plan_text.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+job::Plan planOf(const char* text, gcode::Dialect dialect = gcode::Dialect::Sinumerik,
+                 const job::Profile& profile = {}) {
+  gcode::LoadOptions options;
+  options.dialect = dialect;
+  const auto plan = job::makePlan("PART.MPF", text, options, profile);
+  if (!plan) {
+    qFatal("%s", plan.error().text().c_str());
+  }
+  return *plan;
+}
+
+/// The first native block for that reason.
+const job::NativeBlock& native(const job::Plan& plan, job::NativeReason reason) {
+  for (const job::Part& part : plan.parts) {
+    const auto* const block = std::get_if<job::NativeBlock>(&part);
+    if (block != nullptr && block->reason == reason) {
+      return *block;
+    }
+  }
+  qFatal("there is no such block");
+}
+
+QString text(const std::string& printed) {
+  return QString::fromStdString(printed);
+}
+
+QString refusals(const job::Plan& plan) {
+  QStringList all;
+  for (const job::Refusal& refusal : plan.refusals) {
+    all << QStringLiteral("%1 %2 %3")
+               .arg(refusal.line.value)
+               .arg(QString::fromStdString(std::string(job::refusalName(refusal.code))),
+                    QString::fromStdString(refusal.argument));
+  }
+  return all.join(QStringLiteral(" | "));
+}
+
+}  // namespace
+
+class TestSplitter : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  /// A part as a CAM system writes it: tools, spindle and coolant stay with the control.
+  void partWithTools() {
+    const job::Plan plan = planOf(
+        "N10 G17 G90 G71\n"
+        "T1 D1 M6\n"
+        "S3000 M3\n"
+        "M8\n"
+        "G0 X0 Y0\n"
+        "G0 Z5\n"
+        "G1 Z-1 F200\n"
+        "G1 X10\n"
+        "SUPA G0 Z0 D0\n"
+        "T=\"DRILL_6\"\n"
+        "M6\n"
+        "D1\n"
+        "G0 X5 Y5\n"
+        "M30\n");
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "settings 1 | native 2 tool T1 D1 M6 | native 3 spindle S3000 M3 | native 4 coolant "
+            "M8 | stretch 1 5-8: 4 points from ? | native 9 retract SUPA G0 Z0 D0 | native 10 "
+            "tool T=\"DRILL_6\" | native 11 tool M6 | native 12 tool D1 | stretch 2 13: 1 point "
+            "from ? | native 14 end M30"));
+    QCOMPARE(text(test::printPoints(plan.program.trajectory)),
+             QStringLiteral("5 R X0 Y0 Z? | 6 R X0 Y0 Z5 | 7 L X0 "
+                            "Y0 Z-1 F200 | 8 L X10 Y0 Z-1 F200 "
+                            "| 13 R X5 Y5 Z?"));
+    QCOMPARE(plan.stretchCount(), std::size_t{2});
+    QCOMPARE(plan.nativeCount(), std::size_t{8});
+  }
+
+  /// Where the tool stands after a retract only the control knows. The old height must not return
+  /// with the next move across.
+  void retractForgetsTheHeight() {
+    const job::Plan plan = planOf("G0 X0 Y0 Z5\nSUPA G0 Z0\nG0 X100 Y50\n");
+    QCOMPARE(text(test::printPoints(plan.program.trajectory)),
+             QStringLiteral("1 R X0 Y0 Z5 | 3 R X100 Y50 Z?"));
+    const auto& last = std::get<job::Stretch>(plan.parts.back());
+    QVERIFY(!last.startIsKnown);
+  }
+
+  /// What only switches something leaves the tool where it is.
+  void coolantKeepsThePosition() {
+    const job::Plan plan = planOf("G0 X0 Y0 Z5\nM9\nMSG(\"turn the part\")\nG4 F1\nG91 G0 Z5\n");
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "stretch 1 1: 1 point from ? | native 2 coolant M9 | native 3 message MSG(\"turn the "
+            "part\") | native 4 dwell G4 F1 | stretch 2 5: 1 point"));
+    QCOMPARE(text(test::printPoints(plan.program.trajectory)),
+             QStringLiteral("1 R X0 Y0 Z5 | 5 R X0 Y0 Z10"));
+  }
+
+  /// An increment from a place that only the control knows is the control's.
+  void incrementFromUnknownPosition() {
+    const job::Plan plan = planOf("G0 X0 Y0 Z5\nT2 M6\nG91 G0 Z5\nG90 X10 Y10 Z20\n");
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "stretch 1 1: 1 point from ? | native 2 tool T2 M6 | native 3 unknown-position G91 G0 "
+            "Z5 | stretch 2 4: 1 point from ?"));
+  }
+
+  /// A block that moves and switches belongs to the control as a whole; its end is known.
+  void motionWithSpindle() {
+    const job::Plan plan = planOf("G0 X0 Y0 Z5\nG0 X10 S500 M3\nG1 Z0 F100\n");
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral(
+                 "stretch 1 1: 1 point from ? | native 2 spindle G0 X10 S500 M3 | stretch 2 3: 1 "
+                 "point"));
+    QVERIFY(native(plan, job::NativeReason::Spindle).moves);
+    QCOMPARE(text(test::printPoints(plan.program.trajectory)),
+             QStringLiteral("1 R X0 Y0 Z5 | 3 L X10 Y0 Z0 F100"));
+  }
+
+  void compensationRegion() {
+    const job::Plan plan = planOf(
+        "G0 X0 Y0 Z5\n"
+        "G1 Z0 F100\n"
+        "G41 G1 X10 Y0\n"
+        "G1 X20\n"
+        "M8\n"
+        "G40\n"
+        "G0 Z5\n"
+        "G0 X30 Y0\n"
+        "G0 X0\n");
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "stretch 1 1-2: 2 points from ? | native 3 radius-compensation G41 G1 X10 Y0 | native "
+            "4 radius-compensation G1 X20 | native 5 coolant M8 | native 6 radius-compensation "
+            "G40 | native 7 radius-compensation G0 Z5 | native 8 radius-compensation G0 X30 Y0 | "
+            "stretch 2 9: 1 point"));
+  }
+
+  void cyclesAndModalCalls() {
+    const job::Plan plan = planOf(
+        "G0 X0 Y0 Z5\n"
+        "CYCLE81(5,0,2,-10)\n"
+        "G0 X1 Y1 Z5\n"
+        "MCALL CYCLE81(5,0,2,-10)\n"
+        "X10 Y10\n"
+        "X20\n"
+        "MCALL\n"
+        "G0 X0 Y0\n");
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "stretch 1 1: 1 point from ? | native 2 cycle CYCLE81(5,0,2,-10) | stretch 2 3: 1 "
+            "point from ? | native 4 cycle MCALL CYCLE81(5,0,2,-10) | native 5 cycle X10 Y10 | "
+            "native 6 cycle X20 | native 7 cycle MCALL | stretch 3 8: 1 point from ?"));
+  }
+
+  void transformationRegion() {
+    const job::Plan plan = planOf(
+        "G0 X0 Y0 Z5\nCYCLE800(0,\"TC1\",0,57,0,0,0,0,45,0,0,0,0,1)\nG0 X1\nCYCLE800()\nG0 X2\n"
+        "TRAORI\nG1 X3 A3=0 B3=0.1 C3=1 F100\nTRAFOOF\nG0 X4\n");
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "stretch 1 1: 1 point from ? | native 2 transformation "
+            "CYCLE800(0,\"TC1\",0,57,0,0,0,0,45,0,0,0,0,1) | native 3 transformation G0 X1 | "
+            "native 4 transformation CYCLE800() | stretch 2 5: 1 point from ? | native 6 "
+            "transformation TRAORI | native 7 transformation G1 X3 A3=0 B3=0.1 C3=1 F100 | native "
+            "8 transformation TRAFOOF | stretch 3 9: 1 point from ?"));
+    QVERIFY(plan.program.isStreamable());
+  }
+
+  /// Each native block knows what the source program has in force there.
+  void modalStateBefore() {
+    const job::Plan plan = planOf(
+        "G18 G70 G91\n"
+        "G95 DIAMON\n"
+        "TRANS X10\n"
+        "AROT RPL=30\n"
+        "M8\n"
+        "TRANS\n"
+        "G17 G90 DIAMOF\n"
+        "M9\n");
+    const job::NativeBlock& on = std::get<job::NativeBlock>(plan.parts.at(1));
+    QCOMPARE(on.text, std::string("M8"));
+    QCOMPARE(on.before.planeFirstAxis, std::size_t{2});
+    QCOMPARE(on.before.lengthFactor, 25.4);
+    QVERIFY(on.before.relative);
+    QVERIFY(on.before.diameter);
+    QCOMPARE(on.before.feedMode, nc::FeedMode::PerRevolution);
+    QCOMPARE(on.frame, (std::vector<std::string>{"TRANS X10", "AROT RPL=30"}));
+    const job::NativeBlock& off = std::get<job::NativeBlock>(plan.parts.at(3));
+    QCOMPARE(off.before.planeFirstAxis, std::size_t{0});
+    QVERIFY(!off.before.relative);
+    QVERIFY(off.frame.empty());
+  }
+
+  /// A loop is followed by Rivulet: its native blocks come as often as it runs them.
+  void blocksOfALoop() {
+    const job::Plan plan = planOf(
+        "DEF INT I\n"
+        "FOR I=1 TO 2\n"
+        "M8\n"
+        "G0 X=I\n"
+        "ENDFOR\n"
+        "PART\n"
+        "M30\n");
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral(
+                 "settings 1-2 | native 3 coolant M8 | stretch 1 4: 1 point from ? | native 3 "
+                 "coolant M8 "
+                 "| stretch 2 4: 1 point from ? | native 6 subprogram PART | native 7 end M30"));
+  }
+
+  /// A call that Rivulet follows is not made by the control as well, nor its return.
+  void followedCalls() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Sinumerik;
+    options.subprogram = [](std::string_view name) {
+      return name == "PART" ? std::optional(nc::LoadedText{"M8\nG0 X5\nM9 M17\n", "PART.SPF"})
+                            : std::nullopt;
+    };
+    const auto plan = job::makePlan("MAIN.MPF", "S500 M3\nPART\nM5\nM30\n", options);
+    QVERIFY(plan.has_value());
+    QCOMPARE(
+        text(test::printParts(*plan)),
+        QStringLiteral(
+            "native 1 spindle S500 M3 | settings 2 | native 1 coolant M8 | stretch 1 2: 1 point "
+            "from ? | native 3 coolant M9 | native 3 spindle M5 | native 4 end M30"));
+    QCOMPARE(native(*plan, job::NativeReason::Coolant).file, std::string("PART.SPF"));
+  }
+
+  void skipMarksAndLabels() {
+    const job::Plan plan = planOf("/ N10 M8 ; mist\nAGAIN: M9\nG0 X1\n");
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "native 1 coolant N10 M8 ; mist | native 2 coolant M9 | stretch 1 3: 1 point from ?"));
+  }
+
+  void textReadsVariables() {
+    const job::Plan plan = planOf("R1=500\nS=R1 M3\nMSG(\"S is \"<<R1)\nMSG(\"READY\")\n");
+    QVERIFY(std::get<job::NativeBlock>(plan.parts.at(1)).calculates);
+    QVERIFY(std::get<job::NativeBlock>(plan.parts.at(2)).calculates);
+    QVERIFY(!std::get<job::NativeBlock>(plan.parts.at(3)).calculates);
+  }
+
+  /// What neither Rivulet nor a table knows stays an error, and what the user leaves out stays out.
+  void unknownWordsAreErrors() {
+    QVERIFY(!planOf("G0 X0\nG999\nG0 X1\n").isWhole());
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Sinumerik;
+    options.accepted = {"G41"};
+    const auto plan = job::makePlan("PART.MPF", "G0 X0 Y0\nG41 G0 X1\nG0 X2\n", options);
+    QVERIFY(plan.has_value());
+    QCOMPARE(text(test::printParts(*plan)), QStringLiteral("stretch 1 1-3: 3 points from ?"));
+  }
+
+  /// Other dialects: the words for the machine are translated, and the motion of the same block is
+  /// streamed.
+  void isoBlocks() {
+    const job::Plan plan = planOf(
+        "T5 M6\n"
+        "G0 G90 G54 X10. Y20. S3000 M3\n"
+        "G43 Z50. H5 M8\n"
+        "G1 Z-1. F200.\n"
+        "G0 Z50. M9\n"
+        "G91 G28 Z0.\n"
+        "G90 G0 X0. Y0.\n"
+        "G4 P500\n"
+        "M30\n",
+        gcode::Dialect::Iso);
+    QCOMPARE(refusals(plan), QString());
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "native 1 tool T5 M6 | native 2 work-offset G54 S3000 M3 | stretch 1 2: 1 point from ? "
+            "| "
+            "native 3 tool D1 M8 | stretch 2 3-5: 3 points from ? | native 5 coolant M9 | native "
+            "6 retract SUPA G0 Z0 D0\nD1 | stretch 3 7: 1 point from ? | native 8 dwell G4 F0.5 | "
+            "native 9 end M30"));
+    QCOMPARE(text(test::printPoints(plan.program.trajectory)),
+             QStringLiteral("2 R X10 Y20 Z? | 3 R X? Y? Z50 | 4 L X? Y? Z-1 "
+                            "F200 | 5 R X? Y? Z50 | 7 R X0 Y0 Z?"));
+  }
+
+  void translationComesFromTheProfile() {
+    job::Profile profile;
+    profile.retract = "G75 Z1=0";
+    profile.toolChange = "TC(%1)";
+    const job::Plan plan = planOf("T7 M6\nG28 Z0.\n", gcode::Dialect::Iso, profile);
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral("native 1 tool TC(7) | native 2 retract G75 Z1=0\nD1"));
+  }
+
+  void plainTextOfHeidenhain() {
+    const job::Plan plan = planOf(
+        "0 BEGIN PGM A MM\n"
+        "1 TOOL CALL 5 Z S3000\n"
+        "2 L X+10 Y+0 R0 FMAX M3\n"
+        "3 L Z-5 F200 M8\n"
+        "4 L Z+100 R0 FMAX M9\n"
+        "5 L Z+0 R0 FMAX M91\n"
+        "6 END PGM A MM\n",
+        gcode::Dialect::Heidenhain);
+    QCOMPARE(refusals(plan), QString());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral(
+            "settings 1 | native 2 tool T5 M6 S3000 | native 3 spindle M3 | stretch 1 3: 1 point "
+            "from ? | native 4 coolant M8 | stretch 2 4-5: 2 points from ? | native 5 coolant M9 "
+            "| native 6 retract SUPA G0 Z0 D0\nD1 | native 7 end M30"));
+  }
+
+  /// What the table lacks is named.
+  void notTranslated() {
+    const job::Plan plan = planOf(
+        "G0 X0. Y0. Z5.\nG81 X1. Y1. Z-5. R1. F100.\nG80\nM60\nG41 D1 X5.\n", gcode::Dialect::Iso);
+    QVERIFY(!plan.isWhole());
+    QCOMPARE(refusals(plan),
+             QStringLiteral("2 not-translated G81 | 4 not-translated M60 | 5 not-translated G41"));
+    QCOMPARE(QString::fromStdString(job::describe(plan.refusals.front())),
+             QStringLiteral("There is no translation of G81 for the control: leave it out "
+                            "(--accept G81)."));
+  }
+
+  void leftOutByTheUser() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Iso;
+    options.accepted = {"M60"};
+    const auto plan = job::makePlan("A.NC", "M60 M8\nG0 X1.\n", options);
+    QVERIFY(plan.has_value());
+    QVERIFY(plan->isWhole());
+    QCOMPARE(text(test::printParts(*plan)),
+             QStringLiteral("native 1 coolant M8 | stretch 1 2: 1 point from ?"));
+  }
+
+  void splineIsNotInterrupted() {
+    const job::Plan plan =
+        planOf("G1 X0 Y0 Z0 F100\nBSPLINE X1 Y1\nX2 Y0\nM8\nX3 Y1\nX4 Y0\nG1 X5\n");
+    QCOMPARE(refusals(plan), QStringLiteral("4 curve-interrupted M8"));
+  }
+};
+
+RIVULET_TEST(TestSplitter)
+#include "tst_splitter.moc"
