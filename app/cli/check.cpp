@@ -12,8 +12,11 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "feasibility/path_statistics.h"
+#include "gcode/block_observer.h"
 #include "gcode/feeds.h"
 #include "gcode/program.h"
+#include "job/plan.h"
+#include "report/plan_json.h"
 #include "report/report_json.h"
 
 namespace rivulet::cli {
@@ -93,6 +96,40 @@ void print(const gcode::Program& program) {
   fmt::print("{}\n", gcode::describe(program.readiness()));
 }
 
+/// Lines of a stretch or native block, "12" or "12-30".
+std::string linesOf(const job::Stretch& stretch) {
+  const auto first = stretch.blocks.front().line.value;
+  const auto last = stretch.blocks.back().line.value;
+  return first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+}
+
+/// @param lists  each part; else their number
+void print(const job::Plan& plan, bool lists) {
+  fmt::print("\nAs a job: {} streamed, {} for the control\n", plan.stretchCount(),
+             plan.nativeCount());
+  for (const job::Part& part : lists ? plan.parts : std::vector<job::Part>()) {
+    if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+      fmt::print("  {:>9}  {:<19}  {}{}\n", native->place.line.value,
+                 job::nativeReasonName(native->reason),
+                 native->file.empty() ? std::string() : native->file + ": ", native->source);
+    } else if (const auto& stretch = std::get<job::Stretch>(part); stretch.number > 0) {
+      fmt::print("  {:>9}  stretch {:<11}  {} point{}\n", linesOf(stretch), stretch.number,
+                 stretch.pointCount, stretch.pointCount == 1 ? "" : "s");
+    }
+  }
+  for (const job::Refusal& refusal : plan.refusals) {
+    fmt::print("{}:{}: error: {}\n", refusal.file.empty() ? plan.program.name : refusal.file,
+               refusal.line.value, job::describe(refusal));
+  }
+}
+
+/// The same text again, now block by block.
+base::Result<job::Plan> planOf(const std::string& file, const gcode::Program& program,
+                               gcode::LoadOptions options) {
+  options.subprogram = gcode::subprogramsBeside(file);
+  return job::makePlan(program.name, program.text, options);
+}
+
 void printTable(const std::vector<Checked>& all) {
   std::size_t widest = 4;
   for (const Checked& checked : all) {
@@ -165,8 +202,14 @@ Exit check(const CheckOptions& options) {
       list.back()["statistics"] = !feasibility::hasDistances(points)
                                       ? nlohmann::ordered_json(nullptr)
                                       : report::statisticsJson(feasibility::pathStatistics(points));
+      if (const auto plan = planOf(file, *checked.program, options.loading.loadOptions())) {
+        list.back()["stretches"] = report::planJson(*plan);
+      }
     } else {
       print(*checked.program);
+      if (const auto plan = planOf(file, *checked.program, options.loading.loadOptions())) {
+        print(*plan, single);
+      }
     }
     if (checked.program) {
       checked.readiness = checked.program->readiness();

@@ -90,6 +90,24 @@ class TestCli : public QObject {
              0);
   }
 
+  /// Every native block is listed with its reason.
+  void listsTheStretches() {
+    const QString path =
+        file("part.mpf", "T1 M6\nS500 M3\nG0 X1 Y1 Z5\nG1 X2 F100\nSUPA G0 Z0 D0\nM30\n");
+    const json stretches =
+        run({QStringLiteral("check"), path, QStringLiteral("--json")}).parsed()["stretches"];
+    QCOMPARE(stretches["whole"].get<bool>(), true);
+    const json& parts = stretches["parts"];
+    QCOMPARE(parts.size(), std::size_t{5});
+    QCOMPARE(parts[0]["reason"].get<std::string>(), std::string("tool"));
+    QCOMPARE(parts[2]["kind"].get<std::string>(), std::string("streamed"));
+    QCOMPARE(parts[2]["points"].get<int>(), 2);
+    QCOMPARE(parts[3]["text"].get<std::string>(), std::string("SUPA G0 Z0 D0"));
+    const QString text = run({QStringLiteral("check"), path}).output;
+    QVERIFY(text.contains(QStringLiteral("As a job: 1 streamed, 4 for the control")));
+    QVERIFY(text.contains(QStringLiteral("retract              SUPA G0 Z0 D0")));
+  }
+
   void checksFolders() {
     const QTemporaryDir folder;
     const auto put = [&folder](const char* name, const char* text) {
@@ -107,7 +125,7 @@ class TestCli : public QObject {
     put("d.nc", "M3 S500\n");
     const Outcome still = run({QStringLiteral("check"), folder.path()});
     QVERIFY(still.output.contains(QStringLiteral("  no motion\n")));
-    QVERIFY(!still.output.contains(QStringLiteral("transformation")));
+    QVERIFY(!still.output.contains(QStringLiteral("needs a transformation")));
     QVERIFY(QFile::remove(folder.filePath(QStringLiteral("d.nc"))));
     put("c.tap", "G1 X1 G87\n");
     const Outcome all = run({QStringLiteral("check"), folder.path(), QStringLiteral("--json")});

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/plan_json.h"
+
+namespace rivulet::report {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json stretchJson(const job::Stretch& stretch) {
+  return {{"kind", "streamed"},
+          {"stretch", stretch.number},
+          {"first_line", stretch.blocks.front().line.value},
+          {"last_line", stretch.blocks.back().line.value},
+          {"blocks", stretch.blocks.size()},
+          {"points", stretch.pointCount},
+          {"start_known", stretch.startIsKnown}};
+}
+
+ordered_json nativeJson(const job::NativeBlock& native) {
+  ordered_json json{{"kind", "native"},
+                    {"line", native.place.line.value},
+                    {"reason", job::nativeReasonName(native.reason)},
+                    {"source", native.source},
+                    {"text", native.text},
+                    {"moves", native.moves}};
+  if (!native.file.empty()) {
+    json["file"] = native.file;
+  }
+  return json;
+}
+
+}  // namespace
+
+ordered_json planJson(const job::Plan& plan) {
+  ordered_json parts = ordered_json::array();
+  for (const job::Part& part : plan.parts) {
+    if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+      parts.push_back(nativeJson(*native));
+    } else if (const auto& stretch = std::get<job::Stretch>(part); stretch.number > 0) {
+      parts.push_back(stretchJson(stretch));
+    }
+  }
+  ordered_json refusals = ordered_json::array();
+  for (const job::Refusal& refusal : plan.refusals) {
+    refusals.push_back({{"line", refusal.line.value},
+                        {"code", job::refusalName(refusal.code)},
+                        {"message", job::describe(refusal)}});
+  }
+  return {{"whole", plan.isWhole()}, {"parts", parts}, {"refusals", refusals}};
+}
+
+}  // namespace rivulet::report
