@@ -1458,7 +1458,7 @@
     </message>
     <message>
         <source>all %1 points</source>
-        <translation>la totalidad de los %1 puntos</translation>
+        <translation>todos los puntos (%1)</translation>
     </message>
     <message>
         <source>the %1 most difficult points</source>
@@ -4103,7 +4103,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Start over …</source>
-        <translation>Desde el principio…</translation>
+        <translation>De nuevo…</translation>
     </message>
     <message>
         <source>Start …</source>
@@ -4143,7 +4143,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Resume goes on where the run was left.</source>
-        <translation>Reanudar continúa donde se interrumpió la ejecución.</translation>
+        <translation>Reanudar continúa donde se interrumpió.</translation>
     </message>
     <message>
         <source>A new start begins at the first point.</source>

@@ -4103,7 +4103,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Start over …</source>
-        <translation>Recommencer…</translation>
+        <translation>Du début…</translation>
     </message>
     <message>
         <source>Start …</source>
