@@ -179,7 +179,9 @@ void PathBuilder::feed(double mmPerMin) {
 }
 
 void PathBuilder::machineWord(nc::MachineWord kind, double value, base::LineNumber line) {
-  m_trajectory.events.push_back({m_trajectory.points.size(), value, line, kind});
+  if (kind != nc::MachineWord::Edge) {  // its length is not on the path
+    m_trajectory.events.push_back({m_trajectory.points.size(), value, line, kind});
+  }
 }
 
 void PathBuilder::toolName(std::string_view name, base::LineNumber line) {

@@ -192,6 +192,7 @@ std::optional<NativeReason> reasonOfG(nc::Dialect dialect, int key) {
     case GEffect::Cycle:
       return NativeReason::Cycle;
     case GEffect::None:
+    case GEffect::FixedPoint:
     case GEffect::Mode:
     case GEffect::MotionMode:
     case GEffect::TakesBlock:

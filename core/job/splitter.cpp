@@ -324,6 +324,8 @@ class Splitter final : public gcode::BlockObserver,
         add(NativeReason::Dwell);
         words.push_back({ForeignWord::Kind::Dwell, value, "G4"});
         break;
+      case MachineWord::Edge:  // a letter without effect on the path, as H: `ignoreLetter`
+        break;
     }
   }
   void toolName(std::string_view name, base::LineNumber line) override {

@@ -184,7 +184,8 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
   }
   if (!name.empty() && m_variables.find(name) == nullptr) {
     switch (nameEffect(m_language.dialect, name)) {
-      case NameEffect::Address: {
+      case NameEffect::Address:
+      case NameEffect::MachineAxis: {
         if (const std::optional<double> value = numberOf(token)) {
           Token computed = token;
           computed.value = *value;
@@ -218,6 +219,9 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
 /// M1=3, M[R1]=3 and S2=500 are the spindles'; G[6]=2 is a G function by group and number.
 void BlockReader::readIndexed(const Token& token, BlockWords& words) {
   if (token.address != 'G') {
+    if (token.text.size() > 1 && token.text[1] == '1' && token.calculation == nullptr) {
+      m_to.path.firstSpindle(token.address, token.value);
+    }
     m_to.faults.ignore(token, std::string(token.text));
     return;
   }
@@ -386,6 +390,8 @@ void BlockReader::readFeed(const Token& token, BlockWords& words) {
 void BlockReader::readMachineWord(const Token& token, BlockWords& words) {
   m_to.faults.ignoreLetter(token);
   if (token.address == 'S') {
+    words.spindle = &token;
+    words.spindleBefore = m_state.spindlePerMin;
     m_state.spindlePerMin = token.value;
     m_to.path.machineWord(MachineWord::Spindle, token.value, words.line);
   } else if (token.address == 'T') {
@@ -393,6 +399,8 @@ void BlockReader::readMachineWord(const Token& token, BlockWords& words) {
     if (m_language.toolChangesZ) {
       m_to.words.forget(2);
     }
+  } else if (token.address == 'D') {
+    m_to.path.machineWord(MachineWord::Edge, token.value, words.line);
   }
 }
 

@@ -49,6 +49,8 @@ struct RareWords {
   bool bSpline = false;
   int workOffsetKey = -1;  ///< G54.1, G154: which offset says P
   const Token* workOffsetToken = nullptr;
+  const Token* fixedPoint = nullptr;   ///< G75
+  const Token* machineAxis = nullptr;  ///< FP=, X1=
 };
 
 /// Tokens that are pointed at live as long as the block is executed.
@@ -80,6 +82,8 @@ struct BlockWords {
   int motionColumn = 0;              ///< of the first axis, centre or radius word
   const Token* feed = nullptr;       ///< F
   const Token* parameter = nullptr;  ///< the last of P, Q, L and U
+  const Token* spindle = nullptr;    ///< S; of a dwell: turns of the spindle
+  double spindleBefore = 0.0;        ///< speed before this block, 1/min
   std::optional<double> p;
   std::optional<double> q;
   std::optional<double> l;

@@ -44,6 +44,9 @@ void Executor::execute(BlockWords& words) {
     executeTurningCycle(words);
   }
   setModes(words);
+  if (m_options.knowsMachineCoordinates) {
+    takeZero();
+  }
   if (words.rare) {
     executeRare(words);
   }
@@ -135,6 +138,12 @@ void Executor::executeRare(BlockWords& words) {
     m_state.motion = Motion::BSpline;
     m_splineDegree = 3;
   }
+  if (rare.machineAxis != nullptr && rare.fixedPoint == nullptr) {
+    m_to.faults.error(*rare.machineAxis, FaultCode::UnknownWord);
+  }
+  if (rare.fixedPoint != nullptr) {
+    moveToFixedPoint(words);
+  }
   if (const NamedWord* const degree = words.named("SD")) {
     m_splineDegree = degree->value >= 2.0 && degree->value < 3.0 ? 2 : 3;
   }
@@ -157,7 +166,7 @@ void Executor::executeRare(BlockWords& words) {
   }
 }
 
-/// X, F, S, P and U of a dwell are times; what else it names would be lost.
+/// X, F, P and U of a dwell are times, S turns of the spindle; what else it names would be lost.
 void Executor::executeDwell(const BlockWords& words) {
   for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
     if (words.axes.given[axis]) {
@@ -166,6 +175,12 @@ void Executor::executeDwell(const BlockWords& words) {
   }
   rejectArcWords(words);
   double seconds = std::numeric_limits<double>::quiet_NaN();
+  if (words.spindle != nullptr) {
+    m_state.spindlePerMin = words.spindleBefore;
+    if (words.spindleBefore > 0.0) {
+      seconds = words.spindle->value * 60.0 / words.spindleBefore;
+    }
+  }
   if (words.feed != nullptr) {
     seconds = words.feed->value;
   } else if (words.p) {

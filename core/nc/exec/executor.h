@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -29,9 +30,12 @@ struct ExecutorOptions {
   double arcRadiusToleranceMm = kArcRadiusToleranceMm;
   base::RotarySet rotaryAxes{true, true, true};  ///< words of others move nothing
   bool refusesFurtherAxes = true;                ///< U, V, W; else they move nothing
-  /// Machine coordinates are those of the workpiece without a frame; else such a move is left out.
+  /// Where the zero of the workpiece lies in the machine; else a move in its coordinates is left
+  /// out.
   bool knowsMachineCoordinates = false;
   bool knowsWorkOffsets = false;  ///< else the one active at the control holds for the whole path
+  std::map<int, base::Vec3> workOffsetsMm{};  ///< by key of G54 to G599; none: zero
+  std::map<int, base::Vec3> fixedPointsMm{};  ///< of G75, by number, machine coordinates
 };
 
 class Executor {
@@ -47,6 +51,10 @@ class Executor {
   void read(const Token& token, BlockWords& words) { m_reader.read(token, words); }
   /// What `read` has taken in. Ends the block: the tokens may go afterwards.
   void execute(BlockWords& words);
+  /// A step of a cycle: straight there, whatever is modal. @param feedMmPerS  nothing: rapid
+  void moveTo(base::Vec3 programmedMm, std::optional<double> feedMmPerS, base::LineNumber line);
+  /// The programmed feed along the path; 0: none, or it is not known without a block.
+  [[nodiscard]] double feedMmPerS() const;
   /// Ends a curve that goes over several blocks.
   void finishCurve();
 
@@ -72,11 +80,14 @@ class Executor {
   void setOffset(const BlockWords& words);
   void setPosition(const BlockWords& words);
   void setPole(const BlockWords& words);
+  void takeZero();
+  void keepIncrements(base::Vec3 before);
   void addPolar(base::Vec3& point, double radiusMm, double degrees) const;
 
   // motion.cpp
   void executeMotion(BlockWords& words);
   void leaveOutMachineMove(const BlockWords& words);
+  void moveToFixedPoint(const BlockWords& words);
   void move(BlockWords& words);
   [[nodiscard]] int motionNumber() const;
   [[nodiscard]] base::Vec3 targetOf(const BlockWords& words);

@@ -51,8 +51,24 @@ void Executor::setFrame(const std::string& name, const BlockWords& words) {
   const Vec3 before = m_position.programmedMm;
   m_position.setFrame(frame);
   m_to.words.forget(std::nullopt);
+  keepIncrements(before);
+}
+
+void Executor::keepIncrements(Vec3 before) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     m_state.incrementFrom[axis] = m_state.incrementFrom[axis].value_or(before[axis]);
+  }
+}
+
+/// The axes stay where they are; another work offset or tool gives the place other coordinates.
+void Executor::takeZero() {
+  const auto offset = m_options.workOffsetsMm.find(m_state.workOffset);
+  m_state.workOffsetMm = offset == m_options.workOffsetsMm.end() ? Vec3{} : offset->second;
+  const Vec3 zeroMm = m_state.zeroMm();
+  if (zeroMm != m_position.zeroMm) {
+    const Vec3 before = m_position.programmedMm;
+    m_position.setZero(zeroMm);
+    keepIncrements(before);
   }
 }
 

@@ -4,6 +4,7 @@
 // The move of a block: where it goes, how fast, and which kind of path it takes.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -48,9 +49,47 @@ void Executor::executeMotion(BlockWords& words) {
     move(words);
     return;
   }
+  // The length of the tool counts in machine coordinates too, unless D0 is programmed.
   const Frame frame = m_position.frame;
+  const Vec3 zeroMm = m_position.zeroMm;
   m_position.setFrame({});
+  m_position.setZero(m_state.toolMm());
   move(words);
+  m_position.setZero(zeroMm);
+  m_position.setFrame(frame);
+}
+
+/// G75: the axes that the block names go to a place of the machine, whatever their values say.
+void Executor::moveToFixedPoint(const BlockWords& words) {
+  const NamedWord* const number = words.named("FP");
+  const auto place =
+      m_options.fixedPointsMm.find(number == nullptr ? 1 : static_cast<int>(number->value));
+  if (place == m_options.fixedPointsMm.end()) {
+    m_to.faults.error(*words.rare->fixedPoint, FaultCode::UnsupportedGCode,
+                      wordText(*words.rare->fixedPoint));
+    m_to.words.foreignMotion();
+    return;
+  }
+  finishCurve();
+  const Frame frame = m_position.frame;
+  const Vec3 zeroMm = m_position.zeroMm;
+  m_position.setFrame({});
+  m_position.setZero({});
+  Vec3 target = m_position.programmedMm;
+  static constexpr std::array<std::string_view, base::kAxisCount> kNames{"X1", "Y1", "Z1"};
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (words.axes.given[axis] || words.named(kNames[axis]) != nullptr) {
+      target.set(axis, place->second[axis]);
+      m_state.incrementFrom[axis].reset();
+    }
+  }
+  Move move;
+  move.line = words.line;
+  move.motion = Motion::Rapid;
+  move.exactStop = true;
+  move.column = words.rare->fixedPoint->column;
+  line(target, move);
+  m_position.setZero(zeroMm);
   m_position.setFrame(frame);
 }
 
@@ -128,6 +167,36 @@ void Executor::noteMissingFeed(const BlockWords& words) {
   }
   m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::FeedMissing, {});
   m_feedMissingReported = true;
+}
+
+void Executor::moveTo(Vec3 programmedMm, std::optional<double> feedMmPerS, base::LineNumber at) {
+  finishCurve();
+  if (feedMmPerS && !(*feedMmPerS > 0.0)) {
+    m_to.faults.report(Severity::Error, 1, FaultCode::FeedMissing, {});
+    return;
+  }
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (programmedMm[axis] != m_position.programmedMm[axis]) {
+      m_state.incrementFrom[axis].reset();
+    }
+  }
+  Move move;
+  move.line = at;
+  move.motion = feedMmPerS ? Motion::Line : Motion::Rapid;
+  move.feedMmPerS = feedMmPerS.value_or(0.0);
+  move.column = 1;
+  line(programmedMm, move);
+}
+
+double Executor::feedMmPerS() const {
+  switch (m_state.feedMode) {
+    case FeedMode::PerMinute:
+      return m_state.feedMmPerS;
+    case FeedMode::PerRevolution:
+      return m_state.feedMmPerRev * m_state.spindlePerMin / 60.0;  // S may have changed since F
+    default:
+      return 0.0;
+  }
 }
 
 void Executor::line(Vec3 target, const Move& move) {

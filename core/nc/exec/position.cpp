@@ -20,6 +20,14 @@ void Position::setFrame(const Frame& other) {
   programmedMm = frame.toProgrammed(workpieceMm);
 }
 
+void Position::setZero(base::Vec3 otherMm) {
+  if (otherMm != zeroMm) {
+    const base::Vec3 workpieceMm = frame.toWorkpiece(programmedMm) + (zeroMm - otherMm);
+    zeroMm = otherMm;
+    programmedMm = frame.toProgrammed(workpieceMm);
+  }
+}
+
 double Position::lengthMmTo(base::Vec3 targetMm) const {
   const base::Vec3 to = frame.toWorkpiece(targetMm);
   const base::Vec3 way = to - frame.toWorkpiece(programmedMm);

@@ -31,9 +31,9 @@ bool isNoted(GEffect effect) {
 
 /// The axis words of the block are its own.
 bool takesBlock(GEffect effect) {
-  static constexpr std::array kTaking{GEffect::Pole,          GEffect::SetPosition,
-                                      GEffect::ResetPosition, GEffect::LocalOffset,
-                                      GEffect::MacroCall,     GEffect::TakesBlock};
+  static constexpr std::array kTaking{
+      GEffect::Pole,      GEffect::SetPosition, GEffect::ResetPosition, GEffect::LocalOffset,
+      GEffect::MacroCall, GEffect::FixedPoint,  GEffect::TakesBlock};
   return isOneOf(effect, kTaking);
 }
 
@@ -149,6 +149,9 @@ void BlockReader::readBlockG(GEffect effect, int key, const Token& token, BlockW
       break;
     case GEffect::MachineMove:
       words.machineToken = &token;
+      break;
+    case GEffect::FixedPoint:
+      words.rareWords().fixedPoint = &token;
       break;
     case GEffect::SetPosition:
     case GEffect::ResetPosition:

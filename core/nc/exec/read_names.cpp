@@ -77,6 +77,7 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
       m_to.faults.ignore(token, name);
       break;
     case NameEffect::Address:
+    case NameEffect::MachineAxis:
       readNamedAddress(token, name, words);
       break;
     case NameEffect::Unknown:
@@ -99,6 +100,9 @@ void BlockReader::setNamed(const std::string& name, const Token& token, BlockWor
     return;
   }
   words.rareWords().named[name] = {token.value, token.reference == Reference::Incremental};
+  if (nameEffect(m_language.dialect, name) == NameEffect::MachineAxis) {
+    words.rare->machineAxis = &token;
+  }
   noteColumn(token, words);
 }
 

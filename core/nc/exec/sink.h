@@ -51,6 +51,8 @@ class PathSink {
   virtual void feed(double /*mmPerMin*/) {}
   virtual void machineWord(MachineWord /*kind*/, double /*value*/, base::LineNumber /*line*/) {}
   virtual void toolName(std::string_view /*name*/, base::LineNumber /*line*/) {}
+  /// S1=2000, M1=3: a word of the spindle by its number.
+  virtual void firstSpindle(char /*address*/, double /*value*/) {}
 };
 
 /// What is wrong, and what has no effect on the path.

@@ -86,6 +86,8 @@ struct ModalState {
 
   int workOffset = -1;            ///< key of its G function; -1: none named
   double workOffsetNumber = 0.0;  ///< of the further ones of G54.1 and G154
+  base::Vec3 workOffsetMm;        ///< its value; zero where only the control knows it
+  double toolLengthMm = 0.0;      ///< of the cutting edge in effect, along the tool
   std::string tipWord;            ///< what keeps X Y Z at the tip of the tool; empty: nothing
 
   Frame baseFrame;  ///< G52 and G92; TRANS and ROT work on it
@@ -107,6 +109,14 @@ struct ModalState {
   [[nodiscard]] std::size_t planeThirdAxis() const {
     return (planeFirstAxis + 2) % base::kAxisCount;
   }
+  /// Of the active plane: the tool stands on it.
+  [[nodiscard]] base::Vec3 toolMm() const {
+    base::Vec3 tool;
+    tool.set(planeThirdAxis(), toolLengthMm);
+    return tool;
+  }
+  /// Zero of the workpiece frame in machine coordinates, with the tool's tip as reference.
+  [[nodiscard]] base::Vec3 zeroMm() const { return workOffsetMm + toolMm(); }
 };
 
 }  // namespace rivulet::nc

@@ -77,7 +77,8 @@ void markSinumerik(const GMarks& mark) {
   // G291 is another language; 147 to 348 are smooth approaches; G16 another plane.
   mark(GEffect::Mode, {2910, 1470, 1480, 2470, 2480, 3470, 3480, 50, 70, 160});
   mark(GEffect::MotionMode, {630, 3310, 3320});
-  mark(GEffect::TakesBlock, {740, 750, 580, 590});  // G58, G59: axial programmable offsets
+  mark(GEffect::TakesBlock, {740, 580, 590});  // G58, G59: axial programmable offsets
+  mark(GEffect::FixedPoint, {750});
   mark(GEffect::Unknown, {51, 80});
 }
 
@@ -177,6 +178,8 @@ NameTable sharedNames() {
   add(NameEffect::Transformation, {"TRAORI", "TRAFOOF"});
   add(NameEffect::Address, {"CR", "AR", "AP", "RP", "RPL", "TURN", "I1", "J1", "K1", "A3", "B3",
                             "C3", "A2", "B2", "C2", "PW", "SD", "PL"});
+  // Of G75 alone: the fixed point, and the axes of the machine.
+  add(NameEffect::MachineAxis, {"FP", "X1", "Y1", "Z1", "B1"});
   return table;
 }
 

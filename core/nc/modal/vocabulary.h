@@ -44,6 +44,7 @@ enum class GEffect : unsigned char {
   WorkOffset,     ///< no effect as long as it does not change under the tool
   WorkOffsetP,    ///< the same with its number in P: G54.1, G154
   MachineMove,    ///< G53, G153: this block is in machine coordinates
+  FixedPoint,     ///< G75 of SINUMERIK: the axes the block names go to a fixed point
   SetPosition,    ///< G92: the present position gets the values of the block
   ResetPosition,  ///< G92.1
   LocalOffset,    ///< G52: an offset
@@ -60,7 +61,8 @@ enum class MachineWord : unsigned char {
   M,          ///< M function
   Tool,       ///< T number
   NamedTool,  ///< index of its name in the order of the program
-  Dwell,      ///< G4, seconds; NaN: in turns of the spindle
+  Dwell,      ///< G4, seconds; NaN: in turns of a spindle whose speed is not known
+  Edge,       ///< D: the cutting edge whose offsets hold
 };
 
 /// `key` of a G function: ten times its number, so that G91.1 has one.
@@ -101,6 +103,7 @@ enum class NameEffect : unsigned char {
   Diameter,        ///< DIAMON, DIAMOF, DIAM90
   Transformation,  ///< TRAORI, TRAFOOF: X, Y, Z stay those of the tool's tip
   Address,         ///< an address of its own: CR=, AR=, AP=, RP=, TURN=, I1=, A3=, PW=
+  MachineAxis,     ///< FP=, X1=: words of G75; in other blocks they are not understood
 };
 
 /// @param name  upper case
