@@ -293,6 +293,9 @@ class SinumerikParser final : public BlockParser {
       made.name = std::move(program);
       return made.name.empty() ? fault(FaultCode::NameMissing) : finish(std::move(made));
     }
+    if (name == "MCALL") {
+      return modalCall();
+    }
     if (name == "CANCEL") {
       std::optional<Expression> id;
       return expect('(') && (id = expression()) && expect(')') &&
@@ -567,6 +570,20 @@ class SinumerikParser final : public BlockParser {
       made.computed = std::move(text);
     }
     return finish(std::move(made));
+  }
+
+  bool modalCall() {
+    RepeatedCall made;
+    if (!m_in->isAtEnd()) {
+      made.call.emplace().name = m_in->name();
+      auto arguments = got(m_in->arguments());
+      if (made.call->name.empty() || !arguments) {
+        return fault(FaultCode::NameMissing);
+      }
+      made.call->arguments = std::move(*arguments);
+    }
+    append(std::move(made));
+    return true;
   }
 
   // --- messages, synchronized actions -----------------------------------------------

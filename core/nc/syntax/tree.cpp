@@ -62,6 +62,14 @@ void each(const Assignment& assignment, const Visit& visit) {
   each(assignment.initial, visit);
 }
 
+void each(const Call& call, const Visit& visit) {
+  each(call.computed, visit);
+  each(call.times, visit);
+  for (const std::optional<Expression>& argument : call.arguments) {
+    each(argument, visit);
+  }
+}
+
 }  // namespace
 
 void forEachExpression(const Statement& statement, const Visit& visit) {
@@ -90,10 +98,10 @@ void forEachExpression(const Statement& statement, const Visit& visit) {
         } else if constexpr (std::is_same_v<What, RepeatLabel>) {
           each(what.times, visit);
         } else if constexpr (std::is_same_v<What, Call>) {
-          each(what.computed, visit);
-          each(what.times, visit);
-          for (const std::optional<Expression>& argument : what.arguments) {
-            each(argument, visit);
+          each(what, visit);
+        } else if constexpr (std::is_same_v<What, RepeatedCall>) {
+          if (what.call) {
+            each(*what.call, visit);
           }
         } else if constexpr (std::is_same_v<What, Cancel>) {
           visit(what.id);

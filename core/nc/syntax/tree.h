@@ -67,6 +67,11 @@ struct Call {
   bool sharesVariables = false;  ///< M98: the # variables are those of the caller
 };
 
+/// MCALL NAME(...): the call is executed after each block that moves; alone: no more.
+struct RepeatedCall {
+  std::optional<Call> call;
+};
+
 /// When a synchronized action is executed.
 enum class Trigger : std::uint8_t {
   Always,    ///< no keyword: every cycle
@@ -93,8 +98,9 @@ struct Faulty {
 };
 
 struct Statement {
-  using What = std::variant<Words, Assignment, Definition, PreprocessingStop, Message, Jump, Branch,
-                            RepeatLabel, Call, Synchronized, Cancel, Return, End, Faulty>;
+  using What =
+      std::variant<Words, Assignment, Definition, PreprocessingStop, Message, Jump, Branch,
+                   RepeatLabel, Call, RepeatedCall, Synchronized, Cancel, Return, End, Faulty>;
   Place place;
   What what;
   /// False for the second and later statements of one block.

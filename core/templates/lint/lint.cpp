@@ -21,6 +21,7 @@
 #include "base/error.h"
 #include "machine/main_run.h"
 #include "machine/motion_sink.h"
+#include "nc/cycles/drilling.h"
 #include "nc/eval/evaluate.h"
 #include "nc/exec/block_reader.h"
 #include "nc/syntax/programs.h"
@@ -282,8 +283,16 @@ class Linter {
         error(isName ? LintRule::UnknownName : LintRule::Syntax, statement.place.line,
               fmt::format("The control would stop here with alarm {}: {} Correct the block.",
                           alarm->number, alarm->text));
+      } else if (const auto* modal = std::get_if<nc::RepeatedCall>(&statement.what)) {
+        if (modal->call) {
+          warn(LintRule::NotChecked, statement.place.line,
+               fmt::format("What MCALL {} moves is not checked.", modal->call->name));
+        }
       } else if (const auto* call = std::get_if<nc::Call>(&statement.what)) {
-        if (call->isPlainName) {
+        if (nc::isDrillingCycle(call->name) || nc::isHolePattern(call->name)) {
+          warn(LintRule::NotChecked, statement.place.line,
+               fmt::format("What the cycle {} moves is not checked.", call->name));
+        } else if (call->isPlainName) {
           error(LintRule::UnknownName, statement.place.line,
                 fmt::format("{} is neither a word of the control nor a variable of this program. "
                             "Correct the name, or define it with DEF.",
