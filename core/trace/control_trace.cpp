@@ -13,8 +13,9 @@ namespace rivulet::trace {
 namespace {
 
 constexpr std::string_view kName = "rivulet-control-trace";
-constexpr int kVersion = 2;
-/// Rotary axes came with format 2; a trace without them is still one of format 1.
+constexpr int kVersion = 3;
+/// Rotary axes came with format 2, events with format 3.
+constexpr int kVersionWithoutEvents = 2;
 constexpr int kVersionWithoutRotary = 1;
 /// Approximate length of a sample's line: one reservation instead of many reallocations.
 constexpr std::size_t kSampleBytes = 120;
@@ -30,6 +31,7 @@ tl::unexpected<base::Error> damaged(std::size_t line, std::string_view what) {
 struct EndLine {
   std::size_t samples = 0;
   std::size_t blocks = 0;
+  std::size_t events = 0;
   bool truncated = false;
 };
 
@@ -41,6 +43,8 @@ std::optional<EndLine> readEnd(lines::Fields fields) {
       end.samples = fields.integer<std::size_t>();
     } else if (key == "blocks") {
       end.blocks = fields.integer<std::size_t>();
+    } else if (key == "events") {
+      end.events = fields.integer<std::size_t>();
     } else if (key == "truncated") {
       end.truncated = fields.integer<int>() != 0;
     } else {
@@ -86,6 +90,14 @@ std::string readLine(std::string_view text, ControlTrace& trace, bool& ended) {
     trace.blocks.push_back(*block);
     return {};
   }
+  if (keyword == "e") {
+    std::optional<ControlEvent> event = lines::readEvent(fields);
+    if (!event) {
+      return "the event cannot be read";
+    }
+    trace.events.push_back(std::move(*event));
+    return {};
+  }
   if (keyword != "end") {
     return "the line has an unknown keyword";
   }
@@ -96,6 +108,10 @@ std::string readLine(std::string_view text, ControlTrace& trace, bool& ended) {
   if (end->samples != trace.samples.size() || end->blocks != trace.blocks.size()) {
     return fmt::format("{} samples and {} blocks were written, but the file has {} and {}",
                        end->samples, end->blocks, trace.samples.size(), trace.blocks.size());
+  }
+  if (end->events != trace.events.size()) {
+    return fmt::format("{} events were written, but the file has {}", end->events,
+                       trace.events.size());
   }
   trace.truncated = end->truncated;
   ended = true;
@@ -113,17 +129,25 @@ std::string printControlTrace(const ControlTrace& trace) {
   std::string out;
   out.reserve(trace.samples.size() * kSampleBytes + trace.blocks.size() * kBlockBytes + 100);
   const bool hasRotary = base::any(trace.rotaryAxes);
-  fmt::format_to(std::back_inserter(out), "{} {} cycle_ns={}{}{}\n", kName,
-                 hasRotary ? kVersion : kVersionWithoutRotary, trace.cycle.count(),
-                 hasRotary ? " rotary=" : "", base::rotaryNames(trace.rotaryAxes));
+  const int version = !trace.events.empty() ? kVersion
+                      : hasRotary           ? kVersionWithoutEvents
+                                            : kVersionWithoutRotary;
+  fmt::format_to(std::back_inserter(out), "{} {} cycle_ns={}{}{}\n", kName, version,
+                 trace.cycle.count(), hasRotary ? " rotary=" : "",
+                 base::rotaryNames(trace.rotaryAxes));
   for (const ControlSample& sample : trace.samples) {
     lines::appendSample(out, sample, trace.rotaryAxes);
   }
   for (const ExecutedBlock& block : trace.blocks) {
     lines::appendBlock(out, block, trace.rotaryAxes);
   }
-  fmt::format_to(std::back_inserter(out), "end samples={} blocks={} truncated={}\n",
-                 trace.samples.size(), trace.blocks.size(), trace.truncated ? 1 : 0);
+  for (const ControlEvent& event : trace.events) {
+    lines::appendEvent(out, event);
+  }
+  fmt::format_to(std::back_inserter(out), "end samples={} blocks={}{} truncated={}\n",
+                 trace.samples.size(), trace.blocks.size(),
+                 trace.events.empty() ? "" : fmt::format(" events={}", trace.events.size()),
+                 trace.truncated ? 1 : 0);
   return out;
 }
 

@@ -43,12 +43,32 @@ struct ExecutedBlock {
   [[nodiscard]] bool moves() const { return lengthMm > 0.0 || turnDeg > 0.0; }
 };
 
+/// What the machine did besides moving.
+struct ControlEvent {
+  enum class Kind {
+    ToolChange,  ///< `value`: T number; `name`
+    Edge,        ///< D: `value`
+    WorkOffset,  ///< `value`: number of the G function, 500: none
+    Spindle,     ///< `value`: speed commanded, 1/min, negative for M4; 0: it stops
+    Coolant,     ///< `value`: sum of 1 for M8 and 2 for M7; 0: off
+    Dwell,       ///< G4
+    Stop,        ///< `value`: 0 for M0, 1 for M1
+  };
+  base::Instant from{};
+  base::Instant to{};  ///< when the next block could begin
+  base::LineNumber line;
+  Kind kind = Kind::Stop;
+  double value = 0.0;
+  std::string name;
+};
+
 struct ControlTrace {
   base::Duration cycle{};        ///< interpolation cycle
   base::RotarySet rotaryAxes{};  ///< those the machine has; angles of others are 0 and not written
   std::vector<ControlSample> samples;
   std::vector<ExecutedBlock> blocks;
-  bool truncated = false;  ///< the control's trace memory was full before the run ended
+  std::vector<ControlEvent> events;  ///< in the order of their beginning
+  bool truncated = false;            ///< the control's trace memory was full before the run ended
 };
 
 enum class TraceError {
@@ -59,8 +79,8 @@ enum class TraceError {
 
 [[nodiscard]] std::error_code make_error_code(TraceError code);
 
-/// Versioned line format (docs/formats.md). `parse(print(t))` equals `t`. A trace without rotary
-/// axes is written in format 1.
+/// Versioned line format (docs/formats.md). `parse(print(t))` equals `t`. A trace without events is
+/// written in format 2, one without rotary axes too in format 1.
 [[nodiscard]] std::string printControlTrace(const ControlTrace& trace);
 [[nodiscard]] base::Result<ControlTrace> parseControlTrace(std::string_view text);
 

@@ -8,9 +8,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace rivulet::trace::lines {
+
+namespace {
+
+/// In the order of `ControlEvent::Kind`.
+constexpr std::array<std::string_view, 7> kEventNames{"tool",    "edge",  "offset", "spindle",
+                                                      "coolant", "dwell", "stop"};
+
+}  // namespace
 
 std::optional<LineReader::Line> LineReader::next() {
   if (m_rest.empty()) {
@@ -222,6 +231,29 @@ std::optional<ExecutedBlock> readBlock(Fields fields, const base::RotarySet& rot
     b.turnDeg = fields.number();
   }
   return fields.ok() && fields.atEnd() ? std::optional(b) : std::nullopt;
+}
+
+void appendEvent(std::string& out, const ControlEvent& e) {
+  fmt::format_to(std::back_inserter(out), FMT_COMPILE("e {} {} {} {} {} "),
+                 e.from.time_since_epoch().count(), e.to.time_since_epoch().count(), e.line.value,
+                 kEventNames[static_cast<std::size_t>(e.kind)], e.value);
+  appendQuoted(out, e.name);
+  out += '\n';
+}
+
+std::optional<ControlEvent> readEvent(Fields fields) {
+  ControlEvent e;
+  e.from = fields.instant();
+  e.to = fields.instant();
+  e.line.value = fields.integer<std::uint32_t>();
+  const auto kind = std::find(kEventNames.begin(), kEventNames.end(), fields.word());
+  e.value = fields.number();
+  e.name = fields.quoted();
+  if (!fields.ok() || !fields.atEnd() || kind == kEventNames.end()) {
+    return std::nullopt;
+  }
+  e.kind = static_cast<ControlEvent::Kind>(kind - kEventNames.begin());
+  return e;
 }
 
 Header readHeader(std::string_view line, std::string_view name) {

@@ -78,11 +78,13 @@ void appendQuoted(std::string& out, std::string_view text);
 /// @param rotaryAxes  whose angles are at the end of the line
 void appendSample(std::string& out, const ControlSample& sample, const base::RotarySet& rotaryAxes);
 void appendBlock(std::string& out, const ExecutedBlock& block, const base::RotarySet& rotaryAxes);
+void appendEvent(std::string& out, const ControlEvent& event);
 /// Reads what follows the keyword; nothing if a field is missing, wrong or left over.
 [[nodiscard]] std::optional<ControlSample> readSample(Fields fields,
                                                       const base::RotarySet& rotaryAxes);
 [[nodiscard]] std::optional<ExecutedBlock> readBlock(Fields fields,
                                                      const base::RotarySet& rotaryAxes);
+[[nodiscard]] std::optional<ControlEvent> readEvent(Fields fields);
 
 /// Angles of those axes, each after a blank.
 void appendAngles(std::string& out, const base::RotaryDeg& angles, const base::RotarySet& of);

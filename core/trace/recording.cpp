@@ -91,6 +91,13 @@ bool Reader::read(std::string_view line) {
     }
     return block && trace;
   }
+  if (keyword == "e") {
+    std::optional<ControlEvent> event = lines::readEvent(fields);
+    if (event && trace) {
+      trace->events.push_back(std::move(*event));
+    }
+    return event && trace;
+  }
   if (keyword == "l") {
     return readLive(fields);
   }
@@ -290,12 +297,15 @@ bool Reader::readTrace(Fields fields) {
 bool Reader::readTraceEnd(Fields fields) {
   std::size_t samples = 0;
   std::size_t blocks = 0;
+  std::size_t events = 0;
   while (fields.ok() && !fields.atEnd()) {
     const std::string_view key = fields.key();
     if (key == "samples") {
       samples = fields.integer<std::size_t>();
     } else if (key == "blocks") {
       blocks = fields.integer<std::size_t>();
+    } else if (key == "events") {
+      events = fields.integer<std::size_t>();
     } else {
       fields.skipValue();
     }
@@ -304,7 +314,8 @@ bool Reader::readTraceEnd(Fields fields) {
     return false;
   }
   m_traceWhole = m_recording.controlTrace->samples.size() == samples &&
-                 m_recording.controlTrace->blocks.size() == blocks;
+                 m_recording.controlTrace->blocks.size() == blocks &&
+                 m_recording.controlTrace->events.size() == events;
   return true;
 }
 
@@ -464,9 +475,16 @@ bool RecordingWriter::controlTrace(const ControlTrace& trace) {
     lines::appendBlock(m_lines, block, trace.rotaryAxes);
     flushIfLarge();
   }
+  for (const ControlEvent& event : trace.events) {
+    lines::appendEvent(m_lines, event);
+    flushIfLarge();
+  }
   m_lines += "trace-end";
   appendNumber(m_lines, "samples", trace.samples.size());
   appendNumber(m_lines, "blocks", trace.blocks.size());
+  if (!trace.events.empty()) {
+    appendNumber(m_lines, "events", trace.events.size());
+  }
   m_lines += '\n';
   return flush();
 }

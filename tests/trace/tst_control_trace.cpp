@@ -74,6 +74,35 @@ class TestControlTrace : public QObject {
     QVERIFY(back->blocks[0].lengthMm == 0.5);
   }
 
+  /// Format 3: what the machine did besides moving.
+  void eventsAreKept() {
+    ControlTrace trace = smallTrace();
+    using Kind = ControlEvent::Kind;
+    for (const Kind kind : {Kind::ToolChange, Kind::Edge, Kind::WorkOffset, Kind::Spindle,
+                            Kind::Coolant, Kind::Dwell, Kind::Stop}) {
+      trace.events.push_back(
+          {Instant{Duration{1}}, Instant{Duration{2}}, {7}, kind, -0.1, "MILL \"10\""});
+    }
+    const std::string text = printControlTrace(trace);
+    QVERIFY(text.starts_with("rivulet-control-trace 3 "));
+    QVERIFY(text.find("e 1 2 7 tool -0.1 \"MILL \\\"10\\\"\"\n") != std::string::npos);
+    const auto back = parseControlTrace(text);
+    QVERIFY(back);
+    QCOMPARE(back->events.size(), std::size_t{7});
+    for (std::size_t i = 0; i < back->events.size(); ++i) {
+      const ControlEvent& event = back->events[i];
+      QVERIFY(event.kind == trace.events[i].kind && event.value == -0.1 &&
+              event.from == trace.events[i].from && event.to == trace.events[i].to &&
+              event.line == trace.events[i].line && event.name == trace.events[i].name);
+    }
+    std::string damaged = text;
+    damaged.replace(damaged.find(" tool "), 6, " tools ");
+    QVERIFY(errorOf(damaged) == TraceError::Damaged);
+    damaged = text;
+    damaged.replace(damaged.find("events=7"), 8, "events=6");
+    QVERIFY(errorOf(damaged) == TraceError::Damaged);
+  }
+
   void keepsWhatIsNoNumber() {
     ControlTrace trace = smallTrace();
     trace.samples[0].feedMmPerS = -std::numeric_limits<double>::quiet_NaN();
@@ -98,7 +127,7 @@ class TestControlTrace : public QObject {
     QVERIFY(errorOf("rivulet-control-trace\n") == TraceError::NotATrace);
     QVERIFY(errorOf("rivulet-control-trace one\n") == TraceError::NotATrace);
     QVERIFY(errorOf("rivulet-control-trace 0\n") == TraceError::NotATrace);
-    QVERIFY(errorOf("rivulet-control-trace 3 anything\n") == TraceError::NewerVersion);
+    QVERIFY(errorOf("rivulet-control-trace 4 anything\n") == TraceError::NewerVersion);
   }
 
   void namesTheDamagedLine_data() {

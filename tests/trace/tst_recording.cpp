@@ -97,6 +97,20 @@ class TestRecording : public QObject {
                     "duration_ns=1000000000 error=\"The control stopped: alarm 10720.\"\n"));
   }
 
+  void eventsOfTheControlAreKept() {
+    Recording recording = smallRecording();
+    recording.controlTrace->events = {
+        {Instant{1ms}, Instant{6ms}, {2}, ControlEvent::Kind::ToolChange, 3.0, "MILL"}};
+    std::string text = printRecording(recording);
+    const auto back = parseRecording(text);
+    QVERIFY(back && back->complete && !back->controlTrace->truncated);
+    QCOMPARE(back->controlTrace->events.size(), std::size_t{1});
+    QCOMPARE(back->controlTrace->events[0].name, std::string("MILL"));
+    const std::size_t event = text.find("\ne ") + 1;
+    text.erase(event, text.find('\n', event) + 1 - event);
+    QVERIFY(parseRecording(text)->controlTrace->truncated);
+  }
+
   void readsBackWhatWasWritten() {
     const Recording recording = smallRecording();
     const std::string text = printRecording(recording);
