@@ -201,7 +201,7 @@ base::Result<void> KeptState::keep(const Machine& machine) {
   std::vector<double> values;
   values.reserve(m_values.size());
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    values.push_back(now.actualMm[axis]);
+    values.push_back(now.actualMm[axis] + now.zeroMm[axis]);
   }
   values.insert(values.end(), now.actualDeg.begin(), now.actualDeg.end());
   for (int cell = 0; machine.hasRParameter(cell); ++cell) {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/file.h"
+#include "base/text.h"
 #include "base/units.h"
 
 namespace rivulet::machine {
@@ -124,6 +125,62 @@ class Reader {
     return words;
   }
 
+  /// Names of the keys of a table; none if it is missing.
+  [[nodiscard]] std::vector<std::string> keys(const std::string& path) const {
+    std::vector<std::string> names;
+    if (const toml::table* table = m_root.at_path(path).as_table()) {
+      for (const auto& [key, node] : *table) {
+        names.emplace_back(key.str());
+      }
+    }
+    return names;
+  }
+
+  /// Numbers within [min, max]. @param count  how many there must be; 0: one at least
+  std::vector<double> numbers(const std::string& path, std::size_t count, double min, double max) {
+    const toml::node* node = find(path);
+    const toml::array* array = node == nullptr ? nullptr : node->as_array();
+    std::vector<double> values;
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+      const std::optional<double> value = (*array)[i].value<double>();
+      if (!(*array)[i].is_number() || !(*value >= min && *value <= max)) {
+        break;
+      }
+      values.push_back(*value);
+    }
+    const bool isWhole = array != nullptr && values.size() == array->size() &&
+                         (count == 0 ? !values.empty() : values.size() == count);
+    if (!isWhole && node != nullptr) {
+      problem(path,
+              fmt::format("must be a list of {} between {} and {}",
+                          count == 0 ? "numbers" : fmt::format("{} numbers", count), min, max),
+              node);
+    }
+    values.resize(isWhole ? values.size() : std::max<std::size_t>(count, 1));
+    return values;
+  }
+
+  /// How many tables a list of tables has; none if it is missing.
+  [[nodiscard]] std::size_t tables(const std::string& path) {
+    const toml::node* node = find(path);
+    const toml::array* array = node == nullptr ? nullptr : node->as_array();
+    const bool isWhole = array != nullptr &&
+                         std::all_of(array->begin(), array->end(),
+                                     [](const toml::node& element) { return element.is_table(); });
+    if (node != nullptr && !isWhole) {
+      problem(path, "must be a list of tables", node);
+    }
+    return isWhole ? array->size() : 0;
+  }
+
+  std::string text(const std::string& path) {
+    const toml::node* node = find(path);
+    if (node != nullptr && !node->is_string()) {
+      problem(path, "must be a text", node);
+    }
+    return node == nullptr ? "" : node->value<std::string>().value_or("");
+  }
+
   void problem(const std::string& path, const std::string& what, const toml::node* node) {
     if (!m_problem.empty()) {
       return;
@@ -153,6 +210,12 @@ class Reader {
     for (const auto& [key, node] : table) {
       const std::string path =
           prefix.empty() ? std::string(key.str()) : prefix + "." + std::string(key.str());
+      const toml::array* const array = node.as_array();
+      for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        if (const toml::table* element = (*array)[i].as_table()) {
+          checkUnknown(*element, fmt::format("{}[{}]", path, i));
+        }
+      }
       if (m_known.contains(path)) {
         continue;
       }
@@ -257,6 +320,80 @@ void readAccess(Reader& reader, AccessCost& access) {
   access.programBytesPerS = 1e3 * reader.number("access.programKilobytesPerS", 1e-3, 1e9);
 }
 
+constexpr double kLengthMmMax = 1e4;
+
+/// The key of G54 to G57 and G505 to G599. @return nothing for another word
+std::optional<int> workOffsetKey(std::string_view word) {
+  const std::optional<int> number =
+      word.starts_with('G') ? base::parseInteger(word.substr(1)) : std::nullopt;
+  const bool isOne =
+      number && ((*number >= 54 && *number <= 57) || (*number >= 505 && *number <= 599));
+  return isOne ? std::optional(*number * 10) : std::nullopt;
+}
+
+void readPlaces(Reader& reader, MachineConfig& config) {
+  const auto place = [&reader](const std::string& path) {
+    const std::vector<double> mm = reader.numbers(path, 3, -kLengthMmMax, kLengthMmMax);
+    return base::Vec3{mm[0], mm[1], mm[2]};
+  };
+  for (const std::string& name : reader.keys("workOffsetsMm")) {
+    if (const std::optional<int> key = workOffsetKey(name)) {
+      config.workOffsetsMm[*key] = place("workOffsetsMm." + name);
+    }
+  }
+  for (const std::string& name : reader.keys("fixedPointsMm")) {
+    const std::optional<int> number = name.starts_with("FP")
+                                          ? base::parseInteger(std::string_view(name).substr(2))
+                                          : std::nullopt;
+    if (number && *number >= 1 && *number <= 4) {
+      config.fixedPointsMm[*number] = place("fixedPointsMm." + name);
+    }
+  }
+}
+
+void readTools(Reader& reader, ToolTable& table) {
+  table.changeTime = base::fromSeconds(reader.number("tools.changeSeconds", 0.0, 1000.0));
+  table.acceptsMissing =
+      reader.choice("tools.missing", Choices<bool, 2>{{{"alarm", false}, {"accepted", true}}});
+  const std::size_t count = reader.tables("tools.table");
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string prefix = fmt::format("tools.table[{}].", i);
+    Tool tool;
+    tool.number = static_cast<int>(reader.number(prefix + "number", 1.0, 32000.0));
+    tool.name = reader.has(prefix + "name") ? reader.text(prefix + "name") : "";
+    const std::vector<double> lengths =
+        reader.numbers(prefix + "lengthMm", 0, -kLengthMmMax, kLengthMmMax);
+    const std::vector<double> radii =
+        reader.numbers(prefix + "radiusMm", lengths.size(), 0.0, kLengthMmMax);
+    for (std::size_t edge = 0; edge < lengths.size(); ++edge) {
+      tool.edges.push_back({lengths[edge], radii[edge]});
+    }
+    if (table.find(tool.number)) {
+      reader.problem(prefix + "number", fmt::format("is {} for two tools", tool.number), nullptr);
+    }
+    table.tools.push_back(std::move(tool));
+  }
+}
+
+/// What a preset may leave out.
+void readEquipment(Reader& reader, MachineConfig& config) {
+  if (reader.has("spindle")) {
+    SpindleConfig& spindle = config.spindle.emplace();
+    spindle.speedPerMinMax = reader.number("spindle.speedPerMinMax", 1.0, 1e6);
+    spindle.runUp = base::fromSeconds(reader.number("spindle.runUpSeconds", 0.0, 1000.0));
+  }
+  if (reader.has("tools")) {
+    readTools(reader, config.tools.emplace());
+  }
+  if (reader.has("coolant")) {
+    config.coolantTime = milliseconds(reader, "coolant.switchMs", 0.0, 60000.0);
+  }
+  if (reader.has("control.optionalStop")) {
+    config.optionalStop = reader.flag("control.optionalStop");
+  }
+  readPlaces(reader, config);
+}
+
 /// Presets have a few kilobytes.
 constexpr std::uintmax_t kPresetBytesMax = std::uintmax_t{1} << 20U;
 
@@ -275,6 +412,19 @@ bool hasEndlessKey(std::string_view text) {
 std::error_code make_error_code(MachineError code) {
   static const base::NamedCategory category("machine");
   return {static_cast<int>(code), category};
+}
+
+std::optional<Tool> ToolTable::find(int number) const {
+  const auto found = std::find_if(tools.begin(), tools.end(),
+                                  [number](const Tool& tool) { return tool.number == number; });
+  return found == tools.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<Tool> ToolTable::find(std::string_view name) const {
+  const auto found = std::find_if(tools.begin(), tools.end(), [name](const Tool& tool) {
+    return base::toUpper(tool.name) == base::toUpper(name);
+  });
+  return found == tools.end() ? std::nullopt : std::optional(*found);
 }
 
 double MachineConfig::feedMmPerSMax() const {
@@ -332,6 +482,7 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
   readRotaryAxes(reader, config);
   readControl(reader, config);
   readAccess(reader, config.access);
+  readEquipment(reader, config);
   if (const std::string problem = reader.finish(); !problem.empty()) {
     return base::fail(MachineError::PresetMalformed,
                       fmt::format("The preset cannot be used: {}. Correct the file.", problem),

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@
 #include "base/result.h"
 #include "base/vec3.h"
 #include "machine/prepared.h"
+#include "machine/tool.h"
 
 namespace rivulet::machine {
 
@@ -101,6 +103,25 @@ struct AccessCost {
   }
 };
 
+struct SpindleConfig {
+  double speedPerMinMax = 0.0;  ///< MD35100: a greater S is reduced to it
+  base::Duration runUp{};       ///< from standstill to the greatest speed, evenly
+
+  [[nodiscard]] base::Duration runUpTime(double changePerMin) const {
+    return base::fromSeconds(base::toSeconds(runUp) * changePerMin / speedPerMinMax);
+  }
+};
+
+struct ToolTable {
+  base::Duration changeTime{};
+  bool acceptsMissing = false;  ///< a tool that is not in the table has length and radius 0
+  std::vector<Tool> tools;
+
+  [[nodiscard]] std::optional<Tool> find(int number) const;
+  /// @param name  in any case of letters
+  [[nodiscard]] std::optional<Tool> find(std::string_view name) const;
+};
+
 struct MachineConfig {
   std::string name;
   std::array<AxisLimits, base::kAxisCount> axes;
@@ -124,6 +145,14 @@ struct MachineConfig {
   double rapidMmPerS = 0.0;     ///< path speed of G0
   base::Duration traceLimit{};  ///< longest recording of the control's own trace
   AccessCost access;
+
+  // What makes the part, each optional in a preset. Words for what a machine lacks have no effect.
+  std::optional<SpindleConfig> spindle;
+  std::optional<ToolTable> tools;
+  std::optional<base::Duration> coolantTime;  ///< until the next block may begin
+  std::map<int, base::Vec3> workOffsetsMm;    ///< by key of G54 to G599 (nc/modal/vocabulary)
+  std::map<int, base::Vec3> fixedPointsMm;    ///< MD30600, of G75, by number; machine coordinates
+  bool optionalStop = false;                  ///< M1 waits for cycle start, as M0 does
 
   [[nodiscard]] base::RotarySet rotarySet() const {
     return {rotaryAxes[0].has_value(), rotaryAxes[1].has_value(), rotaryAxes[2].has_value()};

@@ -20,15 +20,20 @@ namespace {
 constexpr double kCircleErrorMm = 0.01;
 
 nc::ExecutorOptions executorOptions(const InterpreterOptions& options) {
-  return {.arcRadiusToleranceMm = kCircleErrorMm,
-          .rotaryAxes = options.rotaryAxes,
-          .refusesFurtherAxes = false,
-          .knowsMachineCoordinates = true,
-          .knowsWorkOffsets = true};
+  nc::ExecutorOptions made{.arcRadiusToleranceMm = kCircleErrorMm,
+                           .rotaryAxes = options.rotaryAxes,
+                           .refusesFurtherAxes = false,
+                           .knowsMachineCoordinates = true,
+                           .knowsWorkOffsets = true};
+  if (options.machine != nullptr) {
+    made.workOffsetsMm = options.machine->workOffsetsMm;
+    made.fixedPointsMm = options.machine->fixedPointsMm;
+  }
+  return made;
 }
 
 /// True if the words move nothing and change no mode of the path: spindle, tool, coolant, and what
-/// says something of the program.
+/// says something of the program. What they do on the machine is prepared all the same.
 bool isWithoutEffect(const nc::Words& words) {
   return std::all_of(words.tokens.begin(), words.tokens.end(), [](const nc::Token& token) {
     return token.address != 0
@@ -102,7 +107,9 @@ Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& p
       m_motions({options.startMm, options.rapidMmPerS, options.roundingMm}, m_alarms),
       m_executorOptions(executorOptions(options)),
       m_executor(nc::languageOf(nc::Dialect::Sinumerik), m_executorOptions, m_values,
-                 {m_motions, m_alarms, m_observer}) {
+                 {m_motions, m_alarms, m_observer}),
+      m_machineWords(options.machine, options.tool, m_alarms),
+      m_library(options.library) {
   nc::ModalState& state = m_executor.state();
   state.motion = nc::Motion::Line;  // reset default
   state.feedMmPerS = options.feedMmPerS;
@@ -118,6 +125,14 @@ void Interpreter::refresh() {
 }
 
 Prepared Interpreter::next() {
+  if (!m_due.empty()) {
+    Prepared prepared = std::move(m_due.front());
+    m_due.pop_front();
+    return prepared;
+  }
+  if (!m_steps.empty()) {
+    return nextStep();
+  }
   const auto isSilent = [](const nc::Statement& statement) {
     const auto* const words = std::get_if<nc::Words>(&statement.what);
     return words != nullptr && isWithoutEffect(*words);
@@ -133,8 +148,8 @@ Prepared Interpreter::next() {
     if (isSilent(*statement)) {
       m_flow.step();
       Prepared prepared = execute(*statement);
-      if (std::holds_alternative<Alarm>(prepared)) {
-        return prepared;
+      if (!std::holds_alternative<PreparedNothing>(prepared)) {
+        return prepared;  // an alarm, or what the machine does
       }
       continue;
     }
@@ -148,7 +163,7 @@ Prepared Interpreter::next() {
       m_flow.step();
     }
     const auto* const nothing = std::get_if<PreparedNothing>(&prepared);
-    if (nothing == nullptr || nothing->jumped || !m_flow.continuesBlock()) {
+    if (nothing == nullptr || nothing->jumped || !m_steps.empty() || !m_flow.continuesBlock()) {
       return prepared;
     }
   }
@@ -181,6 +196,14 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
             }
             return PreparedCancel{static_cast<int>(std::lround(std::clamp(*id, 0.0, 255.0)))};
           },
+          [&](const nc::Call& s) -> Prepared {
+            if (isCycle(s)) {
+              return callCycle(s, statement.place.line);
+            }
+            const nc::Expected<bool> jumped = m_flow.execute(statement);
+            return jumped ? Prepared(PreparedNothing{*jumped}) : alarmOf(jumped.error());
+          },
+          [this](const nc::RepeatedCall& s) { return setModalCall(s); },
           [this](const nc::Return&) { return leave(); },
           [](const nc::End&) -> Prepared { return PreparedEnd{}; },
           [](const nc::Faulty& s) -> Prepared { return alarmOf(s.fault); },
@@ -193,7 +216,142 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
 }
 
 Prepared Interpreter::leave() {
-  return m_flow.leave() ? Prepared(PreparedNothing{true}) : PreparedEnd{};
+  const bool left = m_flow.leave();
+  m_modalDepth = m_flow.depth() > m_modalDepth ? m_modalDepth : 0;
+  return left ? Prepared(PreparedNothing{true}) : PreparedEnd{};
+}
+
+// --- cycles -----------------------------------------------------------------------------------
+
+/// A program of this name on the control comes first, as cycles of the user do.
+bool Interpreter::isCycle(const nc::Call& call) const {
+  return (nc::isDrillingCycle(call.name) || nc::isHolePattern(call.name)) &&
+         !(m_library && m_library(call.name));
+}
+
+nc::Expected<Interpreter::CycleCall> Interpreter::evaluated(const nc::Call& call) const {
+  CycleCall made{call.name, {}};
+  for (const std::optional<nc::Expression>& argument : call.arguments) {
+    const nc::Expected<double> value = argument ? m_values.number(*argument) : 0.0;
+    if (!value) {
+      return nc::fail(value.error());
+    }
+    made.arguments.push_back(argument ? std::optional(*value) : std::nullopt);
+  }
+  return made;
+}
+
+Prepared Interpreter::setModalCall(const nc::RepeatedCall& call) {
+  m_modalCycle.reset();
+  m_modalCall.reset();
+  if (call.call && nc::isDrillingCycle(call.call->name) && isCycle(*call.call)) {
+    nc::Expected<CycleCall> cycle = evaluated(*call.call);
+    if (!cycle) {
+      return alarmOf(cycle.error());
+    }
+    m_modalCycle = *std::move(cycle);
+  } else {
+    m_modalCall = call.call;
+  }
+  return PreparedNothing{};
+}
+
+Prepared Interpreter::callCycle(const nc::Call& call, base::LineNumber line) {
+  constexpr int kNoDrillingCycle = 62100;
+  const nc::Expected<CycleCall> cycle = evaluated(call);
+  if (!cycle) {
+    return alarmOf(cycle.error());
+  }
+  m_cycleLine = line;
+  const base::Vec3 placeMm = m_executor.start().programmedMm;
+  std::optional<Alarm> alarm;
+  if (nc::isDrillingCycle(cycle->name)) {
+    alarm = addSteps(*cycle, placeMm);
+  } else if (!m_modalCycle) {
+    alarm = Alarm{kNoDrillingCycle,
+                  fmt::format("Line {}: no drilling cycle is active for {}. Write MCALL with "
+                              "a cycle before it.",
+                              line.value, cycle->name)};
+  } else {
+    base::Vec3 fromMm = placeMm;
+    for (const base::Vec3 hole : nc::holesOf(cycle->name, cycle->arguments, cycleStart(placeMm))) {
+      base::Vec3 aboveMm = hole;
+      const std::size_t third = m_executor.state().planeThirdAxis();
+      aboveMm.set(third, fromMm[third]);
+      m_steps.push_back({.kind = nc::CycleStep::Kind::Rapid, .toMm = aboveMm});
+      alarm = alarm ? alarm : addSteps(*m_modalCycle, aboveMm);
+      const auto last = std::find_if(m_steps.rbegin(), m_steps.rend(), nc::moves);
+      fromMm = last->toMm;
+    }
+  }
+  return alarm ? Prepared(*std::move(alarm)) : PreparedNothing{};
+}
+
+/// After a block that has moved the axes.
+Prepared Interpreter::callModally(base::LineNumber line) {
+  m_cycleLine = line;
+  if (m_modalCycle) {
+    std::optional<Alarm> alarm = addSteps(*m_modalCycle, m_executor.start().programmedMm);
+    return alarm ? Prepared(*std::move(alarm)) : PreparedNothing{};
+  }
+  if (!m_modalCall || m_modalDepth > 0) {
+    return PreparedNothing{};
+  }
+  nc::Statement statement;
+  statement.what = *m_modalCall;
+  const std::size_t depth = m_flow.depth();
+  const nc::Expected<bool> called = m_flow.execute(statement);
+  m_modalDepth = called && *called ? depth : 0;
+  return called ? Prepared(PreparedNothing{*called}) : alarmOf(called.error());
+}
+
+nc::CycleStart Interpreter::cycleStart(base::Vec3 placeMm) {
+  const nc::ModalState& state = m_executor.state();
+  return {placeMm, state.planeFirstAxis, state.lengthFactor, state.spindlePerMin};
+}
+
+std::optional<Alarm> Interpreter::addSteps(const CycleCall& call, base::Vec3 placeMm) {
+  const auto steps = nc::expandCycle(call.name, call.arguments, cycleStart(placeMm));
+  if (!steps) {
+    return Alarm{steps.error().alarm,
+                 fmt::format("Line {}: the parameter {} of {} does not fit the others.",
+                             m_cycleLine.value, steps.error().parameter, call.name)};
+  }
+  m_steps.insert(m_steps.end(), steps->begin(), steps->end());
+  return std::nullopt;
+}
+
+Prepared Interpreter::nextStep() {
+  const nc::CycleStep step = m_steps.front();
+  m_steps.pop_front();
+  using Kind = nc::CycleStep::Kind;
+  switch (step.kind) {
+    case Kind::Rapid:
+      m_executor.moveTo(step.toMm, std::nullopt, m_cycleLine);
+      break;
+    case Kind::Feed:
+      m_executor.moveTo(
+          step.toMm,
+          step.feedMmPerS > 0.0 ? step.feedMmPerS : step.feedFactor * m_executor.feedMmPerS(),
+          m_cycleLine);
+      break;
+    case Kind::Dwell:
+      return PreparedDwell{m_cycleLine, base::fromSeconds(step.seconds)};
+    case Kind::Spindle: {
+      BlockMachineWords words;
+      words.functions.push_back(step.function);
+      if (step.spindlePerMin > 0.0) {
+        words.speedPerMin = step.spindlePerMin;
+      }
+      m_machineWords.apply(words, false, m_executor.state());
+      break;
+    }
+  }
+  Prepared prepared = m_motions.take(m_executor.state());
+  if (std::optional<Alarm> alarm = m_alarms.take()) {
+    return *std::move(alarm);
+  }
+  return inOrder(std::move(prepared), m_cycleLine);
 }
 
 // --- words ------------------------------------------------------------------------------------
@@ -204,12 +362,41 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
   for (const nc::Token& token : words.tokens) {
     m_executor.read(token, block);
   }
+  const BlockMachineWords machineWords = m_motions.takeWords();
+  m_machineWords.apply(machineWords, block.dwell, m_executor.state());
   m_executor.execute(block);
   Prepared prepared = m_motions.take(m_executor.state());
   if (std::optional<Alarm> alarm = m_alarms.take()) {
     return *std::move(alarm);
   }
-  return prepared;
+  const bool moves = std::holds_alternative<PreparedMotion>(prepared);
+  Prepared first = inOrder(std::move(prepared), line);
+  if (moves && (m_modalCycle || m_modalCall)) {
+    Prepared called = callModally(line);
+    if (std::holds_alternative<Alarm>(called)) {
+      m_due.push_back(std::move(called));
+    }
+  }
+  return first;
+}
+
+/// What the machine does before the motion, the motion, and a stop after it.
+Prepared Interpreter::inOrder(Prepared prepared, base::LineNumber line) {
+  MachineWords::Actions actions = m_machineWords.take(m_executor.state());
+  const auto due = [&](std::vector<MachineAction> made) {
+    if (!made.empty()) {
+      m_due.emplace_back(PreparedActions{line, std::move(made), m_executor.state().zeroMm()});
+    }
+  };
+  due(std::move(actions.before));
+  if (!std::holds_alternative<PreparedNothing>(prepared) ||
+      (m_due.empty() && actions.after.empty())) {
+    m_due.push_back(std::move(prepared));
+  }
+  due(std::move(actions.after));
+  Prepared first = std::move(m_due.front());
+  m_due.pop_front();
+  return first;
 }
 
 }  // namespace rivulet::machine

@@ -6,6 +6,7 @@
 /// assignments take effect. @threadsafety one object, one thread.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,10 +15,13 @@
 #include "base/axes.h"
 #include "base/instant.h"
 #include "machine/alarm_sink.h"
+#include "machine/config.h"
+#include "machine/machine_words.h"
 #include "machine/main_run.h"
 #include "machine/motion_sink.h"
 #include "machine/prepared.h"
 #include "machine/r_parameters.h"
+#include "nc/cycles/drilling.h"
 #include "nc/eval/variables.h"
 #include "nc/exec/executor.h"
 #include "nc/flow/flow.h"
@@ -25,16 +29,19 @@
 namespace rivulet::machine {
 
 struct InterpreterOptions {
-  base::Vec3 startMm;            ///< where the axes stand: end of the "block before the first"
-  base::RotaryDeg startDeg{};    ///< the same of A, B, C
-  base::RotarySet rotaryAxes{};  ///< those the machine has; words of others move nothing
-  double rapidMmPerS = 0.0;      ///< path speed of G0
-  double feedMmPerS = 0.0;       ///< until F is programmed; 0: a block without is an alarm
-  double roundingMm = 0.0;       ///< deviation at corners that G64 allows
+  base::Vec3 startMm;  ///< where the axes stand, machine coordinates: end of the "block before"
+  base::RotaryDeg startDeg{};           ///< the same of A, B, C
+  base::RotarySet rotaryAxes{};         ///< those the machine has; words of others move nothing
+  double rapidMmPerS = 0.0;             ///< path speed of G0
+  double feedMmPerS = 0.0;              ///< until F is programmed; 0: a block without is an alarm
+  double roundingMm = 0.0;              ///< deviation at corners that G64 allows
   Dynamics dynamics = Dynamics::Brisk;  ///< until BRISK or SOFT is programmed
   bool cacheUntilStopre = false;        ///< R values from outside are seen only after a STOPRE
   const MainRun* mainRun = nullptr;     ///< for variables of the main run; null: an alarm
   nc::Library library;                  ///< may be empty
+  /// Spindle, tools, coolant, offsets; outlives the interpreter. Null: words for them do nothing.
+  const MachineConfig* machine = nullptr;
+  Tool tool;  ///< in the spindle
 };
 
 class Interpreter {
@@ -68,9 +75,25 @@ class Interpreter {
     std::vector<double> m_cache;  // empty: read live
   };
 
+  /// A drilling cycle or a pattern of holes with its parameters.
+  struct CycleCall {
+    std::string name;
+    std::vector<std::optional<double>> arguments;
+  };
+
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared executeWords(const nc::Words& words, base::LineNumber line);
+  [[nodiscard]] Prepared inOrder(Prepared prepared, base::LineNumber line);
   [[nodiscard]] Prepared leave();
+  // Cycles.
+  [[nodiscard]] bool isCycle(const nc::Call& call) const;
+  [[nodiscard]] Prepared callCycle(const nc::Call& call, base::LineNumber line);
+  [[nodiscard]] Prepared setModalCall(const nc::RepeatedCall& call);
+  [[nodiscard]] Prepared callModally(base::LineNumber line);
+  [[nodiscard]] nc::Expected<CycleCall> evaluated(const nc::Call& call) const;
+  [[nodiscard]] std::optional<Alarm> addSteps(const CycleCall& call, base::Vec3 placeMm);
+  [[nodiscard]] Prepared nextStep();
+  [[nodiscard]] nc::CycleStart cycleStart(base::Vec3 placeMm);
 
   Values m_values;
   nc::Flow m_flow;
@@ -80,6 +103,14 @@ class Interpreter {
   nc::WordObserver m_observer;
   nc::ExecutorOptions m_executorOptions;
   nc::Executor m_executor;
+  MachineWords m_machineWords;
+  std::deque<Prepared> m_due;  ///< of the block interpreted last
+  nc::Library m_library;
+  std::optional<CycleCall> m_modalCycle;
+  std::optional<nc::Call> m_modalCall;  ///< of a subprogram
+  std::size_t m_modalDepth = 0;         ///< of programs, while that one is executed; 0: it is not
+  std::deque<nc::CycleStep> m_steps;    ///< of a cycle, still to come
+  base::LineNumber m_cycleLine;
 };
 
 }  // namespace rivulet::machine

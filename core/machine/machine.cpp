@@ -10,6 +10,7 @@
 #include "base/contract.h"
 #include "base/random.h"
 #include "base/text.h"
+#include "machine/equipment.h"
 #include "machine/path_planner.h"
 #include "machine/prerun.h"
 #include "machine/r_parameters.h"
@@ -43,7 +44,7 @@ constexpr std::uint64_t kAccessStream = 2;
 
 }  // namespace
 
-class Machine::Impl final : public MainRun {
+class Machine::Impl final : public MainRun, public AuxiliaryRun {
  public:
   Impl(MachineConfig configuration, std::uint64_t seed)
       : m_config(std::move(configuration)),
@@ -52,7 +53,9 @@ class Machine::Impl final : public MainRun {
         m_parameters(m_config.rParameterCount),
         m_planner(m_config, m_config.start().mm, m_config.start().deg),
         m_prerun(m_config, m_syncActions),
-        m_servo(m_config, m_config.start()) {
+        m_servo(m_config, m_config.start()),
+        m_equipment(m_config) {
+    m_planner.setAuxiliaryRun(*this);
     m_trace.cycle = m_config.interpolationCycle;
     m_trace.rotaryAxes = m_config.rotarySet();
   }
@@ -84,8 +87,9 @@ class Machine::Impl final : public MainRun {
     MachineState state;
     state.channel = m_channel;
     state.program = m_programStatus;
-    state.actualMm = m_servo.actualMm();
-    state.commandMm = commandMm();
+    state.zeroMm = m_planner.zeroMm();
+    state.actualMm = m_servo.actualMm() - state.zeroMm;
+    state.commandMm = commandMm() - state.zeroMm;
     state.overlayMm = m_offsetMm;
     state.distanceToGoMm = m_planner.distanceToGoMm();
     state.actualDeg = m_servo.actualDeg();
@@ -99,6 +103,8 @@ class Machine::Impl final : public MainRun {
     state.alarmText = m_alarm.text;
     state.programName = m_selected;
     state.message = m_prerun.message();
+    state.waitsForStart = m_waitsForStart;
+    state.equipment = m_equipment.state(m_now);
     return state;
   }
 
@@ -161,6 +167,14 @@ class Machine::Impl final : public MainRun {
   }
 
   Result<void> cycleStart() {
+    if (m_waitsForStart) {
+      m_waitsForStart = false;
+      m_trace.events.back().to = m_now;
+      m_planner.release();
+      m_channel = ChannelStatus::Active;
+      m_programStatus = ProgramStatus::Running;
+      return {};
+    }
     if (m_channel != ChannelStatus::Reset) {
       return base::fail(MachineError::NotInReset,
                         "The channel is not in reset. End the running program first.");
@@ -175,6 +189,7 @@ class Machine::Impl final : public MainRun {
     m_programStatus = ProgramStatus::Running;
     m_trace.samples.clear();
     m_trace.blocks.clear();
+    m_trace.events.clear();
     m_trace.truncated = false;
     m_recording = false;
     m_moved = false;
@@ -187,6 +202,8 @@ class Machine::Impl final : public MainRun {
     options.roundingMm = m_config.roundingMm;
     options.dynamics = m_config.resetDynamics;
     options.mainRun = this;
+    options.machine = &m_config;
+    options.tool = m_equipment.tool();
     options.library = [this](const std::string& name) { return subprogram(name); };
     m_syncActions.clear();
     m_markers.fill(0.0);
@@ -203,7 +220,9 @@ class Machine::Impl final : public MainRun {
     m_prerun.stop();
     m_syncActions.clear();
     dropOffset();
-    if (m_channel == ChannelStatus::Active && m_planner.blockCount() > 0) {
+    if ((m_channel == ChannelStatus::Active || m_waitsForStart) && m_planner.blockCount() > 0) {
+      m_waitsForStart = false;
+      m_channel = ChannelStatus::Active;
       m_planner.abort();
       m_resetting = true;  // the channel is in reset after the axes have stopped
       return;
@@ -219,6 +238,7 @@ class Machine::Impl final : public MainRun {
   SyncActions m_syncActions;  // before the pre-run, which adds actions to it
   Prerun m_prerun;
   LinearServo m_servo;
+  Equipment m_equipment;
   trace::ControlTrace m_trace;
   std::map<std::string, std::string> m_programs;
   std::string m_selected;
@@ -226,8 +246,8 @@ class Machine::Impl final : public MainRun {
 
  private:
   [[nodiscard]] bool needsTicks() const {
-    return m_channel == ChannelStatus::Active || m_parameters.hasPending() || !m_settled ||
-           !m_syncActions.isEmpty() || m_offsetMm != m_offsetWantedMm;
+    return m_channel == ChannelStatus::Active || m_waitsForStart || m_parameters.hasPending() ||
+           !m_settled || !m_syncActions.isEmpty() || m_offsetMm != m_offsetWantedMm;
   }
 
   /// Set point of the axes: the path plus the overlay.
@@ -244,6 +264,19 @@ class Machine::Impl final : public MainRun {
     return nullptr;
   }
 
+  // --- AuxiliaryRun -----------------------------------------------------------------------
+  [[nodiscard]] double begin(const PreparedActions& actions, Instant at) override {
+    const double seconds = m_equipment.carryOut(actions, at, m_trace.events);
+    m_waitsForStart = std::isinf(seconds);
+    return seconds;
+  }
+
+  void dwell(base::LineNumber line, Instant at, double seconds) override {
+    const bool continues = m_blocksAtDwell == m_trace.blocks.size();
+    m_blocksAtDwell = m_trace.blocks.size();
+    m_equipment.recordDwell(line, at, seconds, continues, m_trace.events);
+  }
+
   // --- MainRun ----------------------------------------------------------------------------
   [[nodiscard]] std::optional<double> systemValue(SystemVariable variable,
                                                   int index) const override {
@@ -254,7 +287,8 @@ class Machine::Impl final : public MainRun {
       case SystemVariable::AaIm:
         return isAxis ? std::optional(commandMm()[element]) : std::nullopt;
       case SystemVariable::AaIw:
-        return isAxis ? std::optional(m_planner.commandMm()[element]) : std::nullopt;
+        return isAxis ? std::optional(m_planner.commandMm()[element] - m_planner.zeroMm()[element])
+                      : std::nullopt;
       case SystemVariable::AaDtew:
         return isAxis ? std::optional(m_planner.distanceToGoMm()[element]) : std::nullopt;
       case SystemVariable::MaAaOffMode:
@@ -358,6 +392,10 @@ class Machine::Impl final : public MainRun {
     runSyncActions();
     if (m_channel == ChannelStatus::Active) {
       moveAxes();
+      if (m_waitsForStart) {
+        m_channel = ChannelStatus::Interrupted;
+        m_programStatus = ProgramStatus::Stopped;
+      }
     }
     const base::Vec3 actual = m_servo.follow(before, commandMm());
     const base::RotaryDeg actualDeg = m_servo.followDeg(beforeDeg, m_planner.commandDeg());
@@ -420,6 +458,8 @@ class Machine::Impl final : public MainRun {
 
   void enterReset() {
     m_alarm = {};
+    m_planner.clearZero();
+    m_equipment.endProgram(m_now, m_trace.events);
     m_syncActions.endProgram();
     dropOffset();
     m_resetting = false;
@@ -437,8 +477,10 @@ class Machine::Impl final : public MainRun {
       m_trace.truncated = true;
       return;
     }
-    m_trace.samples.push_back({m_now, commandMm(), actual, m_planner.speedMmPerS(),
-                               m_planner.line(), m_planner.commandDeg(), actualDeg});
+    const base::Vec3 zeroMm = m_planner.zeroMm();
+    m_trace.samples.push_back({m_now, commandMm() - zeroMm, actual - zeroMm,
+                               m_planner.speedMmPerS(), m_planner.line(), m_planner.commandDeg(),
+                               actualDeg});
   }
 
   base::Vec3 m_offsetMm;        ///< overlay on the path ($AA_OFF)
@@ -451,6 +493,8 @@ class Machine::Impl final : public MainRun {
   ProgramStatus m_programStatus = ProgramStatus::Aborted;
   Alarm m_alarm;
   bool m_resetting = false;
+  bool m_waitsForStart = false;  ///< M0 or M1
+  std::size_t m_blocksAtDwell = 0;
   bool m_recording = false;
   bool m_moved = false;   ///< axes have moved since the last standstill began
   bool m_settled = true;  ///< actual position has reached the set point

@@ -25,14 +25,31 @@ namespace rivulet::machine {
 enum class ChannelStatus { Reset = 0, Active = 1, Interrupted = 2 };
 enum class ProgramStatus { Interrupted = 1, Stopped = 2, Running = 3, Waiting = 4, Aborted = 5 };
 
+/// Spindle, tool and coolant at one moment.
+struct EquipmentState {
+  int tool = 0;  ///< in the spindle; 0: none, or one that has only a name
+  std::string toolName;
+  int nextTool = 0;  ///< selected by T
+  std::string nextToolName;
+  int edge = 0;                       ///< D
+  double spindlePerMin = 0.0;         ///< positive: clockwise, M3
+  double spindleCommandPerMin = 0.0;  ///< the same sign
+  double programmedPerMin = 0.0;      ///< S
+  bool spindleLimited = false;        ///< S is greater than the spindle can turn
+  bool flood = false;                 ///< M8
+  bool mist = false;                  ///< M7
+  int workOffset = 500;               ///< number of the G function
+};
+
 /// What the control shows at one moment.
 struct MachineState {
   ChannelStatus channel = ChannelStatus::Reset;
   ProgramStatus program = ProgramStatus::Aborted;  ///< SINUMERIK shows "aborted" in reset
-  base::Vec3 actualMm;                             ///< workpiece frame, after the servo
-  base::Vec3 commandMm;                            ///< set point
-  base::Vec3 overlayMm;         ///< part of it that is an overlay on the path ($AA_OFF)
-  base::Vec3 distanceToGoMm;    ///< to the end of the block in motion
+  base::Vec3 actualMm;                             ///< workpiece frame, tool's tip, after the servo
+  base::Vec3 commandMm;                            ///< set point, workpiece frame
+  base::Vec3 zeroMm;          ///< of the workpiece frame, machine coordinates: adds up with the two
+  base::Vec3 overlayMm;       ///< part of it that is an overlay on the path ($AA_OFF)
+  base::Vec3 distanceToGoMm;  ///< to the end of the block in motion
   base::RotaryDeg actualDeg{};  ///< A, B, C; 0 if there is no such axis
   base::RotaryDeg commandDeg{};
   base::RotaryDeg distanceToGoDeg{};
@@ -43,7 +60,9 @@ struct MachineState {
   int alarm = 0;  ///< alarm number as on the control; 0 none
   std::string alarmText;
   std::string programName;
-  std::string message;  ///< MSG("...")
+  std::string message;         ///< MSG("...")
+  bool waitsForStart = false;  ///< M0 or M1: until the next cycle start
+  EquipmentState equipment;
 };
 
 enum class AccessKind { Read, Write };
@@ -88,6 +107,7 @@ class Machine {
   [[nodiscard]] base::Result<std::string> programText(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> programNames() const;
   base::Result<void> selectProgram(const std::string& name);
+  /// Starts the program selected; continues one that M0 or M1 has stopped.
   base::Result<void> cycleStart();
   /// Ends whatever is in progress; the axes brake to a standstill first. Always allowed.
   void reset();

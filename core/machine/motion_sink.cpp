@@ -24,7 +24,7 @@ void MotionSink::line(const nc::Position& from, base::Vec3 targetMm, const nc::M
   if (move.toolDirection) {
     m_alarms.raise({kNotDefined, "This machine turns no tool to a direction (A3, B3, C3)."});
   }
-  base::Vec3 endMm = from.frame.toWorkpiece(targetMm);
+  base::Vec3 endMm = from.toMachine(targetMm);
   for (std::size_t axis = 0; axis < base::kAxisCount && from.frame.isAligned(); ++axis) {
     if (targetMm[axis] == from.programmedMm[axis]) {
       endMm.set(axis, m_endMm[axis]);  // to the last bit
@@ -54,7 +54,7 @@ void MotionSink::spaceArc(const nc::Position& from, const nc::SpaceArc& arc, bas
   }
   line(from, targetMm, move);
   const base::Vec3 axis = frame.turned(arc.axis);
-  m_motion->arc = ArcPath{frame.toWorkpiece(arc.centreMm),
+  m_motion->arc = ArcPath{from.toMachine(arc.centreMm),
                           ((frame.mirrors() ? -1.0 : 1.0) / base::norm(axis)) * axis, arc.sweepRad};
 }
 
@@ -66,6 +66,39 @@ void MotionSink::spline(const nc::Position& /*from*/, const nc::Spline& /*spline
 void MotionSink::machineWord(nc::MachineWord kind, double value, base::LineNumber line) {
   if (kind == nc::MachineWord::Dwell && !std::isnan(value)) {
     m_dwell = PreparedDwell{line, base::fromSeconds(std::clamp(value, 0.0, 1e6))};
+  }
+  m_words.line = line;
+  switch (kind) {
+    case nc::MachineWord::Spindle:
+      m_words.speedPerMin = value;
+      break;
+    case nc::MachineWord::Tool:
+      m_words.tool = value;
+      break;
+    case nc::MachineWord::Edge:
+      m_words.edge = value;
+      break;
+    case nc::MachineWord::M:
+      m_words.functions.push_back(static_cast<int>(value));
+      break;
+    case nc::MachineWord::Dwell:
+      m_words.speedPerMin.reset();  // turns of the spindle
+      break;
+    case nc::MachineWord::NamedTool:
+      break;
+  }
+}
+
+void MotionSink::toolName(std::string_view name, base::LineNumber line) {
+  m_words.line = line;
+  m_words.toolName = name;
+}
+
+void MotionSink::firstSpindle(char address, double value) {
+  if (address == 'S') {
+    m_words.speedPerMin = value;
+  } else if (address == 'M') {
+    m_words.functions.push_back(static_cast<int>(value));
   }
 }
 
@@ -82,6 +115,7 @@ Prepared MotionSink::take(const nc::ModalState& state) {
   motion->roundingMm =
       state.rounding == RoundingKind::Distance ? state.roundingMm : m_options.roundingMm;
   motion->dynamics = state.dynamics;
+  motion->zeroMm = state.zeroMm();
   return *std::move(motion);
 }
 

@@ -6,9 +6,11 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "base/axes.h"
 #include "machine/alarm_sink.h"
+#include "machine/machine_words.h"
 #include "machine/prepared.h"
 #include "nc/exec/sink.h"
 #include "nc/modal/state.h"
@@ -16,7 +18,7 @@
 namespace rivulet::machine {
 
 struct MotionSinkOptions {
-  base::Vec3 startMm;        ///< where the axes stand, workpiece frame
+  base::Vec3 startMm;        ///< where the axes stand, machine coordinates
   double rapidMmPerS = 0.0;  ///< path speed of G0
   double roundingMm = 0.0;   ///< deviation at corners that G64 allows
 };
@@ -35,6 +37,11 @@ class MotionSink final : public nc::PathSink {
   void unknownWay(const nc::Position& /*from*/, base::Vec3 /*targetMm*/,
                   const nc::Move& /*move*/) override {}
   void machineWord(nc::MachineWord kind, double value, base::LineNumber line) override;
+  void toolName(std::string_view name, base::LineNumber line) override;
+  void firstSpindle(char address, double value) override;
+
+  /// T, S, M and D of the block.
+  [[nodiscard]] BlockMachineWords takeWords() { return std::exchange(m_words, {}); }
 
   /// What the block has moved. @param state  after the block
   [[nodiscard]] Prepared take(const nc::ModalState& state);
@@ -42,9 +49,10 @@ class MotionSink final : public nc::PathSink {
  private:
   MotionSinkOptions m_options;
   AlarmSink& m_alarms;
-  base::Vec3 m_endMm;  ///< of the last motion, workpiece frame
+  base::Vec3 m_endMm;  ///< of the last motion, machine coordinates
   std::optional<PreparedMotion> m_motion;
   std::optional<PreparedDwell> m_dwell;
+  BlockMachineWords m_words;
   bool m_stops = false;  ///< G9
 };
 

@@ -105,6 +105,8 @@ void PathPlanner::append(const PreparedMotion& motion) {
   block.dynamics = motion.dynamics;
   block.isStraight = !motion.arc;
   block.toDeg = motion.targetDeg;
+  block.zeroMm = motion.zeroMm;
+  m_endZeroMm = motion.zeroMm;
   const base::Vec3 fromMm = m_endMm;
   const base::RotaryDeg fromDeg = m_endDeg;
   m_endMm = motion.targetMm;
@@ -191,8 +193,28 @@ void PathPlanner::append(const PreparedDwell& dwell) {
   block.toDeg = m_endDeg;
   block.dwellS = base::toSeconds(dwell.duration);
   block.isDwell = true;
+  block.zeroMm = m_endZeroMm;
   ++m_appended;
   m_blocks.push_back(block);
+}
+
+void PathPlanner::append(PreparedActions actions) {
+  m_endZeroMm = actions.zeroMm;
+  append(PreparedDwell{actions.line, {}});
+  m_blocks.back().actions = std::make_shared<const PreparedActions>(std::move(actions));
+}
+
+/// @return s, how long it waits if it moves nothing
+double PathPlanner::beginBlock(Block& block, base::Instant at) {
+  block.startedAt = at;
+  m_zeroMm = block.zeroMm;
+  if (m_auxiliaries != nullptr && block.actions) {
+    return m_auxiliaries->begin(*block.actions, at);
+  }
+  if (m_auxiliaries != nullptr && block.isDwell) {
+    m_auxiliaries->dwell(block.line, at, block.dwellS);
+  }
+  return block.dwellS;
 }
 
 PathPlanner::Piece PathPlanner::makePiece(const PathPiece& path, double feedMmPerS,
@@ -553,8 +575,8 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
   ++m_finished;
   if (!block.isDwell) {
     m_commandDeg = block.toDeg;  // the end of a turn is never rounded
-    executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm, block.wayMm,
-                        block.toDeg, block.turnDeg});
+    executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm - block.zeroMm,
+                        block.wayMm, block.toDeg, block.turnDeg});
   }
   m_blocks.pop_front();
   m_blockMm = 0.0;
@@ -572,8 +594,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
   while (!m_blocks.empty()) {
     Block& block = m_blocks.front();
     if (!block.startedAt) {
-      block.startedAt = instantNow();
-      m_dwellLeftS = block.dwellS;
+      m_dwellLeftS = beginBlock(block, instantNow());
     }
     m_line = block.line;
     if (block.pieces == 0) {

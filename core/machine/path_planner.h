@@ -38,6 +38,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -51,6 +52,16 @@
 
 namespace rivulet::machine {
 
+/// What the main run does besides moving the axes.
+class AuxiliaryRun {
+ public:
+  virtual ~AuxiliaryRun() = default;
+  /// @return s, how long the next block has to wait; infinity: until `PathPlanner::release`
+  [[nodiscard]] virtual double begin(const PreparedActions& actions, base::Instant at) = 0;
+  /// A dwell of the program begins.
+  virtual void dwell(base::LineNumber line, base::Instant at, double seconds) = 0;
+};
+
 class PathPlanner {
  public:
   PathPlanner(const MachineConfig& config, base::Vec3 startMm, base::RotaryDeg startDeg = {});
@@ -58,6 +69,12 @@ class PathPlanner {
   /// Appends a block after the last one.
   void append(const PreparedMotion& motion);
   void append(const PreparedDwell& dwell);
+  void append(PreparedActions actions);
+
+  /// Who carries out actions; outlives the planner. Without one they take no time.
+  void setAuxiliaryRun(AuxiliaryRun& auxiliaries) { m_auxiliaries = &auxiliaries; }
+  /// Ends the wait of the actions in progress.
+  void release() { m_dwellLeftS = 0.0; }
 
   /// Blocks taken over and not finished.
   [[nodiscard]] int blockCount() const { return static_cast<int>(m_blocks.size()); }
@@ -77,7 +94,15 @@ class PathPlanner {
   /// accelerates within its limits. @param factor >= 0; 0 holds the path
   void setOverride(double factor);
 
+  /// Machine coordinates, as all places here.
   [[nodiscard]] base::Vec3 commandMm() const { return m_commandMm; }
+  /// Of the workpiece frame in the block in motion, or after the last one.
+  [[nodiscard]] base::Vec3 zeroMm() const { return m_zeroMm; }
+  /// The machine's own frame holds, as after a reset.
+  void clearZero() {
+    m_zeroMm = {};
+    m_endZeroMm = {};
+  }
   [[nodiscard]] const base::RotaryDeg& commandDeg() const { return m_commandDeg; }
   /// Path speed; deg/s in a block that only turns rotary axes.
   [[nodiscard]] double speedMmPerS() const { return m_state.speedMmPerS; }
@@ -125,6 +150,8 @@ class PathPlanner {
     bool isStraight = true;
     bool isDwell = false;
     double dwellS = 0.0;
+    std::shared_ptr<const PreparedActions> actions;
+    base::Vec3 zeroMm;
     std::optional<base::Instant> startedAt;
   };
 
@@ -164,6 +191,7 @@ class PathPlanner {
   double advance(double seconds);
   /// Where the rotary axes are. @param mm  place on the piece
   [[nodiscard]] static base::RotaryDeg turned(const Piece& piece, double mm);
+  [[nodiscard]] double beginBlock(Block& block, base::Instant at);
   void finishPiece();
   void finishBlock(base::Instant at, std::vector<trace::ExecutedBlock>& executed);
 
@@ -191,6 +219,9 @@ class PathPlanner {
   base::RotaryDeg m_commandDeg;
   base::RotaryDeg m_endDeg;
   base::LineNumber m_line;
+  base::Vec3 m_zeroMm;
+  base::Vec3 m_endZeroMm;  ///< of the last appended block
+  AuxiliaryRun* m_auxiliaries = nullptr;
 };
 
 }  // namespace rivulet::machine

@@ -11,12 +11,14 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/axes.h"
 #include "base/id.h"
 #include "base/instant.h"
 #include "base/vec3.h"
 #include "machine/alarm.h"
+#include "machine/tool.h"
 #include "nc/geometry/arc.h"
 #include "nc/modal/state.h"
 
@@ -45,6 +47,30 @@ struct PreparedMotion {
   base::RotaryDeg targetDeg{};
   /// Along the turn, in a block that moves nothing else: the programmed feed in degrees.
   double feedDegPerS = 0.0;
+  base::Vec3 zeroMm;  ///< of the workpiece frame: targetMm less this is what was programmed
+};
+
+/// What a block does besides moving. The main run carries it out when the block's turn comes.
+struct MachineAction {
+  enum class Kind {
+    SelectTool,    ///< T: `tool`
+    ChangeTool,    ///< M6: `tool`
+    SelectEdge,    ///< D: `value`
+    WorkOffset,    ///< `value`: number of the G function, 500 for none
+    SpindleSpeed,  ///< S: `value` in 1/min
+    SpindleTurn,   ///< M3 and M4, `value` 1 and -1; M5 and M19, 0
+    Coolant,       ///< M7, M8, M9: `value`
+    Stop,          ///< M0 and M1, `value`: waits for cycle start
+  };
+  Kind kind = Kind::Stop;
+  double value = 0.0;
+  Tool tool{};
+};
+
+struct PreparedActions {
+  base::LineNumber line;
+  std::vector<MachineAction> actions;
+  base::Vec3 zeroMm;  ///< of the workpiece frame from here on
 };
 
 struct PreparedDwell {
@@ -70,7 +96,8 @@ struct PreparedStopre {};
 struct PreparedEnd {};
 
 /// Result of one block.
-using Prepared = std::variant<PreparedNothing, PreparedMotion, PreparedDwell, PreparedMessage,
-                              PreparedSync, PreparedCancel, PreparedStopre, PreparedEnd, Alarm>;
+using Prepared =
+    std::variant<PreparedNothing, PreparedMotion, PreparedActions, PreparedDwell, PreparedMessage,
+                 PreparedSync, PreparedCancel, PreparedStopre, PreparedEnd, Alarm>;
 
 }  // namespace rivulet::machine

@@ -52,6 +52,7 @@ void Prerun::handle(base::Instant now, PathPlanner& planner) {
 
 void Prerun::deliver(base::Instant now, PathPlanner& planner) {
   const bool forMainRun = std::holds_alternative<PreparedMotion>(m_prepared) ||
+                          std::holds_alternative<PreparedActions>(m_prepared) ||
                           std::holds_alternative<PreparedDwell>(m_prepared);
   if (forMainRun) {
     if (planner.blockCount() >= m_config.bufferedBlocksMax) {
@@ -60,6 +61,8 @@ void Prerun::deliver(base::Instant now, PathPlanner& planner) {
     }
     if (const auto* motion = std::get_if<PreparedMotion>(&m_prepared)) {
       planner.append(*motion);
+    } else if (auto* actions = std::get_if<PreparedActions>(&m_prepared)) {
+      planner.append(std::move(*actions));
     } else {
       planner.append(std::get<PreparedDwell>(m_prepared));
     }

@@ -107,6 +107,64 @@ class TestConfig : public QObject {
     QVERIFY(QString::fromStdString(config.error().message).contains(named));
   }
 
+  /// What makes the part may be left out; what is given must be right.
+  void equipmentIsOptional_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("named");
+    QTest::newRow("nothing") << ""
+                             << "";
+    QTest::newRow("spindle") << "[spindle]\nspeedPerMinMax = 9000.0\nrunUpSeconds = 1.0\n"
+                             << "";
+    QTest::newRow("half a spindle") << "[spindle]\nspeedPerMinMax = 9000.0\n"
+                                    << "runUpSeconds";
+    const QString tools = QStringLiteral(
+        "[tools]\nchangeSeconds = 3.0\nmissing = \"%1\"\n"
+        "table = [%2]\n");
+    const QString first = QStringLiteral("{ number = 1, lengthMm = [90.0], radiusMm = [5.0] }");
+    QTest::newRow("tools") << tools.arg("alarm", first) << "";
+    QTest::newRow("no tools yet") << tools.arg("accepted", "") << "";
+    QTest::newRow("missing") << tools.arg("ignored", first) << "missing";
+    QTest::newRow("twice") << tools.arg("alarm", first + ", " + first) << "number";
+    QTest::newRow("edges differ")
+        << tools.arg("alarm", "{ number = 1, lengthMm = [90.0, 80.0], radiusMm = [5.0] }")
+        << "radiusMm";
+    QTest::newRow("unknown") << tools.arg(
+                                    "alarm",
+                                    "{ number = 1, lengthMm = [9.0], radiusMm = [5.0], x = 1 }")
+                             << "x";
+    QTest::newRow("offset") << "[workOffsetsMm]\nG57 = [1.0, 2.0, 3.0]\nG599 = [1.0, 2.0, 3.0]\n"
+                            << "";
+    QTest::newRow("no such offset") << "[workOffsetsMm]\nG58 = [1.0, 2.0, 3.0]\n"
+                                    << "G58";
+    QTest::newRow("offset of two axes") << "[workOffsetsMm]\nG54 = [1.0, 2.0]\n"
+                                        << "G54";
+    QTest::newRow("fixed point") << "[fixedPointsMm]\nFP2 = [1.0, 2.0, 3.0]\n"
+                                 << "";
+    QTest::newRow("no such fixed point") << "[fixedPointsMm]\nFP5 = [1.0, 2.0, 3.0]\n"
+                                         << "FP5";
+  }
+  void equipmentIsOptional() {
+    QFETCH(QString, text);
+    QFETCH(QString, named);
+    const auto config = parsePreset(preset() + text.toStdString(), "test");
+    QVERIFY2(config.has_value() == named.isEmpty(), config ? "" : config.error().message.c_str());
+    QVERIFY(config || QString::fromStdString(config.error().message).contains(named));
+  }
+
+  void equipmentIsRead() {
+    const MachineConfig mill = *loadPreset("dmu75-mill");
+    QVERIFY(mill.spindle && mill.tools && mill.coolantTime && mill.optionalStop);
+    QCOMPARE(mill.spindle->speedPerMinMax, 20000.0);
+    QCOMPARE(mill.tools->find("mill_10")->number, 3);
+    QCOMPARE(mill.tools->find(3)->edges.at(1).radiusMm, 4.98);
+    QVERIFY(!mill.tools->find(11) && !mill.tools->find("MILL"));
+    QCOMPARE(mill.workOffsetsMm.at(550).x, 100.0);
+    QCOMPARE(mill.workOffsetsMm.at(5050).y, -100.0);
+    QCOMPARE(mill.fixedPointsMm.at(1).z, 280.0);
+    const MachineConfig plain = *loadPreset("dmu75");
+    QVERIFY(!plain.spindle && !plain.tools && !plain.coolantTime && plain.workOffsetsMm.empty());
+  }
+
   void missingPresetListsTheOthers() {
     const auto config = loadPreset("dmu76");
     QVERIFY(!config);
