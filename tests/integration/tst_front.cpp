@@ -114,12 +114,13 @@ class TestFront : public QObject {
     QVERIFY((objects == std::vector<std::string>{"Sinumerik", "VirtualMachine"}));
     QVERIFY(
         (client.children(node("Sinumerik")) == std::vector<std::string>{"/Channel", "/Methods"}));
-    QCOMPARE(client.children(node("/Channel")).size(), std::size_t{6});
+    QCOMPARE(client.children(node("/Channel")).size(), std::size_t{7});
     QVERIFY((client.children(node("/Channel/Parameter")) ==
              std::vector<std::string>{"/Channel/Parameter/R"}));
     QCOMPARE(client.children(node("/Channel/GeometricAxis")).size(), std::size_t{6});
     QCOMPARE(client.children(node("/Channel/MachineAxis")).size(), std::size_t{3});
-    QCOMPARE(client.children(node("/Channel/State")).size(), std::size_t{5});
+    QCOMPARE(client.children(node("/Channel/State")).size(), std::size_t{8});
+    QCOMPARE(client.children(node("/Channel/Spindle")).size(), std::size_t{3});
     QCOMPARE(client.children(node("/Channel/ProgramInfo")).size(), std::size_t{4});
     QCOMPARE(client.children(node("/Channel/ChannelDiagnose")).size(), std::size_t{1});
     QCOMPARE(client.children(node("/Methods")).size(), std::size_t{3});
@@ -132,7 +133,9 @@ class TestFront : public QObject {
          {"/Channel/Parameter/R[u1,0]", "/Channel/Parameter/R[u1,99]", "/Channel/Parameter/R[11]",
           "/Channel/Parameter/R", "/Channel/GeometricAxis/aaAcsRel[u1,3]",
           "/Channel/GeometricAxis/toolBaseDistToGo[2]", "/Channel/MachineAxis/measPos1[u1,1]",
-          "/Channel/State/actFeedRateIpo", "/Channel/ProgramInfo/progName"}) {
+          "/Channel/State/actFeedRateIpo", "/Channel/ProgramInfo/progName",
+          "/Channel/State/actTNumber", "/Channel/Spindle/actSpeed[u1,1]",
+          "/Channel/Spindle/cmdSpeed"}) {
       QVERIFY2(client.read(identifier) == UA_STATUSCODE_GOOD, identifier);
     }
     for (const char* identifier :

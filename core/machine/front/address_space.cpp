@@ -22,7 +22,7 @@ namespace rivulet::machine {
 struct VariableRow {
   std::string_view folder;  ///< below "/Channel/"
   std::string_view name;
-  bool perAxis = false;
+  bool perAxis = false;                ///< those of the spindle have the number 1
   std::size_t type = UA_TYPES_DOUBLE;  ///< of the node, as on the control
   double (*number)(const MachineState&, std::size_t axis) = nullptr;
   std::string_view (*text)(const MachineState&, std::size_t axis) = nullptr;
@@ -42,6 +42,33 @@ double command(const MachineState& state, std::size_t axis) {
 }
 double toGo(const MachineState& state, std::size_t axis) {
   return ofAxis(state.distanceToGoMm, state.distanceToGoDeg, axis);
+}
+/// In machine coordinates.
+double machineActual(const MachineState& state, std::size_t axis) {
+  return ofAxis(state.actualMm + state.zeroMm, state.actualDeg, axis);
+}
+double machineCommand(const MachineState& state, std::size_t axis) {
+  return ofAxis(state.commandMm + state.zeroMm, state.commandDeg, axis);
+}
+double toolNumber(const MachineState& state, std::size_t /*axis*/) {
+  return state.equipment.tool;
+}
+double edgeNumber(const MachineState& state, std::size_t /*axis*/) {
+  return state.equipment.edge;
+}
+std::string_view toolName(const MachineState& state, std::size_t /*axis*/) {
+  return state.equipment.toolName;
+}
+double spindleSpeed(const MachineState& state, std::size_t /*axis*/) {
+  return std::abs(state.equipment.spindlePerMin);
+}
+double spindleCommand(const MachineState& state, std::size_t /*axis*/) {
+  return std::abs(state.equipment.spindleCommandPerMin);
+}
+/// 0 it stands, 1 clockwise, 2 counterclockwise; the numbers are assumed, as in OPC 40502.
+double spindleTurn(const MachineState& state, std::size_t /*axis*/) {
+  const double perMin = state.equipment.spindlePerMin;
+  return perMin == 0.0 ? 0.0 : perMin > 0.0 ? 1.0 : 2.0;
 }
 double feed(const MachineState& state, std::size_t /*axis*/) {
   return base::mmPerMinFromMmPerS(state.feedMmPerS);
@@ -97,14 +124,20 @@ constexpr std::array kRows{
     axes("GeometricAxis", "actToolBasePos", actual),
     axes("GeometricAxis", "cmdToolBasePos", command),
     axes("GeometricAxis", "toolBaseDistToGo", toGo),
-    axes("MachineAxis", "measPos1", actual),
-    axes("MachineAxis", "actToolBasePos", actual),
-    axes("MachineAxis", "cmdContrPos", command),
+    axes("MachineAxis", "measPos1", machineActual),
+    axes("MachineAxis", "actToolBasePos", machineActual),
+    axes("MachineAxis", "cmdContrPos", machineCommand),
     scalar("State", "actFeedRateIpo", UA_TYPES_DOUBLE, feed),
     scalar("State", "cmdFeedRateIpo", UA_TYPES_DOUBLE, feedCommand),
     scalar("State", "progStatus", UA_TYPES_UINT16, programStatus),
     scalar("State", "chanStatus", UA_TYPES_UINT16, channelStatus),
     scalar("State", "chanAlarm", UA_TYPES_UINT32, alarm),
+    scalar("State", "actTNumber", UA_TYPES_UINT32, toolNumber),
+    scalar("State", "actDNumber", UA_TYPES_UINT32, edgeNumber),
+    text("State", "actToolIdent", toolName),
+    scalar("Spindle", "actSpeed", UA_TYPES_DOUBLE, spindleSpeed),
+    scalar("Spindle", "cmdSpeed", UA_TYPES_DOUBLE, spindleCommand),
+    scalar("Spindle", "turnState", UA_TYPES_UINT16, spindleTurn),
     text("ProgramInfo", "progName", programName),
     text("ProgramInfo", "selectedWorkPProg", programName),
     scalar("ProgramInfo", "actLineNumber", UA_TYPES_UINT32, line),
@@ -112,8 +145,10 @@ constexpr std::array kRows{
     scalar("ChannelDiagnose", "ipoBufLevel", UA_TYPES_UINT16, bufferLevel),
 };
 
-constexpr std::array kFolders{"Parameter", "GeometricAxis", "MachineAxis",
-                              "State",     "ProgramInfo",   "ChannelDiagnose"};
+constexpr std::string_view kSpindle = "Spindle";
+constexpr std::array<std::string_view, 7> kFolders{"Parameter", "GeometricAxis", "MachineAxis",
+                                                   "State",     "ProgramInfo",   "ChannelDiagnose",
+                                                   kSpindle};
 
 UA_StatusCode setNumber(UA_Variant& variant, double value, std::size_t type) {
   switch (type) {
@@ -243,7 +278,7 @@ base::Result<void> AddressSpace::build() {
   if (status == UA_STATUSCODE_GOOD) {
     status = addFolder(kRoot, kChannel, "Channel");
   }
-  for (const char* folder : kFolders) {
+  for (const std::string_view folder : kFolders) {
     if (status == UA_STATUSCODE_GOOD) {
       status = addFolder(kChannel, fmt::format("{}/{}", kChannel, folder), folder);
     }
@@ -298,8 +333,11 @@ UA_StatusCode AddressSpace::addVariable(const VariableRow& row) {
   const std::string identifier = fmt::format("{}/{}", folder, row.name);
   UA_StatusCode status = addNode(folder, identifier, row.name, &row, 0);
   const MachineConfig& config = m_service.machine().config();
-  const auto axisCount = static_cast<int>(base::kAxisCount + base::count(config.rotarySet()));
-  for (int axis = 0; row.perAxis && axis < axisCount; ++axis) {
+  const auto axisCount = row.folder == kSpindle ? 1
+                         : row.perAxis
+                             ? static_cast<int>(base::kAxisCount + base::count(config.rotarySet()))
+                             : 0;
+  for (int axis = 0; axis < axisCount; ++axis) {
     const std::optional<std::size_t> rotary = config.rotaryAt(axis);
     const int index = rotary ? static_cast<int>(base::kAxisCount + *rotary) : axis;
     for (const std::string& alias : {fmt::format("{}[u1,{}]", identifier, axis + 1),
