@@ -31,6 +31,8 @@ namespace {
 
 constexpr int kRunMs = 120'000;
 constexpr int kPollMs = 10;
+/// Of the axes of dmu75 at F1500: time constant of their servos and one cycle of 4 ms.
+constexpr double kFollowingErrorMm = 25.0 * (0.010 + 0.004);
 constexpr qsizetype kHistoryBytes = 300;  // of what a client has printed
 /// Of a whole run, about: kills are drawn within it.
 constexpr double kStreamMs = 6000.0;
@@ -185,6 +187,24 @@ class TestKills : public QObject {
     return {blocks.begin() + first, blocks.end()};
   }
 
+  /// The same without the rests of blocks: a control has executed a block when its set point is at
+  /// the end. If its power fails then, the axes are still behind by the following error, and the
+  /// resumed run takes them over the rest.
+  /// @param powerFailedAt  number of blocks, of all runs, each time the machine was switched on
+  /// again
+  [[nodiscard]] std::vector<trace::ExecutedBlock> executedWithoutRests(
+      std::size_t skip, const std::vector<std::size_t>& powerFailedAt) const {
+    std::vector<trace::ExecutedBlock> blocks = executed(skip);
+    for (auto failed = powerFailedAt.rbegin(); failed != powerFailedAt.rend(); ++failed) {
+      const std::size_t next = *failed - skip;
+      if (next > 0 && next < blocks.size() && blocks[next].targetMm == blocks[next - 1].targetMm &&
+          blocks[next].lengthMm <= kFollowingErrorMm) {
+        blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(next));
+      }
+    }
+    return blocks;
+  }
+
   [[nodiscard]] QStringList streamed(bool credit, const QString& resume) const {
     QStringList arguments = QStringList{QStringLiteral("stream"), m_program} +
                             words("--feed 1500 --points 4 --json --endpoint");
@@ -218,7 +238,7 @@ class TestKills : public QObject {
     m_history.clear();
     QStringList candidates;
     int kills = 0;
-    bool wasSwitchedOff = false;
+    std::vector<std::size_t> powerFailedAt;
     for (int starts = 0; starts < 100; ++starts) {
       const QString resume = candidates.isEmpty() ? QString() : candidates.takeFirst();
       QProcess client;
@@ -235,7 +255,6 @@ class TestKills : public QObject {
         const int number = kinds[static_cast<std::size_t>(m_random.uniform() * 4.0)];
         if (wasMachine) {
           ++m_tally.machineKills;
-          wasSwitchedOff = true;
           m_machine->kill();
         } else {
           ++m_tally.clientKills;
@@ -257,6 +276,7 @@ class TestKills : public QObject {
           return false;
         }
         switchOn();
+        powerFailedAt.push_back(executed().size());
         if (exit == 0) {
           break;  // it was at its end
         }
@@ -273,7 +293,7 @@ class TestKills : public QObject {
           continue;  // an older one that has been replaced
         }
         // A loss of power on a rounded corner leaves the tool beside the path, for example.
-        if (wasSwitchedOff && output.contains("error")) {
+        if (!powerFailedAt.empty() && output.contains("error")) {
           ++m_tally.refused;
           qInfo("refused after a loss of power: %s", output.constData());
           QDir(path("state")).removeRecursively();
@@ -301,8 +321,8 @@ class TestKills : public QObject {
     ++m_tally.runs;
     const auto program = gcode::loadProgram(m_program.toStdString());
     const auto points = gcode::streamPoints(program->trajectory, {}).points;
-    const trace::Integrity integrity =
-        trace::judgeIntegrity(points, executed(before), trace::kPointToleranceMm);
+    const trace::Integrity integrity = trace::judgeIntegrity(
+        points, executedWithoutRests(before, powerFailedAt), trace::kPointToleranceMm);
     if (!integrity.isFaultless() || integrity.executed != points.size()) {
       qWarning("%zu of %zu executed, %zu repeated, %zu skipped, %zu foreign", integrity.executed,
                points.size(), integrity.repeated, integrity.skipped, integrity.foreign);
