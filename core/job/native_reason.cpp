@@ -193,6 +193,7 @@ std::optional<NativeReason> reasonOfG(nc::Dialect dialect, int key) {
       return NativeReason::Cycle;
     case GEffect::None:
     case GEffect::FixedPoint:
+    case GEffect::Compensation:
     case GEffect::Mode:
     case GEffect::MotionMode:
     case GEffect::TakesBlock:

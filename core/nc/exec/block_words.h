@@ -78,12 +78,14 @@ struct BlockWords {
   int planeKey = -1;
   int unitsKey = -1;
   int blockEndKey = -1;
-  unsigned repeated = 0;             ///< bit per letter seen
-  int motionColumn = 0;              ///< of the first axis, centre or radius word
-  const Token* feed = nullptr;       ///< F
-  const Token* parameter = nullptr;  ///< the last of P, Q, L and U
-  const Token* spindle = nullptr;    ///< S; of a dwell: turns of the spindle
-  double spindleBefore = 0.0;        ///< speed before this block, 1/min
+  int compensationKey = -1;
+  unsigned repeated = 0;                ///< bit per letter seen
+  int motionColumn = 0;                 ///< of the first axis, centre or radius word
+  const Token* feed = nullptr;          ///< F
+  const Token* parameter = nullptr;     ///< the last of P, Q, L and U
+  const Token* compensation = nullptr;  ///< G40 to G42
+  const Token* spindle = nullptr;       ///< S; of a dwell: turns of the spindle
+  double spindleBefore = 0.0;           ///< speed before this block, 1/min
   std::optional<double> p;
   std::optional<double> q;
   std::optional<double> l;

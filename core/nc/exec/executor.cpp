@@ -116,6 +116,21 @@ void Executor::setModes(const BlockWords& words) {
   if (words.blockEndKey >= 0) {
     setBlockEnd(words.blockEndKey);
   }
+  if (words.compensationKey >= 0) {
+    setCompensation(words);
+  }
+}
+
+/// Whoever takes the path offsets it.
+void Executor::setCompensation(const BlockWords& words) {
+  if (words.compensationKey != 400 && !m_options.compensatesRadius) {
+    m_to.faults.error(*words.compensation, FaultCode::UnsupportedGCode,
+                      wordText(*words.compensation));
+    return;
+  }
+  m_state.compensationSide = words.compensationKey == 400   ? 0
+                             : words.compensationKey == 410 ? 1
+                                                            : -1;
 }
 
 void Executor::setBlockEnd(int key) {

@@ -33,7 +33,8 @@ struct ExecutorOptions {
   /// Where the zero of the workpiece lies in the machine; else a move in its coordinates is left
   /// out.
   bool knowsMachineCoordinates = false;
-  bool knowsWorkOffsets = false;  ///< else the one active at the control holds for the whole path
+  bool compensatesRadius = false;  ///< else G41 and G42 are refused
+  bool knowsWorkOffsets = false;   ///< else the one active at the control holds for the whole path
   std::map<int, base::Vec3> workOffsetsMm{};  ///< by key of G54 to G599; none: zero
   std::map<int, base::Vec3> fixedPointsMm{};  ///< of G75, by number, machine coordinates
 };
@@ -66,6 +67,7 @@ class Executor {
   void leaveOutMissingAxes(BlockWords& words) const;
   void setModes(const BlockWords& words);
   void setBlockEnd(int key);
+  void setCompensation(const BlockWords& words);
   void executeRare(BlockWords& words);
   void executeTurningCycle(BlockWords& words);
   [[nodiscard]] bool hasUnusedParameter(const BlockWords& words) const;

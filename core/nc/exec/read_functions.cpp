@@ -106,6 +106,15 @@ void BlockReader::readG(GEffect effect, int key, const Token& token, BlockWords&
     case GEffect::None:
       if (key == 434) {
         m_state.tipWord = "G43.4";
+      } else if (key == 4500 || key == 4510) {
+        m_state.cornersIntersect = key == 4510;
+      }
+      break;
+    case GEffect::Compensation:
+      setModal(words.compensationKey, key, token);
+      words.compensation = &token;
+      if (key == 400) {
+        m_to.faults.ignoreG(key, token);
       }
       break;
     case GEffect::BlockEnd:

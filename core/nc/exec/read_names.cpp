@@ -34,6 +34,9 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
       m_to.faults.ignore(token, name);
       break;
     case NameEffect::None:
+      if (name == "KONT" || name == "NORM") {
+        m_state.goesAroundStart = name == "KONT";
+      }
       m_to.faults.ignore(token, name);
       break;
     case NameEffect::Query:

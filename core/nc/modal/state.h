@@ -88,6 +88,9 @@ struct ModalState {
   double workOffsetNumber = 0.0;  ///< of the further ones of G54.1 and G154
   base::Vec3 workOffsetMm;        ///< its value; zero where only the control knows it
   double toolLengthMm = 0.0;      ///< of the cutting edge in effect, along the tool
+  int compensationSide = 0;       ///< G41 1: left of the path; G42 -1; G40 0
+  bool cornersIntersect = false;  ///< G451; else G450
+  bool goesAroundStart = false;   ///< KONT; else NORM
   std::string tipWord;            ///< what keeps X Y Z at the tip of the tool; empty: nothing
 
   Frame baseFrame;  ///< G52 and G92; TRANS and ROT work on it

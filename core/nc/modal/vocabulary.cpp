@@ -79,6 +79,7 @@ void markSinumerik(const GMarks& mark) {
   mark(GEffect::MotionMode, {630, 3310, 3320});
   mark(GEffect::TakesBlock, {740, 580, 590});  // G58, G59: axial programmable offsets
   mark(GEffect::FixedPoint, {750});
+  mark(GEffect::Compensation, {400, 410, 420});
   mark(GEffect::Unknown, {51, 80});
 }
 

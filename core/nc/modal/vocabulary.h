@@ -49,6 +49,7 @@ enum class GEffect : unsigned char {
   ResetPosition,  ///< G92.1
   LocalOffset,    ///< G52: an offset
   MacroCall,      ///< G65: a subprogram with arguments
+  Compensation,   ///< G40 to G42 of SINUMERIK
   Mode,           ///< not supported; the block still moves
   MotionMode,     ///< not supported; replaces G0 to G3
   Cycle,          ///< a canned cycle: its motions are missing; replaces G0 to G3
