@@ -146,6 +146,28 @@ class TestUaControl : public QObject {
             trace::printControlTrace(cell.machineAfterStop().trace()));
   }
 
+  /// M0 waits for the next cycle start, and what the machine did arrives with the trace.
+  void aStopOfTheProgramIsContinued() {
+    LoopbackMachine cell({.preset = "dmu75-mill"});
+    const auto link = cell.connect();
+    QVERIFY(link->uploadProgram("STOP.MPF", "S1000 M3\nM0\nG1 X1 F6000\nM30\n", false));
+    QVERIFY(link->selectProgram("STOP.MPF") && link->cycleStart());
+    awaitChannel(*link, machine::ChannelStatus::Interrupted);
+    QCOMPARE(readOne(*link, {VariableKind::Alarm, 0}).number, 0.0);
+    QVERIFY(link->cycleStart());
+    awaitChannel(*link, machine::ChannelStatus::Reset);
+    const auto trace = link->fetchTrace();
+    QVERIFY(trace.has_value());
+    QCOMPARE(trace->blocks.size(), std::size_t{1});
+    using Kind = trace::ControlEvent::Kind;
+    std::vector<Kind> kinds;
+    for (const trace::ControlEvent& event : trace->events) {
+      kinds.push_back(event.kind);
+    }
+    QVERIFY((kinds == std::vector<Kind>{Kind::Spindle, Kind::Stop, Kind::Spindle}));
+    QCOMPARE(trace->events.front().value, 1000.0);
+  }
+
   /// Longer than one answer of the server.
   void aLongTraceIsFetchedInParts() {
     LoopbackMachine cell;
