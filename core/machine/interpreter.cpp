@@ -18,6 +18,10 @@ namespace {
 
 /// Difference of the radii at start and end that is let pass (MD21000).
 constexpr double kCircleErrorMm = 0.01;
+/// G41 and G42 without a tool.
+constexpr int kNoToolRadius = 10750;
+/// For what this machine does not make.
+constexpr int kNotMade = 12550;
 
 nc::ExecutorOptions executorOptions(const InterpreterOptions& options) {
   nc::ExecutorOptions made{.arcRadiusToleranceMm = kCircleErrorMm,
@@ -28,6 +32,7 @@ nc::ExecutorOptions executorOptions(const InterpreterOptions& options) {
   if (options.machine != nullptr) {
     made.workOffsetsMm = options.machine->workOffsetsMm;
     made.fixedPointsMm = options.machine->fixedPointsMm;
+    made.compensatesRadius = options.machine->tools.has_value();
   }
   return made;
 }
@@ -109,6 +114,7 @@ Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& p
       m_executor(nc::languageOf(nc::Dialect::Sinumerik), m_executorOptions, m_values,
                  {m_motions, m_alarms, m_observer}),
       m_machineWords(options.machine, options.tool, m_alarms),
+      m_compensation(options.startMm),
       m_library(options.library) {
   nc::ModalState& state = m_executor.state();
   state.motion = nc::Motion::Line;  // reset default
@@ -125,11 +131,28 @@ void Interpreter::refresh() {
 }
 
 Prepared Interpreter::next() {
-  if (!m_due.empty()) {
+  const auto due = [this] {
     Prepared prepared = std::move(m_due.front());
     m_due.pop_front();
     return prepared;
+  };
+  if (!m_due.empty()) {
+    return due();
   }
+  Prepared prepared = nextBlock();
+  const bool ends = std::holds_alternative<PreparedStopre>(prepared) ||
+                    std::holds_alternative<PreparedEnd>(prepared) ||
+                    std::holds_alternative<Alarm>(prepared);
+  if (!ends || !m_compensation.isActive()) {
+    return prepared;
+  }
+  // The axes go to the end of what was held back before they stand.
+  m_compensation.finish(m_due);
+  m_due.push_back(std::move(prepared));
+  return due();
+}
+
+Prepared Interpreter::nextBlock() {
   if (!m_steps.empty()) {
     return nextStep();
   }
@@ -311,6 +334,11 @@ nc::CycleStart Interpreter::cycleStart(base::Vec3 placeMm) {
 }
 
 std::optional<Alarm> Interpreter::addSteps(const CycleCall& call, base::Vec3 placeMm) {
+  constexpr int kCompensationActive = 61815;
+  if (m_executor.state().compensationSide != 0) {
+    return Alarm{kCompensationActive, fmt::format("Line {}: G40 must be active before {}.",
+                                                  m_cycleLine.value, call.name)};
+  }
   const auto steps = nc::expandCycle(call.name, call.arguments, cycleStart(placeMm));
   if (!steps) {
     return Alarm{steps.error().alarm,
@@ -369,6 +397,11 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
   if (std::optional<Alarm> alarm = m_alarms.take()) {
     return *std::move(alarm);
   }
+  if (block.compensationKey > 400 && !m_machineWords.hasEdge()) {
+    return Alarm{kNoToolRadius, fmt::format("Line {}: the tool radius is to be compensated, but no "
+                                            "tool or edge is active.",
+                                            line.value)};
+  }
   const bool moves = std::holds_alternative<PreparedMotion>(prepared);
   Prepared first = inOrder(std::move(prepared), line);
   if (moves && (m_modalCycle || m_modalCall)) {
@@ -383,20 +416,53 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
 /// What the machine does before the motion, the motion, and a stop after it.
 Prepared Interpreter::inOrder(Prepared prepared, base::LineNumber line) {
   MachineWords::Actions actions = m_machineWords.take(m_executor.state());
-  const auto due = [&](std::vector<MachineAction> made) {
+  const auto act = [&](std::vector<MachineAction> made) {
     if (!made.empty()) {
-      m_due.emplace_back(PreparedActions{line, std::move(made), m_executor.state().zeroMm()});
+      append(PreparedActions{line, std::move(made), m_executor.state().zeroMm()});
     }
   };
-  due(std::move(actions.before));
-  if (!std::holds_alternative<PreparedNothing>(prepared) ||
-      (m_due.empty() && actions.after.empty())) {
-    m_due.push_back(std::move(prepared));
+  act(std::move(actions.before));
+  if (!std::holds_alternative<PreparedNothing>(prepared)) {
+    append(std::move(prepared));
   }
-  due(std::move(actions.after));
+  act(std::move(actions.after));
+  if (m_due.empty()) {
+    return PreparedNothing{};
+  }
   Prepared first = std::move(m_due.front());
   m_due.pop_front();
   return first;
+}
+
+/// To what is due, beside the path if the radius of the tool is compensated.
+void Interpreter::append(Prepared prepared) {
+  const nc::ModalState& state = m_executor.state();
+  if (state.compensationSide == 0 && !m_compensation.isActive()) {
+    m_compensation.pass(prepared);
+    m_due.push_back(std::move(prepared));
+    return;
+  }
+  // A mirrored contour has the tool on its other side.
+  const nc::Frame& frame = m_executor.start().frame;
+  base::Vec3 first;
+  base::Vec3 second;
+  first.set(state.planeFirstAxis, 1.0);
+  second.set(state.planeSecondAxis(), 1.0);
+  const base::Vec3 normal = base::cross(frame.turned(first), frame.turned(second));
+  const double across = normal[state.planeThirdAxis()];
+  const Compensation wanted{across < 0.0 ? -state.compensationSide : state.compensationSide,
+                            m_machineWords.radiusMm(), state.planeFirstAxis, state.goesAroundStart,
+                            state.cornersIntersect};
+  std::optional<Alarm> alarm;
+  if (std::abs(across) < (1.0 - 1e-9) * base::norm(normal)) {
+    alarm = Alarm{kNotMade, "The tool radius is compensated in a plane of the machine only."};
+  } else {
+    alarm = m_compensation.add(std::move(prepared), wanted, m_due);
+  }
+  if (alarm) {
+    m_compensation.finish(m_due);
+    m_due.emplace_back(*std::move(alarm));
+  }
 }
 
 }  // namespace rivulet::machine

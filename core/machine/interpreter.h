@@ -21,6 +21,7 @@
 #include "machine/motion_sink.h"
 #include "machine/prepared.h"
 #include "machine/r_parameters.h"
+#include "machine/radius_compensation.h"
 #include "nc/cycles/drilling.h"
 #include "nc/eval/variables.h"
 #include "nc/exec/executor.h"
@@ -83,7 +84,9 @@ class Interpreter {
 
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared executeWords(const nc::Words& words, base::LineNumber line);
+  [[nodiscard]] Prepared nextBlock();
   [[nodiscard]] Prepared inOrder(Prepared prepared, base::LineNumber line);
+  void append(Prepared prepared);
   [[nodiscard]] Prepared leave();
   // Cycles.
   [[nodiscard]] bool isCycle(const nc::Call& call) const;
@@ -105,6 +108,7 @@ class Interpreter {
   nc::Executor m_executor;
   MachineWords m_machineWords;
   std::deque<Prepared> m_due;  ///< of the block interpreted last
+  RadiusCompensation m_compensation;
   nc::Library m_library;
   std::optional<CycleCall> m_modalCycle;
   std::optional<nc::Call> m_modalCall;  ///< of a subprogram

@@ -45,6 +45,12 @@ void MachineWords::apply(const BlockMachineWords& words, bool isDwell, nc::Modal
   }
 }
 
+double MachineWords::radiusMm() const {
+  return m_inSpindle.hasEdge(m_edge)
+             ? m_inSpindle.edges[static_cast<std::size_t>(m_edge) - 1].radiusMm
+             : 0.0;
+}
+
 void MachineWords::applyTool(const BlockMachineWords& words, bool changes) {
   if (words.tool || words.toolName) {
     std::optional<Tool> tool = find(words);

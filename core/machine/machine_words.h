@@ -38,6 +38,10 @@ class MachineWords {
   /// Alarms as on the control: 17190 no such tool, 17180 no such edge.
   void apply(const BlockMachineWords& words, bool isDwell, nc::ModalState& state);
 
+  [[nodiscard]] bool hasEdge() const { return m_inSpindle.exists() && m_edge > 0; }
+  /// Of the tool and edge in effect.
+  [[nodiscard]] double radiusMm() const;
+
   struct Actions {
     std::vector<MachineAction> before;  ///< the motion of the block waits for them
     std::vector<MachineAction> after;
