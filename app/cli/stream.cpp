@@ -24,6 +24,7 @@
 #include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/report_json.h"
+#include "report/run_history.h"
 #include "report/run_store.h"
 #include "streaming/access_policy.h"
 #include "streaming/commissioning.h"
@@ -273,8 +274,10 @@ class StreamCommand {
   base::Result<void> judge();
   base::Result<void> findResume();
   base::Result<void> openRecording();
+  void openOwnRecording();
   [[nodiscard]] base::Result<streaming::Resume> askResume(const report::SavedRun& run);
   [[nodiscard]] report::SavedRun savedRun() const;
+  void archive(const streaming::RunReport& done, bool isRecorded) const;
   [[nodiscard]] Exit show(const streaming::RunReport& done, const base::Result<void>& recorded,
                           const report::RunKeeper* keeper) const;
 
@@ -286,6 +289,8 @@ class StreamCommand {
   CalibrationChoice m_calibrated;
   Judgement m_judged;
   report::RunStore m_runs;
+  report::RunHistory m_history;
+  std::string m_ownRecording;  ///< for the history; empty: none, or the user named a file
   std::unique_ptr<recorder::RecordingFile> m_file;
   std::unique_ptr<trace::RecordingWriter> m_writer;
 };
@@ -512,6 +517,9 @@ base::Result<streaming::Resume> StreamCommand::askResume(const report::SavedRun&
 
 base::Result<void> StreamCommand::openRecording() {
   if (m_options.record.empty()) {
+    if (!m_options.simulate) {
+      openOwnRecording();
+    }
     return {};
   }
   auto file = recorder::RecordingFile::open(m_options.record);
@@ -523,6 +531,21 @@ base::Result<void> StreamCommand::openRecording() {
   return {};
 }
 
+/// A recording for the history. A run does not depend on it.
+void StreamCommand::openOwnRecording() {
+  const auto path = m_history.newRecording(m_program.name, m_settings.origin.startedAtUtc);
+  auto file =
+      path ? recorder::RecordingFile::open(*path)
+           : base::Result<std::unique_ptr<recorder::RecordingFile>>(base::fail(path.error()));
+  if (!file) {
+    log::logger().warn("The run is not recorded: {}", file.error().text());
+    return;
+  }
+  m_ownRecording = path->string();
+  m_file = std::move(*file);
+  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
+}
+
 /// All that is known of the run before it starts.
 report::SavedRun StreamCommand::savedRun() const {
   report::SavedRun run;
@@ -531,7 +554,7 @@ report::SavedRun StreamCommand::savedRun() const {
   run.programFile = std::filesystem::absolute(m_options.file, ignored).string();
   run.endpoint = m_connection.name;
   run.toolVersion = RIVULET_VERSION;
-  run.recording = m_options.record;
+  run.recording = m_options.record.empty() ? m_ownRecording : m_options.record;
   run.command = m_options.command;
   return run;
 }
@@ -557,7 +580,37 @@ Exit StreamCommand::run() {
   if (keeper) {
     keeper->finish(done);
   }
-  return show(done, m_file ? m_file->finish() : base::Result<void>(), keeper ? &*keeper : nullptr);
+  base::Result<void> recorded = m_file ? m_file->finish() : base::Result<void>();
+  if (!m_options.simulate) {
+    archive(done, recorded.has_value());
+  }
+  if (!recorded && m_options.record.empty()) {
+    log::logger().warn("The recording for the history is not complete: {}",
+                       recorded.error().text());
+    recorded = {};
+  }
+  return show(done, recorded, keeper ? &*keeper : nullptr);
+}
+
+/// Puts the run into the history, where the window shows it too.
+void StreamCommand::archive(const streaming::RunReport& done, bool isRecorded) const {
+  const report::SavedRun run = savedRun();
+  streaming::RunSummary known;
+  known.programFile = run.programFile;
+  known.programHash = m_program.hash;
+  known.endpoint = run.endpoint;
+  known.toolVersion = run.toolVersion;
+  known.ownsRecording = m_options.record.empty();
+  if (isRecorded && !run.recording.empty()) {
+    std::error_code ignored;
+    known.recording = std::filesystem::absolute(run.recording, ignored).string();
+  }
+  const base::Vec3 startMm = done.checkpoint ? done.checkpoint->startMm : base::Vec3{};
+  if (const auto kept = m_history.add(done, std::move(known),
+                                      gcode::streamPoints(m_program.trajectory, startMm).points);
+      !kept) {
+    log::logger().warn("The run is not in the history: {}", kept.error().text());
+  }
 }
 
 Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<void>& recorded,

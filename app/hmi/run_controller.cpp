@@ -401,6 +401,11 @@ void RunController::logOutcome(const session::RunFinished& finished) {
         .arg(widgets::countText(counters.executed), widgets::countText(counters.total));
   });
   raiseOutcome();
+  if (finished.notKept.code) {
+    m_messages.log(Severity::Warning, Source::Run, [error = finished.notKept] {
+      return tr("The run is not in the history: %1").arg(widgets::errorText(error));
+    });
+  }
   if (!finished.recordingPath.empty()) {
     m_messages.log(Severity::Note, Source::Run,
                    [path = QString::fromStdString(finished.recordingPath)] {

@@ -23,6 +23,7 @@
 #include "base/units.h"
 #include "gcode/facts.h"
 #include "journal/line_file.h"
+#include "report/json_members.h"
 #include "report/report_json.h"
 #include "streaming/pause_placement.h"
 
@@ -37,191 +38,11 @@ using streaming::StreamError;
 
 constexpr int kFormatVersion = 1;
 constexpr const char* kFormatKey = "rivulet_run";
-/// A report of a long run holds a pause for each window.
-constexpr std::uintmax_t kJsonBytesMax = std::uintmax_t{256} << 20U;
 /// Runs that nobody resumed are removed, the oldest first.
 constexpr std::size_t kRunsMax = 20;
-constexpr double kCountMax = 1e9;
-constexpr double kCellMax = 1e6;
-constexpr double kPlaceMax = 1e9;
 
 static_assert(std::endian::native == std::endian::little,
               "points are stored as they are in memory");
-
-/// Reads members of a JSON text that may hold anything. The first that is missing, has another type
-/// or is out of range is remembered.
-class Members {
- public:
-  explicit Members(const json& root) : m_root(root) {}
-
-  [[nodiscard]] bool has(const char* pointer) const { return find(pointer) != nullptr; }
-
-  double number(const char* pointer, double min, double max) {
-    const json* value = find(pointer);
-    if (value != nullptr && value->is_number()) {
-      const double number = value->get<double>();
-      if (number >= min && number <= max) {
-        return number;
-      }
-    }
-    return refuse(pointer), min;
-  }
-  template <class Integer>
-  Integer integer(const char* pointer, double min, double max) {
-    const double value = number(pointer, min, max);
-    if (value != std::floor(value)) {
-      refuse(pointer);
-    }
-    return static_cast<Integer>(value);
-  }
-  bool flag(const char* pointer) {
-    const json* value = find(pointer);
-    if (value != nullptr && value->is_boolean()) {
-      return value->get<bool>();
-    }
-    return refuse(pointer), false;
-  }
-  std::string text(const char* pointer) {
-    const json* value = find(pointer);
-    if (value != nullptr && value->is_string()) {
-      return value->get<std::string>();
-    }
-    return refuse(pointer), std::string();
-  }
-  /// A list of texts; empty if there is none.
-  std::vector<std::string> words(const char* pointer) {
-    std::vector<std::string> words;
-    const json* list = find(pointer);
-    if (list == nullptr) {
-      return words;
-    }
-    for (const json& word : list->is_array() ? *list : json::array()) {
-      if (word.is_string()) {
-        words.push_back(word.get<std::string>());
-      }
-    }
-    if (!list->is_array() || words.size() != list->size()) {
-      refuse(pointer);
-    }
-    return words;
-  }
-  /// Members that earlier versions did not write keep their value if they are missing.
-  template <class Value, class Read>
-  void ifThere(const char* pointer, Value& value, Read read) {
-    if (has(pointer)) {
-      value = read(pointer);
-    }
-  }
-  void refuse(const char* pointer) {
-    if (m_bad.empty()) {
-      m_bad = pointer;
-    }
-  }
-  /// The first member that cannot be used; empty: none.
-  [[nodiscard]] const std::string& bad() const { return m_bad; }
-  [[nodiscard]] const json* find(const char* pointer) const {
-    const json::json_pointer at(pointer);
-    return m_root.is_object() && m_root.contains(at) ? &m_root.at(at) : nullptr;
-  }
-
- private:
-  const json& m_root;
-  std::string m_bad;
-};
-
-streaming::RunSettings settingsOf(Members& members) {
-  streaming::RunSettings settings;
-  templates::TemplateParameters& parameters = settings.parameters;
-  const auto text = [&members](const char* at) { return members.text(at); };
-  const auto flag = [&members](const char* at) { return members.flag(at); };
-  std::string method = "window";
-  members.ifThere("/settings/method", method, text);
-  const auto kind = base::methodFromName(method);
-  if (!kind || !base::hasWindows(*kind)) {
-    members.refuse("/settings/method");
-  }
-  parameters.method = kind.value_or(base::MethodKind::Window);
-  parameters.pointsPerLoop = members.integer<int>("/settings/points_per_loop", 1, kCellMax);
-  parameters.windows =
-      members.integer<int>("/settings/windows", 1, templates::WindowProtocol::kWindowsMax);
-  parameters.baseCell = members.integer<int>("/settings/base_cell", 0, kCellMax);
-  const auto cells = [&members](const char* at) { return members.integer<int>(at, 0, kCellMax); };
-  members.ifThere("/settings/slot_stride", parameters.slotStride, cells);
-  members.ifThere("/settings/r_parameters", parameters.rParameterCount, cells);
-  members.ifThere("/settings/windows_ahead", parameters.windowsAhead, cells);
-  members.ifThere("/settings/slow_down", parameters.slowDown, flag);
-  members.ifThere("/settings/correction_limit_mm", parameters.correctionLimitMm,
-                  [&members](const char* at) {
-                    return members.number(at, 0.0, templates::kCorrectionLimitMmMax);
-                  });
-  constexpr double kFeedMax = 1e9;
-  const auto above0 = [&members](const char* at) {
-    const double number = members.number(at, 0.0, kFeedMax);
-    if (!(number > 0.0)) {
-      members.refuse(at);
-    }
-    return number;
-  };
-  double feedMmPerMin = base::mmPerMinFromMmPerS(settings.feedMmPerS);
-  members.ifThere("/settings/feed_mm_per_min", feedMmPerMin, above0);
-  settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
-  members.ifThere("/settings/feed_per_point", parameters.feedPerPoint, flag);
-  if (members.has("/settings/program_feeds")) {
-    settings.programFeeds =
-        gcode::ProgramFeeds{members.number("/settings/program_feeds/override", gcode::kOverrideMin,
-                                           gcode::kOverrideMax),
-                            above0("/settings/program_feeds/rapid_mm_per_s"),
-                            above0("/settings/program_feeds/limit_mm_per_s")};
-  }
-  std::string axes = "XYZ";
-  members.ifThere("/settings/axes", axes, text);
-  if (!templates::chooseAxes(parameters, axes)) {
-    members.refuse("/settings/axes");
-  }
-  if (members.bad().empty() && !templates::planCells(parameters)) {
-    members.refuse("/settings");
-  }
-  if (members.has("/started_by")) {
-    settings.origin = {members.text("/started_by/user"), members.text("/started_by/computer"),
-                       members.text("/started_by/at_utc")};
-  }
-  return settings;
-}
-
-streaming::Checkpoint checkpointOf(Members& members) {
-  streaming::Checkpoint checkpoint;
-  const auto flag = [&members](const char* at) { return members.flag(at); };
-  checkpoint.runNumber =
-      members.integer<int>("/checkpoint/run_number", 1, streaming::kRunNumberMax);
-  checkpoint.firstPoint = members.integer<std::size_t>("/checkpoint/first_point", 0, kCountMax);
-  checkpoint.granted = true;
-  members.ifThere("/checkpoint/granted", checkpoint.granted, flag);
-  members.ifThere("/checkpoint/pauses_placed", checkpoint.pausesPlaced, flag);
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const std::string at = fmt::format("/checkpoint/start_mm/{}", axis);
-    checkpoint.startMm.set(axis, members.number(at.c_str(), -kPlaceMax, kPlaceMax));
-    const std::string turned = fmt::format("/checkpoint/start_deg/{}", axis);
-    members.ifThere(turned.c_str(), checkpoint.startDeg[axis], [&members](const char* place) {
-      return members.number(place, -kPlaceMax, kPlaceMax);
-    });
-  }
-  members.ifThere("/checkpoint/points", checkpoint.pointCount, [&members](const char* at) {
-    return members.integer<std::size_t>(at, 0, kCountMax);
-  });
-  // As text: JSON numbers are doubles in many programs.
-  std::string hash;
-  members.ifThere("/checkpoint/points_hash", hash,
-                  [&members](const char* at) { return members.text(at); });
-  if (!hash.empty()) {
-    constexpr int kHexadecimal = 16;
-    const auto [end, status] = std::from_chars(hash.data(), hash.data() + hash.size(),
-                                               checkpoint.pointsHash, kHexadecimal);
-    if (status != std::errc{} || end != hash.data() + hash.size() || checkpoint.pointsHash == 0) {
-      members.refuse("/checkpoint/points_hash");
-    }
-  }
-  return checkpoint;
-}
 
 gcode::LoadOptions readingOf(Members& members) {
   gcode::LoadOptions reading;
@@ -328,7 +149,8 @@ fs::path pointsPathOf(const fs::path& file) {
   return fs::path(file).replace_extension(".points");
 }
 
-/// A name that can stand in a file name on any system.
+}  // namespace
+
 std::string plainName(std::string_view name) {
   constexpr std::size_t kLongest = 60;
   std::string plain(name.substr(0, kLongest));
@@ -338,8 +160,6 @@ std::string plainName(std::string_view name) {
       '-');
   return plain.empty() || plain.front() == '.' ? "run" + plain : plain;
 }
-
-}  // namespace
 
 std::string SavedRun::name() const {
   return fmt::format("{}-{}", plainName(fs::path(programName).filename().string()),
@@ -366,7 +186,7 @@ base::Result<SavedRun> savedRunOf(const json& json, const fs::path& file) {
                       file.string());
   }
   if (members.has("/rivulet_run") &&
-      members.integer<int>("/rivulet_run", 1, kCellMax) > kFormatVersion) {
+      members.integer<int>("/rivulet_run", 1, kJsonCellMax) > kFormatVersion) {
     return base::fail(StreamError::CannotResume,
                       "The run was kept by a later version of Rivulet. Use that one.",
                       file.string());
@@ -374,7 +194,10 @@ base::Result<SavedRun> savedRunOf(const json& json, const fs::path& file) {
   SavedRun run;
   const auto text = [&members](const char* at) { return members.text(at); };
   run.file = file;
-  run.settings = settingsOf(members);
+  run.settings = runSettingsOf(members);
+  if (!base::hasWindows(run.settings.parameters.method)) {
+    members.refuse("/settings/method");
+  }
   run.checkpoint = checkpointOf(members);
   run.settings.runNumber = run.checkpoint.runNumber;
   run.settings.placePauses = run.checkpoint.pausesPlaced;

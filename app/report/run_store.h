@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -37,6 +38,9 @@ struct SavedRun {
   /// "rows.nc-123456": program and number of the run.
   [[nodiscard]] std::string name() const;
 };
+
+/// A name that can stand in a file name on any system.
+[[nodiscard]] std::string plainName(std::string_view name);
 
 /// Who is working here, and the time.
 [[nodiscard]] streaming::RunOrigin thisUser();

@@ -44,6 +44,7 @@ struct MachineSeen {
 struct RunFinished {
   std::shared_ptr<const streaming::RunReport> report;
   std::string recordingPath;  ///< empty: none could be written
+  base::Error notKept{};      ///< why the history does not have the run; code clear: it has it
 };
 
 /// The answer to a `ResumeQuestion`.

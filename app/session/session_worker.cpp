@@ -407,7 +407,23 @@ void SessionWorker::start(const StartCommand& command) {
     tell(LinkChanged{LinkState::Lost, error, false, {}});
     m_connection = {};
   }
-  tell(RunFinished{std::move(report), recorded ? command.recordingPath : std::string()});
+  const base::Error notKept = archive(command, *report, recorded);
+  tell(RunFinished{std::move(report), recorded ? command.recordingPath : std::string(), notKept});
+}
+
+base::Error SessionWorker::archive(const StartCommand& command, const streaming::RunReport& report,
+                                   bool recorded) const {
+  streaming::RunSummary known;
+  known.programFile = command.source.file;
+  known.programHash = command.program->hash;
+  known.endpoint = m_endpoint;
+  known.toolVersion = RIVULET_VERSION;
+  known.recording = recorded ? command.recordingPath : std::string();
+  known.ownsRecording = true;
+  const base::Vec3 startMm = report.checkpoint ? report.checkpoint->startMm : base::Vec3{};
+  const auto kept = m_history.add(report, std::move(known),
+                                  gcode::streamPoints(command.program->trajectory, startMm).points);
+  return kept ? base::Error{} : kept.error();
 }
 
 void SessionWorker::calibrate(const CalibrateCommand& command) {

@@ -19,6 +19,7 @@
 #include "base/spsc_ring.h"
 #include "opcua/connection.h"
 #include "report/machine_store.h"
+#include "report/run_history.h"
 #include "report/run_store.h"
 #include "session/session_event.h"
 #include "streaming/control_axes.h"
@@ -63,6 +64,10 @@ class SessionWorker {
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartCommand& command,
                                                streaming::RunSink& sink);
+  /// Puts a run that has ended into the history. @return why it could not be; code clear: it is
+  /// there
+  [[nodiscard]] base::Error archive(const StartCommand& command, const streaming::RunReport& report,
+                                    bool recorded) const;
   void calibrate(const CalibrateCommand& command);
   /// According to the file of the machine.
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
@@ -91,6 +96,7 @@ class SessionWorker {
   opcua::Connector m_connector;
   report::MachineStore m_machines;
   report::RunStore m_runs;
+  report::RunHistory m_history;
   opcua::Connection m_connection;  // streaming thread only
   streaming::ControlAxes m_axes;   // of the control at the other end
   streaming::RunWatch m_watch;     // of the control at the other end

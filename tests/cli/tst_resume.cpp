@@ -15,6 +15,7 @@
 
 #include "base/file.h"
 #include "gcode/program.h"
+#include "report/run_history.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
 #include "trace/analysis/integrity.h"
@@ -238,6 +239,36 @@ class TestResume : public QObject {
     QVERIFY(ask(words("runs --json --forget") << QString::number(kept[0]["run_number"].get<int>()),
                 0)["runs"]
                 .empty());
+  }
+
+  /// Every run over a connection, with a recording although none was asked for.
+  void everyRunIsInTheHistory() {
+    const report::RunHistory history;
+    const std::size_t before = history.list().runs.size();
+    QVERIFY(before >= 5);
+    const json report =
+        ask(QStringList{QStringLiteral("stream"), m_program} +
+                words("--feed 2000 --json --stop-after 1 --endpoint") + QStringList{m_endpoint},
+            0);
+    QVERIFY(report.is_object());
+    const report::HistoryList list = history.list();
+    QCOMPARE(list.runs.size(), before + 1);
+    const streaming::RunSummary& run = list.runs.front();
+    QCOMPARE(run.programFile, m_program.toStdString());
+    QCOMPARE(run.endpoint, m_endpoint.toStdString());
+    QVERIFY(run.outcome == streaming::Outcome::Stopped);
+    // On a computer that is busy, points may come too late: the history says what the report says.
+    QCOMPARE(run.finding == streaming::RunFinding::Faultless, report["faultless"].get<bool>());
+    QVERIFY(run.ownsRecording);
+    const auto text = base::readFile(run.recording);
+    QVERIFY(text.has_value());
+    QVERIFY(trace::parseRecording(*text)->complete);
+    const auto whole = report::readFinishedRun(history.reportFile(run.id));
+    QVERIFY(whole.has_value());
+    QCOMPARE(whole->report.counters.executed, report["executed"].get<std::size_t>());
+    // A recording that the user has named stays his.
+    QVERIFY(!list.runs.back().ownsRecording);
+    QVERIFY(list.runs.back().recording.ends_with("1.rivulet"));
   }
 };
 

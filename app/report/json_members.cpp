@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/json_members.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "base/units.h"
+
+namespace rivulet::report {
+
+streaming::RunSettings runSettingsOf(Members& members) {
+  streaming::RunSettings settings;
+  templates::TemplateParameters& parameters = settings.parameters;
+  const auto text = [&members](const char* at) { return members.text(at); };
+  const auto flag = [&members](const char* at) { return members.flag(at); };
+  const auto refuseUnless = [&members](bool isGood, const char* at) {
+    if (!isGood) {
+      members.refuse(at);
+    }
+  };
+  std::string method = "window";
+  members.ifThere("/settings/method", method, text);
+  const auto kind = base::methodFromName(method);
+  if (!kind) {
+    members.refuse("/settings/method");
+  }
+  parameters.method = kind.value_or(base::MethodKind::Window);
+  parameters.pointsPerLoop = members.integer<int>("/settings/points_per_loop", 1, kJsonCellMax);
+  parameters.windows =
+      members.integer<int>("/settings/windows", 1, templates::WindowProtocol::kWindowsMax);
+  parameters.baseCell = members.integer<int>("/settings/base_cell", 0, kJsonCellMax);
+  const auto cells = [&members](const char* at) {
+    return members.integer<int>(at, 0, kJsonCellMax);
+  };
+  members.ifThere("/settings/slot_stride", parameters.slotStride, cells);
+  members.ifThere("/settings/r_parameters", parameters.rParameterCount, cells);
+  members.ifThere("/settings/windows_ahead", parameters.windowsAhead, cells);
+  members.ifThere("/settings/slow_down", parameters.slowDown, flag);
+  members.ifThere("/settings/correction_limit_mm", parameters.correctionLimitMm,
+                  [&members](const char* at) {
+                    return members.number(at, 0.0, templates::kCorrectionLimitMmMax);
+                  });
+  constexpr double kFeedMax = 1e9;
+  const auto above0 = [&members](const char* at) {
+    const double number = members.number(at, 0.0, kFeedMax);
+    if (!(number > 0.0)) {
+      members.refuse(at);
+    }
+    return number;
+  };
+  double feedMmPerMin = base::mmPerMinFromMmPerS(settings.feedMmPerS);
+  members.ifThere("/settings/feed_mm_per_min", feedMmPerMin, above0);
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  members.ifThere("/settings/feed_per_point", parameters.feedPerPoint, flag);
+  if (members.has("/settings/program_feeds")) {
+    settings.programFeeds =
+        gcode::ProgramFeeds{members.number("/settings/program_feeds/override", gcode::kOverrideMin,
+                                           gcode::kOverrideMax),
+                            above0("/settings/program_feeds/rapid_mm_per_s"),
+                            above0("/settings/program_feeds/limit_mm_per_s")};
+  }
+  std::string axes = "XYZ";
+  members.ifThere("/settings/axes", axes, text);
+  if (!templates::chooseAxes(parameters, axes)) {
+    members.refuse("/settings/axes");
+  }
+  members.ifThere("/settings/delta_mm", settings.deltaMm, above0);
+  std::string word;
+  members.ifThere("/settings/layout", word, text);
+  if (!word.empty()) {
+    const auto layout = templates::layoutFromName(word);
+    parameters.layout = layout.value_or(parameters.layout);
+    refuseUnless(layout.has_value(), "/settings/layout");
+  }
+  word.clear();
+  members.ifThere("/settings/passed_by", word, text);
+  if (!word.empty()) {
+    const auto passedBy = streaming::passedByFromName(word);
+    settings.passedBy = passedBy.value_or(settings.passedBy);
+    refuseUnless(passedBy.has_value(), "/settings/passed_by");
+  }
+  word.clear();
+  members.ifThere("/settings/grouping", word, text);
+  if (!word.empty()) {
+    const auto grouping = opcua::groupingFromName(word);
+    settings.grouping = grouping.value_or(settings.grouping);
+    refuseUnless(grouping.has_value(), "/settings/grouping");
+  }
+  members.ifThere("/settings/monitor", settings.monitor, flag);
+  if (members.bad().empty() && !templates::planCells(parameters)) {
+    members.refuse("/settings");
+  }
+  if (members.has("/started_by")) {
+    settings.origin = {members.text("/started_by/user"), members.text("/started_by/computer"),
+                       members.text("/started_by/at_utc")};
+  }
+  return settings;
+}
+
+streaming::Checkpoint checkpointOf(Members& members) {
+  streaming::Checkpoint checkpoint;
+  const auto flag = [&members](const char* at) { return members.flag(at); };
+  checkpoint.runNumber =
+      members.integer<int>("/checkpoint/run_number", 1, streaming::kRunNumberMax);
+  checkpoint.firstPoint = members.integer<std::size_t>("/checkpoint/first_point", 0, kJsonCountMax);
+  checkpoint.granted = true;
+  members.ifThere("/checkpoint/granted", checkpoint.granted, flag);
+  members.ifThere("/checkpoint/pauses_placed", checkpoint.pausesPlaced, flag);
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const std::string at = fmt::format("/checkpoint/start_mm/{}", axis);
+    checkpoint.startMm.set(axis, members.number(at.c_str(), -kJsonPlaceMax, kJsonPlaceMax));
+    const std::string turned = fmt::format("/checkpoint/start_deg/{}", axis);
+    members.ifThere(turned.c_str(), checkpoint.startDeg[axis], [&members](const char* place) {
+      return members.number(place, -kJsonPlaceMax, kJsonPlaceMax);
+    });
+  }
+  members.ifThere("/checkpoint/points", checkpoint.pointCount, [&members](const char* at) {
+    return members.integer<std::size_t>(at, 0, kJsonCountMax);
+  });
+  // As text: JSON numbers are doubles in many programs.
+  std::string hash;
+  members.ifThere("/checkpoint/points_hash", hash,
+                  [&members](const char* at) { return members.text(at); });
+  if (!hash.empty()) {
+    constexpr int kHexadecimal = 16;
+    const auto [end, status] = std::from_chars(hash.data(), hash.data() + hash.size(),
+                                               checkpoint.pointsHash, kHexadecimal);
+    if (status != std::errc{} || end != hash.data() + hash.size() || checkpoint.pointsHash == 0) {
+      members.refuse("/checkpoint/points_hash");
+    }
+  }
+  return checkpoint;
+}
+
+}  // namespace rivulet::report

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// JSON that may hold anything, read member by member. @threadsafety plain values.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "streaming/run.h"
+
+namespace rivulet::report {
+
+/// A report of a long run holds a pause for each window.
+inline constexpr std::uintmax_t kJsonBytesMax = std::uintmax_t{256} << 20U;
+inline constexpr double kJsonCountMax = 1e9;  ///< of points, requests, pauses
+inline constexpr double kJsonCellMax = 1e6;   ///< number of an R-parameter
+inline constexpr double kJsonPlaceMax = 1e9;  ///< mm or degrees
+
+/// Reads members of a JSON text that may hold anything. The first that is missing, has another type
+/// or is out of range is remembered.
+class Members {
+ public:
+  explicit Members(const nlohmann::json& root) : m_root(root) {}
+
+  [[nodiscard]] bool has(const char* pointer) const { return find(pointer) != nullptr; }
+
+  double number(const char* pointer, double min, double max) {
+    const nlohmann::json* value = find(pointer);
+    if (value != nullptr && value->is_number()) {
+      const double number = value->get<double>();
+      if (number >= min && number <= max) {
+        return number;
+      }
+    }
+    return refuse(pointer), min;
+  }
+  template <class Integer>
+  Integer integer(const char* pointer, double min, double max) {
+    const double value = number(pointer, min, max);
+    if (value != std::floor(value)) {
+      refuse(pointer);
+    }
+    return static_cast<Integer>(value);
+  }
+  bool flag(const char* pointer) {
+    const nlohmann::json* value = find(pointer);
+    if (value != nullptr && value->is_boolean()) {
+      return value->get<bool>();
+    }
+    return refuse(pointer), false;
+  }
+  std::string text(const char* pointer) {
+    const nlohmann::json* value = find(pointer);
+    if (value != nullptr && value->is_string()) {
+      return value->get<std::string>();
+    }
+    return refuse(pointer), std::string();
+  }
+  /// A list of texts; empty if there is none.
+  std::vector<std::string> words(const char* pointer) {
+    std::vector<std::string> words;
+    const nlohmann::json* list = find(pointer);
+    if (list == nullptr) {
+      return words;
+    }
+    for (const nlohmann::json& word : list->is_array() ? *list : nlohmann::json::array()) {
+      if (word.is_string()) {
+        words.push_back(word.get<std::string>());
+      }
+    }
+    if (!list->is_array() || words.size() != list->size()) {
+      refuse(pointer);
+    }
+    return words;
+  }
+  /// Members that earlier versions did not write keep their value if they are missing.
+  template <class Value, class Read>
+  void ifThere(const char* pointer, Value& value, Read read) {
+    if (has(pointer)) {
+      value = read(pointer);
+    }
+  }
+  void refuse(const char* pointer) {
+    if (m_bad.empty()) {
+      m_bad = pointer;
+    }
+  }
+  /// The first member that cannot be used; empty: none.
+  [[nodiscard]] const std::string& bad() const { return m_bad; }
+  [[nodiscard]] const nlohmann::json* find(const char* pointer) const {
+    const nlohmann::json::json_pointer at(pointer);
+    return m_root.is_object() && m_root.contains(at) ? &m_root.at(at) : nullptr;
+  }
+
+ private:
+  const nlohmann::json& m_root;
+  std::string m_bad;
+};
+
+/// Settings as `settingsJson` writes them, below "/settings", with the origin below "/started_by".
+/// Refuses those from which no flexible program can be made.
+[[nodiscard]] streaming::RunSettings runSettingsOf(Members& members);
+/// As `checkpointJson` writes it, below "/checkpoint".
+[[nodiscard]] streaming::Checkpoint checkpointOf(Members& members);
+
+}  // namespace rivulet::report
