@@ -17,6 +17,7 @@
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "hmi/pages/pages.h"
+#include "hmi/past_runs.h"
 #include "hmi/releases.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
@@ -140,6 +141,7 @@ class MainWindow final : public QMainWindow {
   Releases m_releases;
   Preflight m_preflight;
   FoundRuns m_found;
+  PastRuns m_pastRuns;
 
   bool m_closesAfterRun = false;
   bool m_isStopRequested = false;  ///< by Escape, of the run in progress

@@ -42,6 +42,13 @@ QString groupingText(opcua::Grouping grouping) {
   return GroupingTexts::text(grouping);
 }
 
+Status ReportPanel::resultStatus(streaming::Outcome outcome, streaming::RunFinding finding) {
+  if (outcome == streaming::Outcome::Failed || finding == streaming::RunFinding::Faulty) {
+    return Status::Fault;
+  }
+  return finding == streaming::RunFinding::Faultless ? Status::Good : Status::Unknown;
+}
+
 ReportPanel::ReportPanel(QWidget* parent)
     : Page(parent),
       m_outcome(new StatusLabel(this)),
@@ -151,26 +158,28 @@ void ReportPanel::show(Row row, const QString& text, Status status) {
 }
 
 void ReportPanel::showOutcome(const streaming::RunReport& report) {
-  const bool isStopped = report.outcome == streaming::Outcome::Stopped;
+  m_outcome->setStatus(resultStatus(report.outcome, report.finding()),
+                       resultText(report.outcome, report.finding()));
   if (report.outcome == streaming::Outcome::Failed) {
-    m_outcome->setStatus(Status::Fault, tr("Failed"));
     m_detail->setText(errorText(report.error));
     m_detail->setVisible(!m_detail->text().isEmpty());
-  } else {
-    switch (report.finding()) {
-      case streaming::RunFinding::Faultless:
-        m_outcome->setStatus(Status::Good, isStopped ? tr("Stopped") : tr("Completed"));
-        break;
-      case streaming::RunFinding::NotJudged:
-        m_outcome->setStatus(Status::Unknown,
-                             isStopped ? tr("Stopped, not judged") : tr("Completed, not judged"));
-        break;
-      case streaming::RunFinding::Faulty:
-        m_outcome->setStatus(Status::Fault, isStopped ? tr("Stopped, with wrong motion")
-                                                      : tr("Completed with wrong motion"));
-        break;
-    }
   }
+}
+
+QString ReportPanel::resultText(streaming::Outcome outcome, streaming::RunFinding finding) {
+  if (outcome == streaming::Outcome::Failed) {
+    return tr("Failed");
+  }
+  const bool isStopped = outcome == streaming::Outcome::Stopped;
+  switch (finding) {
+    case streaming::RunFinding::Faultless:
+      return isStopped ? tr("Stopped") : tr("Completed");
+    case streaming::RunFinding::NotJudged:
+      return isStopped ? tr("Stopped, not judged") : tr("Completed, not judged");
+    case streaming::RunFinding::Faulty:
+      break;
+  }
+  return isStopped ? tr("Stopped, with wrong motion") : tr("Completed with wrong motion");
 }
 
 QString ReportPanel::methodText(base::MethodKind method) {

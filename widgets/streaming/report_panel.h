@@ -30,6 +30,13 @@ class ReportPanel final : public Page {
   /// @param report  nothing: no run yet
   void setReport(const std::optional<streaming::RunReport>& report);
 
+  [[nodiscard]] static QString methodText(base::MethodKind method);
+  /// "Completed", "Stopped, not judged", …: how a run ended, and whether its motion was right.
+  [[nodiscard]] static QString resultText(streaming::Outcome outcome,
+                                          streaming::RunFinding finding);
+  [[nodiscard]] static Status resultStatus(streaming::Outcome outcome,
+                                           streaming::RunFinding finding);
+
  protected:
   void retranslate() override;
   void restyle() override;
@@ -67,7 +74,6 @@ class ReportPanel final : public Page {
   void showAccess(const streaming::RunReport& report);
   /// Figures carry no icon of their own unless they are abnormal.
   void show(Row row, const QString& text, Status status = Status::Plain);
-  [[nodiscard]] static QString methodText(base::MethodKind method);
 
   std::optional<streaming::RunReport> m_report;
   StatusLabel* m_outcome;

@@ -100,6 +100,7 @@ void TracePage::clear() {
   m_pauses->clear();
   m_pauseTotal = {};
   m_source = Source::Nothing;
+  m_pastStart.clear();
   m_window->clear();
   showNote();
   showSummary();
@@ -209,19 +210,27 @@ void TracePage::restyle() {
   showLegend();
 }
 
+void TracePage::setPastRun(const QString& start, const QString& program) {
+  m_pastStart = start;
+  m_pastProgram = program;
+  showNote();
+}
+
 void TracePage::showNote() {
+  const QString of =
+      m_pastStart.isEmpty() ? QString() : tr("Run of %1, %2. ").arg(m_pastStart, m_pastProgram);
   switch (m_source) {
     case Source::Nothing:
-      m_sourceNote->setStatus(Status::Unknown, tr("No samples yet"));
+      m_sourceNote->setStatus(Status::Unknown, of + tr("No samples yet"));
       break;
     case Source::Live:
-      m_sourceNote->setStatus(Status::Busy,
-                              tr("Live samples: read while the stream has time; short pauses may "
-                                 "be missing from the curves"));
+      m_sourceNote->setStatus(of.isEmpty() ? Status::Busy : Status::Unknown,
+                              of + tr("Live samples: read while the stream has time; short pauses "
+                                      "may be missing from the curves"));
       break;
     case Source::Control: {
       const QString text =
-          tr("The control's own trace: one sample every %1").arg(millisecondsText(m_cycle, 0));
+          of + tr("The control's own trace: one sample every %1").arg(millisecondsText(m_cycle, 0));
       m_sourceNote->setStatus(
           m_truncated ? Status::Attention : Status::Good,
           m_truncated ? text + QStringLiteral("; ") + tr("incomplete: the trace memory was full")

@@ -54,6 +54,8 @@ class TracePage final : public Page {
   /// sample on; the pauses are on the time line of the trace.
   void showControlTrace(const std::shared_ptr<const trace::ControlTrace>& trace,
                         const std::vector<trace::Pause>& pauses);
+  /// What is shown is a run that ended earlier. `clear` ends it.
+  void setPastRun(const QString& start, const QString& program);
   /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
 
@@ -70,6 +72,8 @@ class TracePage final : public Page {
   void showLegend();
 
   Source m_source = Source::Nothing;
+  QString m_pastStart;  ///< of a run that ended earlier; empty: the run is the last one
+  QString m_pastProgram;
   base::Duration m_cycle{};
   bool m_truncated = false;
   base::Duration m_pauseTotal{};

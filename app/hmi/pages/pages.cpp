@@ -4,6 +4,8 @@
 #include "hmi/pages/pages.h"
 
 #include <QCoreApplication>
+#include <QStackedWidget>
+#include <QTabWidget>
 #include <array>
 
 #include "base/file.h"
@@ -23,7 +25,7 @@ constexpr std::array<PageEntry, 10> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage, "Traces"},
     {QT_TRANSLATE_NOOP("Pages", "Template"), makeTemplatePage, "Template"},
     {QT_TRANSLATE_NOOP("Pages", "Calibration"), makeCalibrationPage, "Calibration"},
-    {QT_TRANSLATE_NOOP("Pages", "Report"), makeReportPage, "Report"},
+    {QT_TRANSLATE_NOOP("Pages", "Runs"), makeRunsPage, "Runs"},
     {QT_TRANSLATE_NOOP("Pages", "Alarms"), makeAlarmPage, "Alarms"},
     {QT_TRANSLATE_NOOP("Pages", "Messages"), makeLogPage, "Messages"},
     {QT_TRANSLATE_NOOP("Pages", "Audit"), makeAuditPage, "Audit"},
@@ -54,6 +56,20 @@ std::optional<widgets::RehearsalView> rehearsalView(const Findings& findings) {
             outcome->safeFeedMmPerS};
   }
   return view;
+}
+
+void showPageOf(QWidget* widget) {
+  for (QWidget* page = widget; page != nullptr; page = page->parentWidget()) {
+    auto* stack = qobject_cast<QStackedWidget*>(page->parentWidget());
+    if (stack == nullptr) {
+      continue;
+    }
+    if (auto* tabs = qobject_cast<QTabWidget*>(stack->parentWidget())) {
+      tabs->setCurrentWidget(page);
+    } else {
+      stack->setCurrentWidget(page);
+    }
+  }
 }
 
 void saveText(const Models& models, const QString& path, const QString& text) {

@@ -14,6 +14,7 @@
 #include "hmi/found_runs.h"
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
+#include "hmi/past_runs.h"
 #include "hmi/preflight.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
@@ -40,6 +41,7 @@ struct Models {
   RunController& runs;
   Preflight& preflight;
   FoundRuns& found;
+  PastRuns& pastRuns;
 };
 
 /// A page of the tab widget.
@@ -57,7 +59,7 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeTracePage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeTemplatePage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeCalibrationPage(const Models& models, QWidget* parent);
-[[nodiscard]] QWidget* makeReportPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeRunsPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAlarmPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAuditPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeUsersPage(const Models& models, QWidget* parent);
@@ -81,6 +83,9 @@ struct PageEntry {
 
 /// The simulation among the findings, as pages show it.
 [[nodiscard]] std::optional<widgets::RehearsalView> rehearsalView(const Findings& findings);
+
+/// Brings the page that a widget is, or is on, to the front.
+void showPageOf(QWidget* widget);
 
 /// Saves a text to a file and says so.
 void saveText(const Models& models, const QString& path, const QString& text);

@@ -134,7 +134,18 @@ widgets::FeasibilityModel feasibilityModel(base::MethodKind method, double feedM
   }
   std::sort(model.smallestDistancesMm.begin(), model.smallestDistancesMm.end());
   model.smallestDistancesMm.resize(std::min<std::size_t>(model.smallestDistancesMm.size(), 200));
+  model.pointsPerLoopMax = 29;
+  model.verdict = *feasibility::judge(model.operatingPoint, model.distances);
   return model;
+}
+
+std::vector<feasibility::Advice> advice(const widgets::FeasibilityModel& model) {
+  feasibility::AdviceQuestion question;
+  question.operatingPoint = model.operatingPoint;
+  question.pointsPerLoopMax = model.pointsPerLoopMax;
+  question.methods = {base::MethodKind::Window, base::MethodKind::Position,
+                      base::MethodKind::Signal};
+  return feasibility::advise(streamed(*pocket()), question);
 }
 
 widgets::SimulatedRegion simulatedRegion(const widgets::FeasibilityModel& model,
@@ -233,6 +244,63 @@ std::vector<alarm::Alarm> alarms() {
                              "The connection to the control is lost. Check the machine, then "
                              "connect again."));
   return list.alarms();
+}
+
+std::vector<streaming::RunSummary> pastRuns() {
+  using streaming::Outcome;
+  using streaming::RunFinding;
+  const auto run = [](int number, const char* program, const char* user, Outcome outcome,
+                      RunFinding finding, std::size_t executed, std::size_t total,
+                      double durationS) {
+    streaming::RunSummary one;
+    one.id = "run-" + std::to_string(number);
+    one.programName = program;
+    one.programHash = "8c2f1f0a6d3b9e47";
+    one.programFile = std::string("/programs/") + program;
+    one.endpoint = number % 2 == 0 ? "opc.tcp://192.168.214.1:4840" : "opc.tcp://cell-3:4840";
+    one.recording = number == 124 ? "" : "/recordings/run.rivulet";
+    one.origin = {user, "cell-pc-3", "2026-11-2" + std::to_string(number % 10) + "T05:12:07Z"};
+    one.method = number % 3 == 0 ? base::MethodKind::Position : base::MethodKind::Window;
+    one.pointsPerLoop = 7;
+    one.feedMmPerS = base::mmPerSFromMmPerMin(500.0 + 10.0 * number);
+    one.deltaMm = 0.3;
+    one.runNumber = number;
+    one.outcome = outcome;
+    one.finding = finding;
+    one.judged = finding != RunFinding::NotJudged;
+    one.executed = executed;
+    one.total = total;
+    one.repeated = finding == RunFinding::Faulty ? 214 : 0;
+    one.skipped = finding == RunFinding::Faulty ? 75 : 0;
+    one.duration = base::fromSeconds(durationS);
+    one.pauses = executed / 7;
+    one.paused = base::fromSeconds(static_cast<double>(one.pauses) * 0.04);
+    return one;
+  };
+  return {
+      run(125, "POCKET_60x40.MPF", "anna", Outcome::Completed, RunFinding::Faultless, 1353, 1353,
+          184.3),
+      run(124, "scorpion.tap", "bert", Outcome::Completed, RunFinding::NotJudged, 270, 270, 95.2),
+      run(123, "impeller_roughing_5_axes.mpf", "anna", Outcome::Stopped, RunFinding::Faultless, 210,
+          12'000, 61.0),
+      run(122, "POCKET_60x40.MPF", "anna", Outcome::Completed, RunFinding::Faulty, 1340, 1353,
+          180.0),
+      run(121, "POCKET_60x40.MPF", "bert", Outcome::Failed, RunFinding::Faulty, 400, 1353, 12.5),
+      run(120, "impeller_roughing_5_axes.mpf", "anna", Outcome::Completed, RunFinding::Faultless,
+          12'000, 12'000, 3725.0)};
+}
+
+widgets::RunSheet runSheet() {
+  widgets::RunSheet sheet;
+  sheet.report = report();
+  sheet.summary = streaming::summaryOf(sheet.report, pastRuns().front());
+  sheet.summary.origin = pastRuns().front().origin;
+  sheet.summary.runNumber = pastRuns().front().runNumber;
+  sheet.summary.toolVersion = "0.9.0";
+  sheet.appVersion = QStringLiteral("1.0.0");
+  const auto points = streamed(*pocket());
+  sheet.sketch = gcode::sketchOf(points, 4000);
+  return sheet;
 }
 
 std::shared_ptr<const streaming::CalibrationRecord> calibrationRecord() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "alarm/alarm.h"
+#include "feasibility/advice.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "streaming/calibration_record.h"
@@ -17,6 +18,7 @@
 #include "widgets/connection/machine_view.h"
 #include "widgets/feasibility/region_chart.h"
 #include "widgets/program/program_view.h"
+#include "widgets/runs/run_sheet.h"
 
 namespace rivulet::test {
 
@@ -47,11 +49,17 @@ namespace rivulet::test {
 [[nodiscard]] streaming::RunReport report();
 /// One of each state, the most important first.
 [[nodiscard]] std::vector<alarm::Alarm> alarms();
+/// Runs of several programs and machines, the newest first; the second has no recording.
+[[nodiscard]] std::vector<streaming::RunSummary> pastRuns();
+/// The report with a path that has rapids.
+[[nodiscard]] widgets::RunSheet runSheet();
 
 /// A calibration of the virtual machine in virtual time, of 50 cells, with little time for the long
 /// kinds.
 [[nodiscard]] std::shared_ptr<const streaming::CalibrationRecord> calibrationRecord();
 
+/// What is advised for the pocket at the operating point of a model.
+[[nodiscard]] std::vector<feasibility::Advice> advice(const widgets::FeasibilityModel& model);
 /// A simulated region that fits a model and a chart's grid; some points run, some fail.
 [[nodiscard]] widgets::SimulatedRegion simulatedRegion(const widgets::FeasibilityModel& model,
                                                        const widgets::SimulationWanted& wanted,

@@ -24,11 +24,13 @@
 #include "widgets/common/log_view.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_panel.h"
+#include "widgets/feasibility/advice_panel.h"
 #include "widgets/feasibility/feasibility_page.h"
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/runs/runs_page.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/report_panel.h"
@@ -112,6 +114,7 @@ std::unique_ptr<QWidget> simulatedPage(base::MethodKind method, feasibility::Swe
   page->showChart(axis);
   const auto wanted = page->chart(axis)->simulationWanted();
   page->setRegion(test::simulatedRegion(model, wanted, 1.3 * feedMmPerMin));
+  page->advice()->setAdvice(test::advice(model));
   return page;
 }
 
@@ -119,6 +122,15 @@ std::unique_ptr<QWidget> simulatingPage() {
   auto page = std::make_unique<FeasibilityPage>();
   page->setModel(test::feasibilityModel(base::MethodKind::Position, 100.0));
   page->setSimulationProgress(42);
+  return page;
+}
+
+std::unique_ptr<QWidget> runsPage() {
+  auto page = std::make_unique<RunsPage>();
+  const auto runs = test::pastRuns();
+  page->setRuns(runs, {});
+  page->setDetail(runs.front().id, test::report());
+  page->setBounds({1000, 4});
   return page;
 }
 
@@ -426,6 +438,8 @@ std::vector<Sample> samples() {
       {"users_none", {900, 400}, [] { return usersPage({}); }},
       {"log_in", {300, 480}, [] { return logIn(); }},
       {"alarms_history", {960, 400}, [] { return alarmPage(true); }},
+      {"runs_800", {800, 620}, [] { return runsPage(); }},
+      {"runs_1400", {1400, 760}, [] { return runsPage(); }},
   };
 }
 

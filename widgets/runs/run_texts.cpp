@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/runs/run_texts.h"
+
+#include <QCoreApplication>
+
+#include "widgets/common/number_format.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+struct RunTexts {
+  Q_DECLARE_TR_FUNCTIONS(RunTexts)
+
+ public:
+  static QString onComputer(const QString& user, const QString& computer) {
+    return tr("%1 on %2").arg(user, computer);
+  }
+  static QString programFeeds(const QString& percent) { return tr("program, %1 %").arg(percent); }
+};
+
+}  // namespace
+
+QDateTime startOf(const streaming::RunSummary& run) {
+  return QDateTime::fromString(QString::fromStdString(run.origin.startedAtUtc), Qt::ISODate)
+      .toLocalTime();
+}
+
+QString startText(const streaming::RunSummary& run) {
+  const QDateTime start = startOf(run);
+  return start.isValid() ? start.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) : noValue();
+}
+
+QString feedsText(const streaming::RunSummary& run) {
+  constexpr double kPercent = 100.0;
+  return run.overrideFactor
+             ? RunTexts::programFeeds(QString::number(qRound(*run.overrideFactor * kPercent)))
+             : feedText(run.feedMmPerS);
+}
+
+QString machineText(const streaming::RunSummary& run) {
+  QString machine = QString::fromStdString(run.endpoint);
+  if (machine.startsWith(QLatin1String("opc.tcp://"))) {
+    machine.remove(0, 10);
+  }
+  return machine.isEmpty() ? noValue() : machine;
+}
+
+QString originText(const streaming::RunOrigin& origin) {
+  const QString user = QString::fromStdString(origin.user);
+  const QString computer = QString::fromStdString(origin.computer);
+  if (user.isEmpty()) {
+    return computer.isEmpty() ? noValue() : computer;
+  }
+  return computer.isEmpty() ? user : RunTexts::onComputer(user, computer);
+}
+
+}  // namespace rivulet::widgets

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What a line about a run says, in the operator's language. @threadsafety GUI thread.
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+
+#include "streaming/run_summary.h"
+
+namespace rivulet::widgets {
+
+/// When the run began, as the computer's clock shows it; not valid if it is not known.
+[[nodiscard]] QDateTime startOf(const streaming::RunSummary& run);
+/// "2026-11-22 06:00:12".
+[[nodiscard]] QString startText(const streaming::RunSummary& run);
+/// Address of the control without what all have in common.
+[[nodiscard]] QString machineText(const streaming::RunSummary& run);
+/// The feed of the run, or "program, 80 %".
+[[nodiscard]] QString feedsText(const streaming::RunSummary& run);
+/// "anna on cell-pc-3".
+[[nodiscard]] QString originText(const streaming::RunOrigin& origin);
+
+}  // namespace rivulet::widgets
