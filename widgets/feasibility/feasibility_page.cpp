@@ -13,6 +13,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
+#include "widgets/feasibility/advice_panel.h"
 #include "widgets/plots/legend_strip.h"
 
 namespace rivulet::widgets {
@@ -23,6 +24,9 @@ using feasibility::SweepAxis;
 
 namespace {
 
+constexpr int kAdvicePx = 300;
+constexpr int kAdviceMostPx = 460;
+constexpr int kWidePx = 760;
 constexpr int kButtonRoomPx = 28;  // beside the text, both sides together
 
 }  // namespace
@@ -35,7 +39,9 @@ FeasibilityPage::FeasibilityPage(QWidget* parent)
       m_progress(new QProgressBar(this)),
       m_cancel(new QPushButton(this)),
       m_tabs(new QTabWidget(this)),
-      m_legend(new LegendStrip(this)) {
+      m_legend(new LegendStrip(this)),
+      m_advice(new AdvicePanel(this)),
+      m_columns(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
   m_hint->setWordWrap(true);
   m_access->setWordWrap(true);
   for (const SweepAxis axis :
@@ -47,7 +53,9 @@ FeasibilityPage::FeasibilityPage(QWidget* parent)
             &FeasibilityPage::operatingPointRequested);
   }
   m_tabs->setDocumentMode(true);
-  auto* layout = new QVBoxLayout(this);
+  auto* layout = new QVBoxLayout;
+  m_columns->addLayout(layout, 1);
+  m_columns->addWidget(m_advice);
   layout->addWidget(m_hint);
   layout->addWidget(m_tabs, 1);
   layout->addWidget(m_legend);
@@ -70,6 +78,8 @@ FeasibilityPage::FeasibilityPage(QWidget* parent)
     }
   });
   connect(m_cancel, &QPushButton::clicked, this, &FeasibilityPage::simulationCancelRequested);
+  connect(m_advice, &AdvicePanel::operatingPointRequested, this,
+          &FeasibilityPage::operatingPointRequested);
   connect(m_tabs, &QTabWidget::currentChanged, this, [this] {
     showHint();
     showLegend();
@@ -83,6 +93,8 @@ void FeasibilityPage::setModel(const FeasibilityModel& model) {
   for (RegionChart* chart : m_charts) {
     chart->setModel(model);
   }
+  m_advice->setVerdict(model.verdict);
+  m_advice->setOperatingPoint(model.operatingPoint, model.pointsPerLoopMax);
   dropStaleRegions();
   showSimulation();
   showHint();
@@ -143,6 +155,7 @@ void FeasibilityPage::showSimulation() {
 
 void FeasibilityPage::setEditable(bool editable) {
   m_editable = editable;
+  m_advice->setEditable(editable);
   showSimulation();
   for (RegionChart* chart : m_charts) {
     chart->setEditable(editable);
@@ -181,6 +194,16 @@ void FeasibilityPage::restyle() {
     chart->restyle(palette());
   }
   showLegend();
+}
+
+void FeasibilityPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  // Beside the chart if that leaves it its size, else below it.
+  const bool isWide = width() >= kWidePx;
+  m_columns->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  const int width = std::clamp(this->width() / 3, kAdvicePx, kAdviceMostPx);
+  m_advice->setMinimumWidth(isWide ? width : 0);
+  m_advice->setMaximumWidth(isWide ? width : QWIDGETSIZE_MAX);
 }
 
 void FeasibilityPage::showAccess() {
@@ -273,6 +296,10 @@ void FeasibilityPage::showLegend() {
         {LegendEntry::Symbol::Square, QPen(Qt::NoPen), simulated[2], tr("Always fails")});
     entries.push_back({LegendEntry::Symbol::Fill, QPen(colors.line, 1),
                        RegionChart::bandBrush(palette()), tr("Model: 0.1 % to 50 % fail")});
+    QColor failed = colors.fault;
+    failed.setAlphaF(0.45F);
+    entries.push_back({LegendEntry::Symbol::Fill, QPen(colors.line, 1), failed,
+                       tr("Runs failed in the simulation")});
   }
   m_legend->setEntries(std::move(entries));
 }

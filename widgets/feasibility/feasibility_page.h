@@ -12,12 +12,14 @@
 #include "widgets/common/page.h"
 #include "widgets/feasibility/region_chart.h"
 
+class QBoxLayout;
 class QProgressBar;
 class QPushButton;
 class QTabWidget;
 
 namespace rivulet::widgets {
 
+class AdvicePanel;
 class LegendStrip;
 class StatusLabel;
 
@@ -39,6 +41,7 @@ class FeasibilityPage final : public Page {
   void setEditable(bool editable);
   [[nodiscard]] RegionChart* chart(feasibility::SweepAxis axis) const;
   void showChart(feasibility::SweepAxis axis);
+  [[nodiscard]] AdvicePanel* advice() const { return m_advice; }
 
  Q_SIGNALS:
   void operatingPointRequested(const rivulet::feasibility::OperatingPoint& operatingPoint);
@@ -48,6 +51,7 @@ class FeasibilityPage final : public Page {
  protected:
   void retranslate() override;
   void restyle() override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showHint();
@@ -67,6 +71,8 @@ class FeasibilityPage final : public Page {
   QTabWidget* m_tabs;
   std::array<RegionChart*, 3> m_charts{};
   LegendStrip* m_legend;
+  AdvicePanel* m_advice;
+  QBoxLayout* m_columns;
 };
 
 }  // namespace rivulet::widgets

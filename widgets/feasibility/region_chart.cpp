@@ -55,10 +55,76 @@ QString shortLabel(Equation equation) {
 
 }  // namespace
 
+/// The area around each simulated point at which runs failed, the stronger the more did: what the
+/// equations call feasible does not look so there. Below the points and the limits.
+class RegionFailures final : public QGraphicsItem {
+ public:
+  explicit RegionFailures(RegionChart* view) : QGraphicsItem(view->chart()), m_view(view) {
+    setZValue(2.5);
+  }
+  void refresh() {
+    prepareGeometryChange();
+    update();
+  }
+  [[nodiscard]] QRectF boundingRect() const override { return m_view->chart()->rect(); }
+
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* /*option*/,
+             QWidget* /*widget*/) override {
+    if (!m_view->m_region || !m_view->m_model) {
+      return;
+    }
+    const std::vector<SimulatedPoint>& points = m_view->m_region->points;
+    std::vector<double> abscissas;
+    std::vector<double> feeds;
+    for (const SimulatedPoint& point : points) {
+      abscissas.push_back(point.abscissa);
+      feeds.push_back(base::mmPerMinFromMmPerS(point.feedMmPerS));
+    }
+    painter->save();
+    painter->setClipRect(m_view->chart()->plotArea());
+    painter->setPen(Qt::NoPen);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i].failures == 0) {
+        continue;
+      }
+      constexpr double kAlphaMost = 0.45;
+      QColor color = themeColors(m_view->m_palette).fault;
+      color.setAlphaF(static_cast<float>(kAlphaMost * static_cast<double>(points[i].failures) /
+                                         static_cast<double>(points[i].runs)));
+      // At the edges of the grid the area goes as far outwards as inwards.
+      const auto [x0, x1] = around(abscissas, abscissas[i]);
+      const auto [y0, y1] = around(feeds, feeds[i]);
+      painter->setBrush(color);
+      painter->drawRect(QRectF(m_view->pixel(x0, y1), m_view->pixel(x1, y0)));
+    }
+    painter->restore();
+  }
+
+ private:
+  /// Half way to the next values on both sides.
+  static std::pair<double, double> around(const std::vector<double>& values, double value) {
+    double below = -std::numeric_limits<double>::infinity();
+    double above = std::numeric_limits<double>::infinity();
+    for (const double other : values) {
+      below = other < value ? std::max(below, other) : below;
+      above = other > value ? std::min(above, other) : above;
+    }
+    if (!std::isfinite(below) && !std::isfinite(above)) {
+      return {value, value};
+    }
+    below = std::isfinite(below) ? below : 2.0 * value - above;
+    above = std::isfinite(above) ? above : 2.0 * value - below;
+    return {(below + value) / 2.0, (above + value) / 2.0};
+  }
+
+  RegionChart* m_view;
+};
+
 /// Paints everything that is not a series: operating point, line of d_min, names of the limits.
 class RegionOverlay final : public QGraphicsItem {
  public:
-  explicit RegionOverlay(RegionChart* view) : QGraphicsItem(view->chart()), m_view(view) {
+  explicit RegionOverlay(RegionChart* view)
+      : QGraphicsItem(view->chart()), m_view(view), m_failures(new RegionFailures(view)) {
     setZValue(20.0);
   }
 
@@ -66,6 +132,7 @@ class RegionOverlay final : public QGraphicsItem {
   void refresh() {
     prepareGeometryChange();
     update();
+    m_failures->refresh();
   }
 
   [[nodiscard]] QRectF boundingRect() const override { return m_view->chart()->rect(); }
@@ -190,6 +257,7 @@ class RegionOverlay final : public QGraphicsItem {
   }
 
   RegionChart* m_view;
+  RegionFailures* m_failures;
 };
 
 RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
@@ -320,6 +388,7 @@ void RegionChart::showRegion() {
   }
   m_half->replace(half);
   m_rare->replace(rare);
+  m_overlay->refresh();
 }
 
 void RegionChart::retranslate() {

@@ -33,6 +33,8 @@ struct FeasibilityModel {
   feasibility::AccessModel access;
   AccessSource source;  ///< of `access`, to be shown
   feasibility::SafetyFactors safety;
+  int pointsPerLoopMax = 2;  ///< largest N that fits
+  std::optional<feasibility::Verdict> verdict{};
 };
 
 class RegionChart final : public QChartView {
@@ -76,6 +78,7 @@ class RegionChart final : public QChartView {
 
  private:
   friend class RegionOverlay;
+  friend class RegionFailures;
 
   void rebuild();
   [[nodiscard]] feasibility::SweepRange sweepRange() const;

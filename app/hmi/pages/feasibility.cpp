@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <QTimer>
+#include <algorithm>
+
 #include "hmi/pages/pages.h"
 #include "report/operating_point.h"
+#include "session/adviser.h"
 #include "session/region_worker.h"
 #include "widgets/common/error_text.h"
+#include "widgets/feasibility/advice_panel.h"
 #include "widgets/feasibility/feasibility_page.h"
 
 namespace rivulet::hmi {
@@ -65,6 +70,8 @@ void showFindings(FeasibilityPage* page, const Document& document) {
   model.operatingPoint = findings.operatingPoint;
   model.access = findings.access;
   model.source = findings.source;
+  model.pointsPerLoopMax = templates::pointsPerLoopMax(document.parameters());
+  model.verdict = findings.verdict;
   if (findings.distances) {
     model.distances = *findings.distances;
   }
@@ -107,11 +114,109 @@ void connectSimulation(FeasibilityPage* page, const Models& models) {
   });
 }
 
+/// Methods that the program may be streamed with instead. Credit needs a test of the control, and
+/// of file nothing is known.
+std::vector<base::MethodKind> otherMethods(const Document& document) {
+  const base::RotarySet& turned = document.view()->turnedAxes;
+  const bool isTurned = std::find(turned.begin(), turned.end(), true) != turned.end();
+  std::vector<base::MethodKind> methods;
+  for (const base::MethodTraits& traits : base::kMethods) {
+    if (!traits.needsCommissioning && traits.kind != base::MethodKind::File &&
+        (traits.streamsRotary || !isTurned)) {
+      methods.push_back(traits.kind);
+    }
+  }
+  return methods;
+}
+
+/// What the advice depends on; the feed as well, because it may be advised.
+struct AdviceKey {
+  std::shared_ptr<const widgets::ProgramView> view;
+  feasibility::OperatingPoint point;
+  base::Duration accessTime{};
+  std::string templateText;
+};
+
+bool isSame(const AdviceKey& a, const AdviceKey& b) {
+  return a.view == b.view && a.point.method == b.point.method &&
+         a.point.pointsPerLoop == b.point.pointsPerLoop && a.point.deltaMm == b.point.deltaMm &&
+         a.point.feedMmPerS == b.point.feedMmPerS && a.accessTime == b.accessTime &&
+         a.templateText == b.templateText;
+}
+
+void connectAdvice(FeasibilityPage* page, const Models& models) {
+  auto* adviser = new session::Adviser(page);
+  widgets::AdvicePanel* panel = page->advice();
+  Document* document = &models.document;
+  const RunController* runs = &models.runs;
+  // Settings change while an operator turns them: wait for a rest.
+  auto* rest = new QTimer(page);
+  constexpr int kRestMs = 500;
+  rest->setSingleShot(true);
+  rest->setInterval(kRestMs);
+  const auto asked = std::make_shared<AdviceKey>();
+  QObject::connect(document, &Document::judged, page, [=] {
+    const Findings& findings = document->findings();
+    // The advice is about one feed for all moves.
+    const bool isAdvised = !document->settings().usesProgramFeeds();
+    panel->setVisible(isAdvised);
+    if (!findings.verdict || !isAdvised) {
+      *asked = {};
+      rest->stop();
+      adviser->cancel();
+      panel->setAdvice({});
+      return;
+    }
+    const AdviceKey key{document->view(), findings.operatingPoint, findings.verdict->accessTime,
+                        findings.templateText};
+    if (!isSame(key, *asked) && !runs->isRunning()) {
+      *asked = key;
+      adviser->cancel();
+      panel->setBusy();
+      rest->start();
+    }
+  });
+  QObject::connect(rest, &QTimer::timeout, page, [=] {
+    const Findings& findings = document->findings();
+    session::AdviceJob job;
+    job.view = document->view();
+    job.settings = document->runSettings();
+    job.question = {findings.operatingPoint,
+                    findings.access,
+                    {},
+                    templates::pointsPerLoopMax(document->parameters()),
+                    otherMethods(*document)};
+    adviser->advise(std::move(job));
+  });
+  QObject::connect(adviser, &session::Adviser::advised, panel,
+                   [panel](const std::shared_ptr<const std::vector<feasibility::Advice>>& list) {
+                     panel->setAdvice(*list);
+                   });
+  QObject::connect(panel, &widgets::AdvicePanel::turnRequested, adviser,
+                   [=](const feasibility::OperatingPoint& point) {
+                     if (document->findings().distances) {
+                       adviser->judge(document->view(), point, document->findings().access);
+                     }
+                   });
+  QObject::connect(adviser, &session::Adviser::turned, panel,
+                   [panel](const session::TurnedVerdict& turned) {
+                     panel->setTurned(turned.point, turned.verdict);
+                   });
+  // During a run the processors belong to the stream; afterwards it is looked for again.
+  QObject::connect(&models.runs, &RunController::started, page, [=] {
+    rest->stop();
+    adviser->cancel();
+    *asked = {};
+    panel->setAdvice({});
+  });
+}
+
 }  // namespace
 
 QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
   auto* page = new FeasibilityPage(parent);
   connectSimulation(page, models);
+  connectAdvice(page, models);
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, page,
                    [page, document] { showFindings(page, *document); });
@@ -119,6 +224,7 @@ QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
       page, &FeasibilityPage::operatingPointRequested, &models.document,
       [models](const feasibility::OperatingPoint& point) {
         widgets::StreamSettings settings = models.document.settings();
+        settings.parameters.method = point.method;
         settings.parameters.pointsPerLoop = point.pointsPerLoop;
         settings.deltaMm = point.deltaMm;
         if (const double fastest = settings.usesProgramFeeds() && models.document.view()

@@ -4,6 +4,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 #include <algorithm>
 
@@ -12,6 +13,7 @@
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
 #include "widgets/common/theme.h"
+#include "widgets/feasibility/advice_panel.h"
 #include "widgets/feasibility/feasibility_page.h"
 
 using namespace rivulet;
@@ -219,6 +221,71 @@ class TestFeasibilityPage : public QObject {
       QVERIFY(count(after) > count(before) + 100);
     }
     QVERIFY(test::visibleText(page).contains("200 points"));
+  }
+
+  void adviceIsOneClick() {
+    test::Language language;
+    FeasibilityPage page;
+    const auto model = test::feasibilityModel(base::MethodKind::Signal, 200.0);
+    page.setModel(model);
+    AdvicePanel* panel = page.advice();
+    panel->setBusy();
+    QVERIFY(test::visibleText(*panel).contains("Looking for better settings"));
+    const auto list = test::advice(model);
+    QVERIFY(list.size() >= 2);
+    panel->setAdvice(list);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    QVERIFY(test::visibleText(*panel).contains(AdvicePanel::adviceText(list.front())));
+    const auto byN = std::find_if(list.begin(), list.end(), [](const feasibility::Advice& one) {
+      return one.kind == feasibility::AdviceKind::PointsPerLoop;
+    });
+    QVERIFY(byN != list.end());
+    const QString sentence = AdvicePanel::adviceText(*byN);
+    QVERIFY2(sentence.contains(QStringLiteral("instead of 7: largest feed")), qPrintable(sentence));
+    QSignalSpy wanted(&page, &FeasibilityPage::operatingPointRequested);
+    const auto buttons = panel->findChildren<QPushButton*>();
+    QCOMPARE(static_cast<std::size_t>(buttons.size()), std::min<std::size_t>(list.size(), 6));
+    QTest::mouseClick(buttons[byN - list.begin()], Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].value<feasibility::OperatingPoint>().pointsPerLoop,
+             byN->after.pointsPerLoop);
+    panel->setAdvice({});
+    QVERIFY(test::visibleText(*panel).contains("No single change"));
+    page.setEditable(false);
+    for (const QSlider* slider : panel->findChildren<QSlider*>()) {
+      QVERIFY(!slider->isEnabled());
+    }
+  }
+
+  /// While a slider is held, nothing is set; the verdict on what is under the finger is asked for,
+  /// and an answer that comes too late is not shown.
+  void slidersAskForTheVerdictUnderTheFinger() {
+    FeasibilityPage page;
+    const auto model = test::feasibilityModel(base::MethodKind::Signal, 200.0);
+    page.setModel(model);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    AdvicePanel* panel = page.advice();
+    QSignalSpy turned(panel, &AdvicePanel::turnRequested);
+    QSignalSpy wanted(&page, &FeasibilityPage::operatingPointRequested);
+    auto* points = panel->findChildren<QSlider*>().first();
+    points->setSliderDown(true);
+    points->setSliderPosition(9);
+    QCOMPARE(turned.count(), 1);
+    const auto under = turned[0][0].value<feasibility::OperatingPoint>();
+    QCOMPARE(under.pointsPerLoop, 9);
+    QCOMPARE(under.feedMmPerS, model.operatingPoint.feedMmPerS);
+    QCOMPARE(wanted.count(), 0);
+    QVERIFY(test::visibleText(*panel).contains("Judging"));
+    feasibility::Verdict verdict = *model.verdict;
+    verdict.feasible = false;
+    verdict.feedMmPerSMax = base::mmPerSFromMmPerMin(123.0);
+    panel->setTurned(model.operatingPoint, verdict);
+    QVERIFY(test::visibleText(*panel).contains("Judging"));
+    panel->setTurned(under, verdict);
+    QVERIFY(test::visibleText(*panel).contains("Not feasible: largest feed 123"));
+    points->setSliderDown(false);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].value<feasibility::OperatingPoint>().pointsPerLoop, 9);
   }
 
   void speaksBothLanguages() {

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "session/adviser.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <QThreadPool>
+
+#include "experiments/region.h"
+
+namespace rivulet::session {
+
+namespace {
+
+void renew(std::shared_ptr<std::atomic<bool>>& stop) {
+  if (stop) {
+    stop->store(true);
+  }
+  stop = std::make_shared<std::atomic<bool>>(false);
+}
+
+/// The largest of the feeds up to the limit at which the simulation makes no wrong point; nothing
+/// if none was found or it could not be simulated.
+std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::OperatingPoint& point,
+                                    double feedMmPerSMax, const std::atomic<bool>& stop) {
+  RehearsalJob rehearsal;
+  const std::vector<gcode::StreamPoint>& points = job.view->points.points;
+  const feasibility::ProgramDistances distances =
+      feasibility::programDistances(points, point.pointsPerLoop);
+  const feasibility::Place& tightest = point.method == base::MethodKind::Position
+                                           ? distances.pointDistancePlace
+                                           : distances.windowPlace;
+  // Of a large program, only what is simulated is copied.
+  rehearsal.points = experiments::stretchOf(points, tightest.point.value, kRehearsedPointsMax);
+  rehearsal.settings = job.settings;
+  rehearsal.settings.parameters.method = point.method;
+  rehearsal.settings.parameters.pointsPerLoop = point.pointsPerLoop;
+  rehearsal.settings.deltaMm = point.deltaMm;
+  rehearsal.settings.feedMmPerS = feedMmPerSMax;
+  rehearsal.access = job.question.access.measured;
+  const RehearsalOutcome outcome = rehearse(rehearsal, stop);
+  if (outcome.error.code || outcome.runs == 0) {
+    return std::nullopt;
+  }
+  return outcome.hasFailed() ? outcome.safeFeedMmPerS : feedMmPerSMax;
+}
+
+}  // namespace
+
+std::vector<feasibility::Advice> simulatedAdvice(const AdviceJob& job,
+                                                 const std::atomic<bool>& stop) {
+  const auto goOn = [&stop] { return !stop.load(); };
+  std::vector<feasibility::Advice> list;
+  std::optional<double> before;  // the largest feed of the present settings, simulated
+  for (feasibility::Advice advice :
+       feasibility::advise(job.view->points.points, job.question, goOn)) {
+    if (!goOn()) {
+      return {};
+    }
+    const bool isFeed = advice.kind == feasibility::AdviceKind::Feed;
+    const auto simulated = simulatedFeed(
+        job, advice.after, isFeed ? advice.after.feedMmPerS : advice.feedMmPerSMaxAfter, stop);
+    if (!simulated) {
+      continue;
+    }
+    if (isFeed) {
+      advice.after.feedMmPerS = *simulated;
+    } else {
+      if (!before) {
+        before = simulatedFeed(job, advice.before, advice.feedMmPerSMaxBefore, stop);
+      }
+      advice.feedMmPerSMaxBefore = before.value_or(advice.feedMmPerSMaxBefore);
+      advice.feedMmPerSMaxAfter = *simulated;
+    }
+    const bool isRemedy = isFeed && advice.after.feedMmPerS < advice.before.feedMmPerS;
+    if (isRemedy || advice.gain() >= feasibility::kAdviceGainMin) {
+      list.push_back(advice);
+    }
+  }
+  feasibility::sortByGain(list);
+  return goOn() ? list : std::vector<feasibility::Advice>();
+}
+
+Adviser::~Adviser() {
+  cancel();
+}
+
+void Adviser::cancel() {
+  for (auto* stop : {&m_stopAdvice, &m_stopVerdict}) {
+    if (*stop) {
+      (*stop)->store(true);
+      stop->reset();
+    }
+  }
+}
+
+void Adviser::advise(AdviceJob job) {
+  renew(m_stopAdvice);
+  QThreadPool::globalInstance()->start(
+      [self = QPointer<Adviser>(this), stop = m_stopAdvice, job = std::move(job)] {
+        const auto list =
+            std::make_shared<const std::vector<feasibility::Advice>>(simulatedAdvice(job, *stop));
+        // The context of the call is the application: `self` is only touched on its own thread.
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, stop, list] {
+              if (self && self->m_stopAdvice == stop) {
+                self->m_stopAdvice.reset();
+                Q_EMIT self->advised(list);
+              }
+            },
+            Qt::QueuedConnection);
+      });
+}
+
+void Adviser::judge(std::shared_ptr<const widgets::ProgramView> view,
+                    const feasibility::OperatingPoint& point,
+                    const feasibility::AccessModel& access) {
+  renew(m_stopVerdict);
+  QThreadPool::globalInstance()->start([self = QPointer<Adviser>(this), stop = m_stopVerdict,
+                                        view = std::move(view), point, access] {
+    if (stop->load()) {
+      return;  // overtaken while it waited
+    }
+    TurnedVerdict turned{point, std::nullopt, {}};
+    const auto verdict = feasibility::judge(
+        point, feasibility::programDistances(view->points.points, point.pointsPerLoop), access);
+    if (verdict) {
+      turned.verdict = *verdict;
+    } else {
+      turned.error = verdict.error();
+    }
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, stop, turned] {
+          if (self && self->m_stopVerdict == stop) {
+            self->m_stopVerdict.reset();
+            Q_EMIT self->turned(turned);
+          }
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace rivulet::session
