@@ -15,7 +15,8 @@ DiagnosticModel::DiagnosticModel(QObject* parent)
     : TableModel({{[] { return tr("Severity"); },
                    [](const Diagnostic& finding) { return severityText(finding.severity); }, false,
                    [this](const Diagnostic& finding, int role) {
-                     return role == Qt::DecorationRole
+                     return role == kSortRole ? QVariant(static_cast<int>(finding.severity))
+                            : role == Qt::DecorationRole
                                 ? QVariant(severityIcon(finding.severity, m_palette))
                                 : QVariant();
                    }},
@@ -26,10 +27,21 @@ DiagnosticModel::DiagnosticModel(QObject* parent)
                                 ? line
                                 : QString::fromStdString(finding.file) + QLatin1Char(':') + line;
                    },
-                   true},
+                   true,
+                   [](const Diagnostic& finding, int role) {
+                     // The program itself before the files it calls.
+                     return role == kSortRole
+                                ? QVariant(QString::fromStdString(finding.file) +
+                                           QStringLiteral("%1").arg(finding.line.value, 10, 10,
+                                                                    QLatin1Char('0')))
+                                : QVariant();
+                   }},
                   {[] { return tr("Column"); },
                    [](const Diagnostic& finding) { return QString::number(finding.column); }, true},
-                  {[] { return tr("Finding"); }, diagnosticText}},
+                  {[] { return tr("Finding"); }, diagnosticText, false,
+                   [](const Diagnostic& finding, int role) {
+                     return role == kSortRole ? QVariant(diagnosticText(finding)) : QVariant();
+                   }}},
                  parent) {
 }
 

@@ -17,6 +17,9 @@ class DiagnosticModel final : public TableModel<gcode::Diagnostic> {
   Q_OBJECT
 
  public:
+  /// Of a cell, for sorting.
+  static constexpr int kSortRole = Qt::UserRole;
+
   enum Column { SeverityColumn, Line, ColumnInLine, Text };
 
   explicit DiagnosticModel(QObject* parent = nullptr);

@@ -325,7 +325,9 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
   }
   QPainter painter(this);
   painter.drawImage(0, 0, m_picture);
-  if (m_pauses) {
+  // Where the density is shown as colour, marks come when each of them has a place.
+  const bool showsDensity = m_style.classes.colouring == PathColouring::Pauses;
+  if (m_pauses && (!showsDensity || m_drawnPauses == m_pausesSeen)) {
     painter.drawImage(0, 0, m_marks);
   }
   if (!hasPath()) {

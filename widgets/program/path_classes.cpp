@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "base/contract.h"
@@ -169,6 +170,54 @@ PathClasses classesByMargin(const ProgramView& view, const feasibility::Operatin
                               : margin >= static_cast<float>(kMarginFair) ? 1
                               : keeps                                     ? 2
                                                                           : 3);
+  }
+  return classes;
+}
+
+PathClasses classesByPauses(const ProgramView& view, const PauseMap* pauses) {
+  const auto& points = view.points.points;
+  PathClasses classes;
+  classes.colouring = PathColouring::Pauses;
+  classes.count = kPauseClasses + 1;
+  classes.highestWins = true;
+  classes.ofPoint.assign(points.size(), 0);
+  if (pauses == nullptr || pauses->count() == 0) {
+    return classes;
+  }
+  std::vector<std::uint32_t> stops;
+  stops.reserve(pauses->count());
+  std::merge(pauses->inCut.begin(), pauses->inCut.end(), pauses->offCut.begin(),
+             pauses->offCut.end(), std::back_inserter(stops));
+  std::vector<double> waysMm(stops.size());  // to each pause from the one before
+  double longestMm = 0.0;
+  double shortestMm = std::numeric_limits<double>::infinity();
+  std::size_t point = 1;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    for (; point <= stops[i] && point < points.size(); ++point) {
+      waysMm[i] += base::distance(points[point - 1].positionMm, points[point].positionMm);
+    }
+    if (waysMm[i] > 0.0) {
+      longestMm = std::max(longestMm, waysMm[i]);
+      shortestMm = std::min(shortestMm, waysMm[i]);
+    }
+  }
+  if (!(longestMm > 0.0)) {
+    return classes;
+  }
+  const double ratio = std::pow(shortestMm / longestMm, 1.0 / kPauseClasses);
+  for (std::size_t i = 0; i <= kPauseClasses; ++i) {
+    classes.borders.push_back(longestMm * std::pow(ratio, static_cast<double>(i)));
+  }
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const double depth =
+        ratio < 1.0 && waysMm[i] > 0.0 ? std::log(waysMm[i] / longestMm) / std::log(ratio) : 0.0;
+    const auto one = static_cast<std::uint8_t>(
+        1 + std::min(static_cast<std::size_t>(std::max(0.0, depth)), kPauseClasses - 1));
+    const std::size_t end = std::min<std::size_t>(stops[i] + 1, points.size());
+    std::fill(classes.ofPoint.begin() + static_cast<std::ptrdiff_t>(begin),
+              classes.ofPoint.begin() + static_cast<std::ptrdiff_t>(end), one);
+    begin = end;
   }
   return classes;
 }

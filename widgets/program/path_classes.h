@@ -15,7 +15,7 @@
 
 namespace rivulet::widgets {
 
-enum class PathColouring : unsigned char { Kind, Feed, Margin, Time };
+enum class PathColouring : unsigned char { Kind, Feed, Margin, Time, Pauses };
 
 struct PathClasses {
   PathColouring colouring = PathColouring::Kind;
@@ -24,7 +24,8 @@ struct PathClasses {
   /// If several moves are drawn as one, show the highest class; otherwise that of the last.
   bool highestWins = false;
   /// Kind: empty. Feed (mm/s), margin and time (s): class i (feed: i + 1) reaches from
-  /// borders[i] to borders[i + 1]; feeds of few values: class i + 1 is borders[i] itself.
+  /// borders[i] to borders[i + 1]; feeds of few values: class i + 1 is borders[i] itself. Pauses
+  /// (mm, descending): class i + 1 reaches from borders[i] down to borders[i + 1].
   std::vector<double> borders;
   bool eachFeedItsOwn = false;
 };
@@ -41,6 +42,7 @@ inline constexpr std::size_t kMarginClasses = 4;
 
 inline constexpr std::size_t kFeedClassesMax = 6;
 inline constexpr std::size_t kTimeClasses = 5;
+inline constexpr std::size_t kPauseClasses = 4;  ///< beside that without pauses
 
 [[nodiscard]] PathClasses classesByKind(const ProgramView& view);
 
@@ -61,6 +63,11 @@ inline constexpr std::size_t kTimeClasses = 5;
                                               const feasibility::OperatingPoint& point,
                                               const feasibility::AccessModel& access = {},
                                               bool ownFeeds = false);
+
+/// By the length of path from one pause to the next: the last class has the shortest ways. Moves
+/// drawn as one show their densest. Class 0: no pause is planned there. @param pauses  null: not
+/// known
+[[nodiscard]] PathClasses classesByPauses(const ProgramView& view, const PauseMap* pauses);
 
 /// @param atS  one per streamed point, ascending
 [[nodiscard]] PathClasses classesByTime(const std::vector<float>& atS);

@@ -26,12 +26,13 @@ namespace {
 
 constexpr double kStepsPerS = 1000.0;  // of the slider, by time
 
-/// From cool to warm; each end and the middle stand out from the surface of the theme.
+/// From cool to warm; each end and the middle stand out from the surface of the theme. No blue: the
+/// executed path is blue.
 QColor ramp(double share, bool isDark) {
-  static const std::array<QColor, 3> light{QColor(0x2c, 0x4f, 0xa3), QColor(0x1f, 0x86, 0x7d),
-                                           QColor(0xb8, 0x6e, 0x0c)};
-  static const std::array<QColor, 3> dark{QColor(0x6f, 0x9b, 0xf0), QColor(0x5f, 0xcf, 0xb8),
-                                          QColor(0xf0, 0xc2, 0x4f)};
+  static const std::array<QColor, 3> light{QColor(0x1e, 0x6b, 0x3a), QColor(0x85, 0x7f, 0x12),
+                                           QColor(0xb8, 0x4a, 0x0c)};
+  static const std::array<QColor, 3> dark{QColor(0x5f, 0xc9, 0x7b), QColor(0xd6, 0xcf, 0x5a),
+                                          QColor(0xf0, 0x8a, 0x4f)};
   const std::array<QColor, 3>& stops = isDark ? dark : light;
   const double place = std::clamp(share, 0.0, 1.0) * 2.0;
   const std::size_t from = place < 1.0 ? 0 : 1;
@@ -65,7 +66,7 @@ PathView::PathView(QWidget* parent)
   m_top->setChecked(true);
   m_showPauses->setCheckable(true);
   m_showPauses->setChecked(true);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 5; ++i) {
     m_colour->addItem(QString());
   }
   m_scale->addItem(QString());
@@ -148,6 +149,9 @@ void PathView::setTimes(std::shared_ptr<const ProgramTimes> times) {
 
 void PathView::setPauses(std::shared_ptr<const PauseMap> pauses) {
   m_pauses = std::move(pauses);
+  if (m_colouring == PathColouring::Pauses) {
+    recolour();
+  }
   showPauses();
 }
 
@@ -222,7 +226,7 @@ void PathView::retranslate() {
   m_fit->setToolTip(tr("Show the whole path (double click does the same)"));
   m_colourName->setText(tr("Colour by"));
   const QStringList colourings{tr("Kind of move"), tr("Feed"), tr("Margin of the method"),
-                               tr("Time")};
+                               tr("Time"), tr("Density of pauses")};
   for (int i = 0; i < colourings.size(); ++i) {
     m_colour->setItemText(i, colourings[i]);
   }
@@ -273,6 +277,9 @@ void PathView::recolour() {
         // Until the times are known the path is shown as one class.
         classes = classesByTime(m_times ? m_times->atS : std::vector<float>(pointCount()));
         break;
+      case PathColouring::Pauses:
+        classes = classesByPauses(*m_program, m_pauses.get());
+        break;
     }
   }
   m_present.assign(classes.count, false);
@@ -281,12 +288,16 @@ void PathView::recolour() {
   }
   m_classes = classes;
   m_classes.ofPoint.clear();
-  PathCanvas::Style style{std::move(classes), {}};
-  for (std::size_t one = 0; one < m_classes.count; ++one) {
-    style.pens.push_back(penOf(one));
-  }
-  m_canvas->setStyle(std::move(style));
+  m_canvas->setStyle({std::move(classes), pens()});
   showLegend();
+}
+
+std::vector<QPen> PathView::pens() const {
+  std::vector<QPen> pens;
+  for (std::size_t one = 0; one < m_classes.count; ++one) {
+    pens.push_back(penOf(one));
+  }
+  return pens;
 }
 
 QPen PathView::penOf(std::size_t one) const {
@@ -317,6 +328,9 @@ QPen PathView::penOf(std::size_t one) const {
                                                      colors.attention, colors.fault};
       return {shown.at(one), one < 2 ? 1.4 : 2.2};
     }
+    case PathColouring::Pauses:
+      return one == 0 ? QPen(colors.path, 1.4)
+                      : QPen(ramp(share(one - 1, m_classes.count - 1), colors.isDark), 2.0);
     case PathColouring::Time:
       break;
   }
@@ -358,6 +372,13 @@ QString PathView::nameOf(std::size_t one) const {
           tr("not kept (below %1)").arg(factorText(kMarginNone))};
       return names.at(one);
     }
+    case PathColouring::Pauses:
+      if (one == 0 || borders.empty()) {
+        return m_pauses ? tr("no pause") : tr("computing …");
+      }
+      return tr("a pause every %1")
+          .arg(range(numberText(borders[one], borders[one] < 10.0 ? 2 : 0),
+                     lengthText(borders[one - 1], borders[one - 1] < 10.0 ? 2 : 0)));
     case PathColouring::Time:
       return tr("to %1").arg(durationText(borders[one + 1]));
   }

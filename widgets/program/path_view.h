@@ -58,6 +58,8 @@ class PathView final : public Page {
   void fit();
 
   [[nodiscard]] const std::shared_ptr<const PauseMap>& pauses() const { return m_pauses; }
+  /// Of the classes, in their order.
+  [[nodiscard]] std::vector<QPen> pens() const;
   [[nodiscard]] PathCanvas* canvas() const { return m_canvas; }
   [[nodiscard]] QSlider* slider() const { return m_slider; }
 

@@ -9,27 +9,43 @@
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/program/program_text_view.h"
+#include "widgets/program/text_pane.h"
 
 namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kPathShare = 3;
+constexpr int kTextShare = 2;
+constexpr const char* kMoved = "movedByHand";
+constexpr int kStackedPx = 660;
+/// Narrower than its buttons: the halves are stacked before that matters.
+constexpr int kPathPx = 280;
+
+}  // namespace
 
 ProgramPage::ProgramPage(QWidget* parent)
     : Page(parent),
       m_path(new PathView(this)),
-      m_text(new ProgramTextView),
-      m_panel(new ProgramPanel(this)) {
+      m_text(new TextPane),
+      m_panel(new ProgramPanel(this)),
+      m_halves(new QSplitter(Qt::Horizontal, this)) {
   m_panel->placeAboveTabs(m_text);
-  auto* columns = new QSplitter(Qt::Horizontal, this);
-  columns->addWidget(m_path);
-  columns->addWidget(m_panel);
-  columns->setStretchFactor(0, 1);
-  columns->setStretchFactor(1, 0);
-  columns->setSizes({390, 350});
-  columns->setChildrenCollapsible(false);
+  m_path->setMinimumWidth(kPathPx);
+  m_halves->addWidget(m_path);
+  m_halves->addWidget(m_panel);
+  m_halves->setStretchFactor(0, kPathShare);
+  m_halves->setStretchFactor(1, kTextShare);
+  m_halves->setSizes({kPathShare * 100, kTextShare * 100});
+  m_halves->setChildrenCollapsible(false);
+  connect(m_halves, &QSplitter::splitterMoved, m_halves,
+          [this] { m_halves->setProperty(kMoved, true); });
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(columns);
+  layout->addWidget(m_halves);
   connect(m_path, &PathView::pointChosen, this, &ProgramPage::showPoint);
-  connect(m_text, &ProgramTextView::lineChosen, this, &ProgramPage::showLine);
+  connect(m_text, &TextPane::lineChosen, this, &ProgramPage::showLine);
+  connect(text(), &ProgramTextView::lineChosen, this, &ProgramPage::showLine);
   connect(m_panel, &ProgramPanel::lineChosen, this, &ProgramPage::showLine);
   retranslate();
 }
@@ -54,7 +70,7 @@ void ProgramPage::setTimes(const std::shared_ptr<const ProgramTimes>& times) {
 }
 
 void ProgramPage::showLine(std::size_t line) {
-  m_text->setCurrentLine(line);
+  text()->setCurrentLine(line);
   if (m_program) {
     m_path->selectPoints(m_program->pointsOfLine({static_cast<std::uint32_t>(line)}));
   }
@@ -62,12 +78,43 @@ void ProgramPage::showLine(std::size_t line) {
 
 void ProgramPage::showPoint(std::size_t point) {
   if (m_program) {
-    m_text->setCurrentLine(m_program->points.points.at(point).line.value);
+    text()->setCurrentLine(m_program->points.points.at(point).line.value);
+  }
+}
+
+ProgramTextView* ProgramPage::text() const {
+  return m_text->text();
+}
+
+void ProgramPage::setExecuted(std::size_t count) {
+  m_path->setExecuted(count);
+  const bool isKnown = m_program && count > 0 && count <= m_program->points.points.size();
+  m_text->setRunLine(isKnown ? m_program->points.points[count - 1].line.value : 0);
+}
+
+void ProgramPage::followRun() {
+  m_text->followRun();
+}
+
+void ProgramPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  // Two halves side by side need room for the figures and for a path that can be read.
+  const Qt::Orientation wanted = width() < kStackedPx ? Qt::Vertical : Qt::Horizontal;
+  const bool isTurned = m_halves->orientation() != wanted;
+  m_halves->setOrientation(wanted);
+  if (isTurned || !m_halves->property(kMoved).toBool()) {
+    // Queued: a splitter that has just been turned lays itself out first.
+    QMetaObject::invokeMethod(
+        m_halves,
+        [this] {
+          m_halves->setSizes({kPathShare * 100, kTextShare * 100});
+        },
+        Qt::QueuedConnection);
   }
 }
 
 void ProgramPage::retranslate() {
-  m_text->setAccessibleName(tr("Program text"));
+  text()->setAccessibleName(tr("Program text"));
 }
 
 }  // namespace rivulet::widgets

@@ -18,6 +18,7 @@ namespace rivulet::widgets {
 class PathView;
 class ProgramPanel;
 class ProgramTextView;
+class TextPane;
 
 class ProgramPage final : public Page {
   Q_OBJECT
@@ -31,11 +32,17 @@ class ProgramPage final : public Page {
   void replaceProgram(const std::shared_ptr<const ProgramView>& view);
   void setTimes(const std::shared_ptr<const ProgramTimes>& times);
 
+  /// Points executed so far; the text shows the line of the last one. @param count  0: none
+  void setExecuted(std::size_t count);
+  /// A run begins: path and text show it.
+  void followRun();
+
   /// The times of the present program are known.
   [[nodiscard]] bool hasTimes() const { return m_hasTimes; }
 
   [[nodiscard]] PathView* path() const { return m_path; }
-  [[nodiscard]] ProgramTextView* text() const { return m_text; }
+  [[nodiscard]] ProgramTextView* text() const;
+  [[nodiscard]] TextPane* textPane() const { return m_text; }
   [[nodiscard]] ProgramPanel* panel() const { return m_panel; }
 
   /// Shows a line in the text and its moves on the path.
@@ -43,6 +50,7 @@ class ProgramPage final : public Page {
 
  protected:
   void retranslate() override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showPoint(std::size_t point);
@@ -50,8 +58,9 @@ class ProgramPage final : public Page {
   std::shared_ptr<const ProgramView> m_program;
   bool m_hasTimes = false;
   PathView* m_path;
-  ProgramTextView* m_text;
+  TextPane* m_text;
   ProgramPanel* m_panel;
+  QSplitter* m_halves;
 };
 
 }  // namespace rivulet::widgets

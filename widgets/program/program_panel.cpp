@@ -18,6 +18,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
@@ -81,6 +82,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
       m_rows(new QSplitter(Qt::Vertical, this)),
       m_tabs(new QTabWidget(m_rows)),
       m_findings(new DiagnosticModel(this)),
+      m_sorted(new QSortFilterProxyModel(this)),
       m_findingsTable(new QTableView(this)),
       m_finding(makeValueLabel(this)),
       m_accept(makeTouchButton(this)),
@@ -180,8 +182,17 @@ QWidget* ProgramPanel::makeFigures() {
 }
 
 QWidget* ProgramPanel::makeFindings() {
-  m_findingsTable->setModel(m_findings);
+  m_sorted->setSourceModel(m_findings);
+  m_sorted->setSortRole(DiagnosticModel::kSortRole);
+  m_findingsTable->setModel(m_sorted);
   styleTable(m_findingsTable);
+  m_findingsTable->setSortingEnabled(true);
+  m_findingsTable->sortByColumn(DiagnosticModel::Line, Qt::AscendingOrder);
+  // Whole sentences; only the rows in sight are measured.
+  m_findingsTable->setWordWrap(true);
+  m_findingsTable->setTextElideMode(Qt::ElideNone);
+  m_findingsTable->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_findingsTable->verticalHeader()->setResizeContentsPrecision(0);
   m_findingsTable->setMinimumHeight(70);
   m_findingsTable->setColumnWidth(DiagnosticModel::SeverityColumn, 100);
   m_findingsTable->setColumnWidth(DiagnosticModel::Line, 64);
@@ -568,7 +579,8 @@ const gcode::Diagnostic* ProgramPanel::currentFinding() const {
   if (!m_program || !row.isValid()) {
     return nullptr;
   }
-  return &m_program->program->diagnostics.at(static_cast<std::size_t>(row.row()));
+  return &m_program->program->diagnostics.at(
+      static_cast<std::size_t>(m_sorted->mapToSource(row).row()));
 }
 
 void ProgramPanel::showFinding() {

@@ -20,6 +20,7 @@ class QComboBox;
 class QLabel;
 class QMenu;
 class QPushButton;
+class QSortFilterProxyModel;
 class QSplitter;
 class QTabWidget;
 class QTableView;
@@ -151,6 +152,7 @@ class ProgramPanel final : public Page {
   QLabel* m_chartName = nullptr;
   DistanceChart* m_chart = nullptr;
   DiagnosticModel* m_findings;
+  QSortFilterProxyModel* m_sorted;  ///< the findings in the order of the table
   QTableView* m_findingsTable;
   QLabel* m_finding;  ///< the whole sentence of the finding selected in the table
   QPushButton* m_accept;

@@ -36,12 +36,15 @@ ProgramTextView::ProgramTextView(QWidget* parent) : QAbstractScrollArea(parent) 
   setFont(fixed);
   setFocusPolicy(Qt::StrongFocus);
   verticalScrollBar()->setSingleStep(3);
+  connect(verticalScrollBar(), &QScrollBar::actionTriggered, this,
+          &ProgramTextView::scrolledByHand);
   makeIcons();
 }
 
 void ProgramTextView::setProgram(std::shared_ptr<const ProgramView> view) {
   m_program = std::move(view);
   m_current = 0;
+  m_runLine = 0;
   m_marks.clear();
   if (m_program) {
     const auto& diagnostics = m_program->program->diagnostics;
@@ -69,13 +72,48 @@ void ProgramTextView::setCurrentLine(std::size_t line) {
     return;
   }
   m_current = line;
+  bringToSight(line);
+  viewport()->update();
+}
+
+void ProgramTextView::setRunLine(std::size_t line, bool isFollowed) {
+  m_runLine = line <= lines() ? line : 0;
+  if (isFollowed && m_runLine > 0) {
+    bringToSight(m_runLine);
+  }
+  viewport()->update();
+}
+
+void ProgramTextView::setHighlighted(const QString& text) {
+  m_highlighted = text;
+  viewport()->update();
+}
+
+void ProgramTextView::bringToSight(std::size_t line) {
   const std::size_t first = firstVisibleLine();
   if (line < first || line >= first + pageLines()) {
     // In the middle, so that what comes before and after is seen as well.
     const std::size_t half = pageLines() / 2;
     verticalScrollBar()->setValue(static_cast<int>(line - 1 > half ? line - 1 - half : 0));
   }
-  viewport()->update();
+}
+
+void ProgramTextView::wheelEvent(QWheelEvent* event) {
+  QAbstractScrollArea::wheelEvent(event);
+  Q_EMIT scrolledByHand();
+}
+
+void ProgramTextView::paintHighlights(QPainter& painter, const QString& text, int x, int y) const {
+  QColor fill = themeColors(palette()).attention;
+  fill.setAlpha(90);
+  for (qsizetype at = text.indexOf(m_highlighted, 0, Qt::CaseInsensitive);
+       at >= 0 && !m_highlighted.isEmpty();
+       at = text.indexOf(m_highlighted, at + m_highlighted.size(), Qt::CaseInsensitive)) {
+    const int from = fontMetrics().horizontalAdvance(text, static_cast<int>(at));
+    const int to =
+        fontMetrics().horizontalAdvance(text, static_cast<int>(at + m_highlighted.size()));
+    painter.fillRect(x + from, y, to - from, lineHeightPx(), fill);
+  }
 }
 
 QString ProgramTextView::lineText(std::size_t line) const {
@@ -127,6 +165,12 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
       fill.setAlpha(colors.isDark ? 90 : 56);
       painter.fillRect(0, y, area.width(), height, fill);
     }
+    if (line == m_runLine) {
+      QColor fill = colors.accent;  // as the executed path
+      fill.setAlpha(colors.isDark ? 80 : 48);
+      painter.fillRect(margin, y, area.width() - margin, height, fill);
+      painter.fillRect(margin, y, 4, height, colors.accent);
+    }
     if (const Mark* mark = markOf(line)) {
       painter.drawPixmap(3, y + (height - kIconPx) / 2,
                          m_icons[static_cast<std::size_t>(mark->severity)]);
@@ -136,6 +180,7 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
                      QString::number(line));
     painter.setClipRect(margin, y, area.width() - margin, height);
     const QString text = lineText(line);
+    paintHighlights(painter, text, margin + kGapPx - shift, y);
     const QString trimmed = text.trimmed();
     const bool isComment =
         trimmed.startsWith(QLatin1Char(';')) || trimmed.startsWith(QLatin1Char('('));

@@ -28,6 +28,11 @@ class ProgramTextView final : public QAbstractScrollArea {
   /// Highlights a line and scrolls to it if it is not visible. No signal is emitted.
   /// @param line  from 1; beyond the text: nothing happens
   void setCurrentLine(std::size_t line);
+  /// Marks the line a run is at. @param line  0: none @param isFollowed  scrolls to it
+  void setRunLine(std::size_t line, bool isFollowed);
+  /// Marks a text wherever it stands. Upper and lower case are the same.
+  void setHighlighted(const QString& text);
+  [[nodiscard]] std::size_t lineCount() const { return lines(); }
   /// From 1; 0: none.
   [[nodiscard]] std::size_t currentLine() const { return m_current; }
   /// A line as it is shown. @param line  from 1, in the text
@@ -42,6 +47,8 @@ class ProgramTextView final : public QAbstractScrollArea {
  Q_SIGNALS:
   /// By a click or by the keys.
   void lineChosen(std::size_t line);
+  /// By the wheel or the scroll bar.
+  void scrolledByHand();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -50,6 +57,7 @@ class ProgramTextView final : public QAbstractScrollArea {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   bool viewportEvent(QEvent* event) override;
 
  private:
@@ -61,6 +69,8 @@ class ProgramTextView final : public QAbstractScrollArea {
   void setRanges();
   void makeIcons();
   void choose(std::size_t line);
+  void bringToSight(std::size_t line);
+  void paintHighlights(QPainter& painter, const QString& text, int x, int y) const;
 
   /// Findings by line, the worst of each.
   struct Mark {
@@ -75,6 +85,8 @@ class ProgramTextView final : public QAbstractScrollArea {
   std::vector<Mark> m_marks;
   std::array<QPixmap, 3> m_icons;
   std::size_t m_current = 0;
+  std::size_t m_runLine = 0;
+  QString m_highlighted;
   std::size_t m_painted = 0;
   std::size_t m_pageLines = 1;  ///< of the present height
 };

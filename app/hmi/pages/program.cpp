@@ -154,13 +154,6 @@ void connectPath(PathView* path, const Models& models) {
   const MachineModel* machine = &models.machine;
   QObject::connect(machine, &MachineModel::viewChanged, path,
                    [path, machine] { path->setToolPosition(machine->view().positionMm); });
-  QObject::connect(&models.runs, &RunController::started, path,
-                   [path](std::size_t firstPoint) { path->setExecuted(firstPoint); });
-  QObject::connect(
-      &models.runs, &RunController::updated, path,
-      [path](const streaming::LiveUpdate& update) { path->setExecuted(update.counters.executed); });
-  QObject::connect(&models.found, &FoundRuns::watched, path,
-                   [path](std::size_t executed) { path->setExecuted(executed); });
   QObject::connect(&models.runs, &RunController::placeFound, path,
                    [path](const widgets::ResumePlace& place) { path->markPoint(place.point); });
 }
@@ -174,6 +167,14 @@ QWidget* makeProgramPage(const Models& models, QWidget* parent) {
   connectReading(panel, models);
   connectLoading(page, models);
   connectPath(page->path(), models);
+  QObject::connect(&models.runs, &RunController::started, page, [page](std::size_t firstPoint) {
+    page->followRun();
+    page->setExecuted(firstPoint);
+  });
+  QObject::connect(
+      &models.runs, &RunController::updated, page,
+      [page](const streaming::LiveUpdate& update) { page->setExecuted(update.counters.executed); });
+  QObject::connect(&models.found, &FoundRuns::watched, page, &ProgramPage::setExecuted);
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, panel,
                    [panel, document] { panel->setDistances(document->findings().distances); });

@@ -396,6 +396,53 @@ class TestPathView : public QObject {
     }
   }
 
+  /// Where pauses are close to each other, the class is higher; after the last one there is none.
+  void pausesAreShownByTheirDensity() {
+    const auto view = test::viewOf(test::programOf(test::manyPoints(1000)));
+    PauseMap pauses;
+    for (std::uint32_t point = 10; point < 200; point += 10) {
+      pauses.inCut.push_back(point);
+    }
+    for (std::uint32_t point = 300; point < 900; point += 100) {
+      pauses.offCut.push_back(point);
+    }
+    const PathClasses classes = classesByPauses(*view, &pauses);
+    QCOMPARE(classes.ofPoint.size(), view->points.points.size());
+    QCOMPARE(classes.borders.size(), kPauseClasses + 1);
+    QVERIFY(std::is_sorted(classes.borders.rbegin(), classes.borders.rend()));
+    QVERIFY(classes.ofPoint[100] > classes.ofPoint[500]);
+    QVERIFY(classes.ofPoint[500] >= 1);
+    QCOMPARE(classes.ofPoint[950], std::uint8_t{0});
+    QCOMPARE(classesByPauses(*view, nullptr).count, kPauseClasses + 1);
+    const auto shown = std::make_shared<PauseMap>(pauses);
+    PathView page;
+    page.setProgram(view);
+    page.setColouring(PathColouring::Pauses);
+    const QImage without = test::picture(page, {600, 600});
+    page.setPauses(shown);
+    QVERIFY(test::picture(page, {600, 600}) != without);
+  }
+
+  /// What has been executed is blue; no class of the feed may be.
+  void feedAndExecutedShareNoColour() {
+    auto program = std::make_shared<gcode::Program>(*test::programOf(test::manyPoints(100)));
+    for (std::size_t i = 0; i < 100; ++i) {
+      program->trajectory.points[i].feedMmPerS = static_cast<double>(1 + i % 5);
+    }
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+      applyTheme(theme);
+      PathView page;
+      page.setProgram(test::viewOf(program));
+      page.setColouring(PathColouring::Feed);
+      const int executed = themeColors(page.palette()).accent.hue();
+      for (const QPen& pen : page.pens()) {
+        const int apart = std::abs(pen.color().hue() - executed);
+        QVERIFY2(std::min(apart, 360 - apart) > 50, qPrintable(pen.color().name()));
+      }
+    }
+    applyTheme(Theme::Light);
+  }
+
   /// Many feeds fall in classes that cover them all.
   void manyFeedsBecomeClasses() {
     auto program = std::make_shared<gcode::Program>(*test::programOf(test::manyPoints(100)));

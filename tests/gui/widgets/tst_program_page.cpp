@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <QApplication>
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
@@ -17,6 +21,7 @@
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/program/program_text_view.h"
+#include "widgets/program/text_pane.h"
 
 using namespace rivulet;
 using namespace rivulet::widgets;
@@ -127,6 +132,88 @@ class TestProgramPage : public QObject {
     view.setProgram(nullptr);
     QTest::keyClick(&view, Qt::Key_Down);
     QCOMPARE(chosen.count(), count);
+  }
+
+  /// A million lines are searched in slices; the first line found is shown at once.
+  void searchFindsLinesWithoutHoldingUpTheWindow() {
+    std::string text;
+    for (int line = 0; line < 1'000'000; ++line) {
+      text += line % 250'000 == 249'999 ? "G1 Z-5 ; Here\n" : "G1 X1 Y2\n";
+    }
+    ProgramPage page;
+    page.setProgram(textOnly(std::move(text)));
+    page.resize(900, 700);
+    page.show();
+    TextPane* pane = page.textPane();
+    page.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&page));
+    QTest::keyClick(&page, Qt::Key_F, Qt::ControlModifier);
+    QTRY_COMPARE(QApplication::focusWidget(), pane->search());
+    QElapsedTimer clock;
+    clock.start();
+    pane->search()->setText(QStringLiteral("here"));
+    const double typedMs = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    QTRY_COMPARE(page.text()->currentLine(), std::size_t{250'000});
+    QTRY_VERIFY(test::visibleText(*pane).split(QLatin1Char('\n')).contains(QStringLiteral("4")));
+    qInfo("typing took %.2f ms", typedMs);
+    QTest::keyClick(pane->search(), Qt::Key_Return);
+    QCOMPARE(page.text()->currentLine(), std::size_t{500'000});
+    for (int i = 0; i < 3; ++i) {
+      QTest::keyClick(pane->search(), Qt::Key_Return);
+    }
+    QCOMPARE(page.text()->currentLine(), std::size_t{250'000});  // around the end
+    pane->search()->setText(QStringLiteral("nowhere"));
+    QTRY_VERIFY(test::visibleText(*pane).split(QLatin1Char('\n')).contains(QStringLiteral("0")));
+    QCOMPARE(page.text()->currentLine(), std::size_t{250'000});
+    QTest::keyClick(&page, Qt::Key_G, Qt::ControlModifier);
+    QTRY_COMPARE(QApplication::focusWidget(), pane->lineField());
+    QTest::keyClicks(pane->lineField(), QStringLiteral("777777"));
+    QTest::keyClick(pane->lineField(), Qt::Key_Return);
+    QCOMPARE(page.text()->currentLine(), std::size_t{777'777});
+  }
+
+  void textFollowsTheRunUntilTheOperatorLooksElsewhere() {
+    const auto view = test::viewOf(test::pocket());
+    ProgramPage page;
+    page.setProgram(view);
+    static_cast<void>(test::picture(page, {900, 700}));
+    const auto inSight = [&page](std::size_t line) {
+      const std::size_t first = page.text()->firstVisibleLine();
+      return first <= line && line < first + page.text()->paintedLines();
+    };
+    const auto lineOf = [&view](std::size_t executed) {
+      return std::size_t{view->points.points[executed - 1].line.value};
+    };
+    page.followRun();
+    page.setExecuted(600);
+    static_cast<void>(test::picture(page, {900, 700}));
+    QVERIFY(inSight(lineOf(600)));
+    QVERIFY(page.textPane()->follow()->isChecked());
+    // The wheel looks elsewhere: the run does not pull the text back.
+    QWheelEvent wheel(QPointF(20, 20), page.text()->viewport()->mapToGlobal(QPointF(20, 20)), {},
+                      {0, 12000}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(page.text()->viewport(), &wheel);
+    QVERIFY(!page.textPane()->follow()->isChecked());
+    page.setExecuted(1200);
+    static_cast<void>(test::picture(page, {900, 700}));
+    QVERIFY(!inSight(lineOf(1200)));
+    page.textPane()->follow()->setChecked(true);
+    static_cast<void>(test::picture(page, {900, 700}));
+    QVERIFY(inSight(lineOf(1200)));
+  }
+
+  void halvesStackWhereItIsNarrow() {
+    ProgramPage page;
+    page.setProgram(test::viewOf(test::pocket()));
+    // A splitter shares its width only when it is shown.
+    page.resize(1000, 700);
+    page.show();
+    const auto place = [&page](QWidget* widget) {
+      return QRect(widget->mapTo(&page, QPoint()), widget->size());
+    };
+    QTRY_VERIFY(place(page.panel()).left() >= place(page.path()).right());
+    page.resize(500, 900);
+    QTRY_VERIFY(place(page.panel()).top() >= place(page.path()).bottom());
   }
 
   void findingsAreMarked() {

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The text of the program with what finds a place in it: search, line number, and the line that a
+/// run is at. @threadsafety GUI thread.
+#pragma once
+
+#include <memory>
+
+#include "widgets/common/page.h"
+#include "widgets/program/program_view.h"
+
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace rivulet::widgets {
+
+class ProgramTextView;
+class TextSearch;
+
+class TextPane final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit TextPane(QWidget* parent = nullptr);
+
+  /// @param view  null: none
+  void setProgram(const std::shared_ptr<const ProgramView>& view);
+  /// The line of the point that was executed last; 0: no run. The text follows it unless the
+  /// operator looks elsewhere.
+  void setRunLine(std::size_t line);
+  /// A run begins: the text follows it, wherever the operator has looked.
+  void followRun();
+
+  [[nodiscard]] ProgramTextView* text() const { return m_text; }
+  [[nodiscard]] QLineEdit* search() const { return m_search; }
+  [[nodiscard]] QLineEdit* lineField() const { return m_line; }
+  [[nodiscard]] QToolButton* follow() const { return m_follow; }
+
+ Q_SIGNALS:
+  /// Found, or typed as a number.
+  void lineChosen(std::size_t line);
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  void findNext(bool isForward);
+  void goToLine();
+  void showFound();
+  void showRunLine();
+
+  TextSearch* m_finder;
+  QLineEdit* m_search;
+  QToolButton* m_previous;
+  QToolButton* m_next;
+  QLabel* m_found;
+  QLabel* m_lineName;
+  QLineEdit* m_line;
+  QToolButton* m_follow;
+  ProgramTextView* m_text;  ///< made last: the focus comes to it from above
+  std::size_t m_runLine = 0;
+  bool m_wantsFirst = false;  ///< the first line found is to be shown as soon as it is known
+};
+
+}  // namespace rivulet::widgets
