@@ -61,7 +61,8 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_releases(m_settings.stateFolder, m_users, m_document, m_machine, m_messages),
       m_preflight(m_document, m_machine, m_runs),
       m_found(m_session, m_document, m_machine, m_runs, m_messages),
-      m_pastRuns(m_document, m_runs, m_messages) {
+      m_pastRuns(m_document, m_runs, m_messages),
+      m_credit(m_session, m_machine, m_runs, report::MachineStore()) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
@@ -111,8 +112,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_alarms,    m_users, m_audit,   m_machine,
-                      m_document, m_runs,     m_preflight, m_found, m_pastRuns};
+  const Models models{m_settings, m_messages, m_alarms,    m_users, m_audit,    m_machine,
+                      m_document, m_runs,     m_preflight, m_found, m_pastRuns, m_credit};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);

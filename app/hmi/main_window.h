@@ -142,6 +142,7 @@ class MainWindow final : public QMainWindow {
   Preflight m_preflight;
   FoundRuns m_found;
   PastRuns m_pastRuns;
+  CreditCommissioning m_credit;
 
   bool m_closesAfterRun = false;
   bool m_isStopRequested = false;  ///< by Escape, of the run in progress

@@ -77,10 +77,11 @@ streaming::StartFacts RunController::facts(Act act) const {
   const Findings& findings = m_document.findings();
   const widgets::MachineView& machine = m_machine.view();
   streaming::StartFacts facts;
-  facts.activity = m_session.isRunning()       ? streaming::Activity::Streaming
-                   : m_session.isAsking()      ? streaming::Activity::CheckingResume
-                   : m_session.isCalibrating() ? streaming::Activity::Calibrating
-                                               : streaming::Activity::Idle;
+  facts.activity = m_session.isRunning()         ? streaming::Activity::Streaming
+                   : m_session.isAsking()        ? streaming::Activity::CheckingResume
+                   : m_session.isCalibrating()   ? streaming::Activity::Calibrating
+                   : m_session.isCommissioning() ? streaming::Activity::Commissioning
+                                                 : streaming::Activity::Idle;
   facts.isConnected = m_machine.isConnected();
   facts.program = m_document.program().get();
   facts.hasFileChanged = m_document.hasFileChanged();

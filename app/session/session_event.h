@@ -14,6 +14,7 @@
 #include "gcode/program.h"
 #include "report/run_store.h"
 #include "streaming/calibration_record.h"
+#include "streaming/machine_facts.h"
 #include "streaming/run.h"
 #include "trace/recording.h"
 
@@ -75,10 +76,19 @@ struct CalibrationFinished {
   base::Error error;
 };
 
+/// What the test of method credit is waiting for.
+struct CommissioningProgress {
+  streaming::CommissioningStep step = streaming::CommissioningStep::CycleStart;
+};
+struct CommissioningFinished {
+  std::optional<streaming::CreditTest> test;  ///< nothing: see `error`
+  base::Error error;                          ///< also if the test could not be stored
+};
+
 using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, trace::Note,
-                 RunFinished, streaming::CalibrationProgress, CalibrationFinished, ResumeFound,
-                 RunsSeen, RunEnded>;
+                 RunFinished, streaming::CalibrationProgress, CalibrationFinished,
+                 CommissioningProgress, CommissioningFinished, ResumeFound, RunsSeen, RunEnded>;
 
 struct ConnectCommand {
   std::string endpoint;
@@ -116,7 +126,15 @@ struct EndRunCommand {
   streaming::RunOnControl run;
 };
 
-using SessionCommand = std::variant<std::monostate, ConnectCommand, DisconnectCommand, StartCommand,
-                                    CalibrateCommand, ResumeQuestion, EndRunCommand>;
+/// The test of method credit, on ten cells that nobody else uses.
+struct CommissionCommand {
+  int firstCell = 0;
+  streaming::TransferWay transfer = streaming::TransferWay::Link;
+  std::string startedAtUtc;
+};
+
+using SessionCommand =
+    std::variant<std::monostate, ConnectCommand, DisconnectCommand, StartCommand, CalibrateCommand,
+                 CommissionCommand, ResumeQuestion, EndRunCommand>;
 
 }  // namespace rivulet::session

@@ -83,7 +83,8 @@ SessionWorker::~SessionWorker() {
 
 bool SessionWorker::post(SessionCommand command) {
   if (std::holds_alternative<StartCommand>(command) ||
-      std::holds_alternative<CalibrateCommand>(command)) {
+      std::holds_alternative<CalibrateCommand>(command) ||
+      std::holds_alternative<CommissionCommand>(command)) {
     m_stopRun.store(false);
     correct({});
     m_holdRun.store(false);
@@ -147,6 +148,8 @@ void SessionWorker::work() {
         endRun(*endCommand);
       } else if (const auto* calibrateCommand = std::get_if<CalibrateCommand>(&*command)) {
         calibrate(*calibrateCommand);
+      } else if (const auto* commissionCommand = std::get_if<CommissionCommand>(&*command)) {
+        commission(*commissionCommand);
       }
     }
     watch();
@@ -424,6 +427,43 @@ base::Error SessionWorker::archive(const StartCommand& command, const streaming:
   const auto kept = m_history.add(report, std::move(known),
                                   gcode::streamPoints(command.program->trajectory, startMm).points);
   return kept ? base::Error{} : kept.error();
+}
+
+void SessionWorker::commission(const CommissionCommand& command) {
+  if (!m_connection) {
+    tell(CommissioningFinished{std::nullopt, notConnected()});
+    return;
+  }
+  const base::Result<opcua::ServerIdentity> identity = m_connection.control->identity();
+  if (!identity) {
+    tell(CommissioningFinished{std::nullopt, identity.error()});
+    return;
+  }
+  streaming::CommissioningPlan plan;
+  plan.firstCell = command.firstCell;
+  plan.transfer = command.transfer;
+  std::optional<streaming::CommissioningStep> told;
+  auto result = streaming::commission(*m_connection.link, *m_connection.control, plan,
+                                      [&](streaming::CommissioningStep step) {
+                                        if (told != step) {
+                                          told = step;
+                                          tell(CommissioningProgress{step});
+                                        }
+                                        return !m_stopRun.load() && !m_quit.load();
+                                      });
+  if (!result) {
+    const base::Error error = result.error();
+    if (error.code == opcua::LinkError::ConnectionLost) {
+      tell(LinkChanged{LinkState::Lost, error, false, {}});
+      m_connection = {};
+    }
+    tell(CommissioningFinished{std::nullopt, error});
+    return;
+  }
+  streaming::CreditTest test{m_endpoint, *identity, command.startedAtUtc, RIVULET_VERSION,
+                             std::move(*result)};
+  const base::Result<void> saved = m_machines.save(test);
+  tell(CommissioningFinished{std::move(test), saved ? base::Error{} : saved.error()});
 }
 
 void SessionWorker::calibrate(const CalibrateCommand& command) {

@@ -69,6 +69,7 @@ class SessionWorker {
   [[nodiscard]] base::Error archive(const StartCommand& command, const streaming::RunReport& report,
                                     bool recorded) const;
   void calibrate(const CalibrateCommand& command);
+  void commission(const CommissionCommand& command);
   /// According to the file of the machine.
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   /// Reads the control between other work; notices that the connection is lost.

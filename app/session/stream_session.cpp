@@ -42,7 +42,7 @@ void StreamSession::disconnectFrom() {
 }
 
 void StreamSession::start(StartCommand command) {
-  if (m_running || m_asking || m_calibrating || m_ending) {
+  if (m_running || m_asking || m_calibrating || m_ending || m_commissioning) {
     return;
   }
   command.startedAtUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -50,11 +50,19 @@ void StreamSession::start(StartCommand command) {
 }
 
 void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
-  if (m_running || m_calibrating) {
+  if (m_running || m_calibrating || m_commissioning) {
     return;
   }
   m_calibrating = m_worker->post(
       CalibrateCommand{plan, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+}
+
+void StreamSession::commission(int firstCell, streaming::TransferWay transfer) {
+  if (m_running || m_asking || m_calibrating || m_ending || m_commissioning) {
+    return;
+  }
+  m_commissioning = m_worker->post(CommissionCommand{
+      firstCell, transfer, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
 }
 
 void StreamSession::correct(base::Vec3 valueMm) {
@@ -78,7 +86,7 @@ void StreamSession::askResume(ResumeQuestion question) {
 }
 
 void StreamSession::endRun(const streaming::RunOnControl& run) {
-  if (!m_running && !m_ending) {
+  if (!m_running && !m_ending && !m_commissioning) {
     m_ending = m_worker->post(EndRunCommand{run});
   }
 }
@@ -106,6 +114,11 @@ void StreamSession::drain() {
       Q_EMIT runEnded(*ended);
     } else if (const auto* progress = std::get_if<streaming::CalibrationProgress>(&*event)) {
       Q_EMIT calibrationProgressed(*progress);
+    } else if (const auto* tested = std::get_if<CommissioningProgress>(&*event)) {
+      Q_EMIT commissioningProgressed(*tested);
+    } else if (const auto* commissioned = std::get_if<CommissioningFinished>(&*event)) {
+      m_commissioning = false;
+      Q_EMIT commissioningFinished(*commissioned);
     } else if (const auto* calibrated = std::get_if<CalibrationFinished>(&*event)) {
       m_calibrating = false;
       Q_EMIT calibrationFinished(*calibrated);

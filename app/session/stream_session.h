@@ -51,7 +51,11 @@ class StreamSession final : public QObject {
   /// Measures the cost of access, on cells that the operator has confirmed. `stop` cancels.
   void calibrate(const streaming::CalibrationPlan& plan);
 
+  /// The test of method credit, on ten cells that nobody else uses. `stop` cancels.
+  void commission(int firstCell, streaming::TransferWay transfer);
+
   [[nodiscard]] bool isRunning() const { return m_running; }
+  [[nodiscard]] bool isCommissioning() const { return m_commissioning; }
   [[nodiscard]] bool isCalibrating() const { return m_calibrating; }
   [[nodiscard]] bool isAsking() const { return m_asking; }
   [[nodiscard]] bool isEnding() const { return m_ending; }
@@ -66,6 +70,8 @@ class StreamSession final : public QObject {
   void runsSeen(const rivulet::session::RunsSeen& seen);
   void runEnded(const rivulet::session::RunEnded& ended);
   void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
+  void commissioningProgressed(const rivulet::session::CommissioningProgress& progress);
+  void commissioningFinished(const rivulet::session::CommissioningFinished& finished);
   void calibrationFinished(const rivulet::session::CalibrationFinished& finished);
 
  private:
@@ -77,6 +83,7 @@ class StreamSession final : public QObject {
   bool m_asking = false;
   bool m_ending = false;
   bool m_calibrating = false;
+  bool m_commissioning = false;
 };
 
 }  // namespace rivulet::session

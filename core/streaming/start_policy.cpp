@@ -29,6 +29,8 @@ Reason linkBlocked(const StartFacts& facts) {
       return because(BlockReason::ResumeCheckInProgress);
     case Activity::Calibrating:
       return because(BlockReason::CalibrationInProgress);
+    case Activity::Commissioning:
+      return because(BlockReason::CommissioningInProgress);
     case Activity::Idle:
       break;
   }
@@ -127,6 +129,7 @@ StreamError codeOf(BlockReason reason) {
     case BlockReason::RunInProgress:
     case BlockReason::ResumeCheckInProgress:
     case BlockReason::CalibrationInProgress:
+    case BlockReason::CommissioningInProgress:
     case BlockReason::ChannelBusy:
       return StreamError::ChannelBusy;
     case BlockReason::RotaryNotStreamed:
@@ -169,6 +172,8 @@ std::string sentence(const Blocked& blocked) {
       return "The control is being asked where the run was left. Wait for the answer.";
     case BlockReason::CalibrationInProgress:
       return "A calibration is in progress. Wait until it has ended.";
+    case BlockReason::CommissioningInProgress:
+      return "The test of method credit is in progress. Wait until it has ended.";
     case BlockReason::NotConnected:
       return "There is no connection to a control. Connect first.";
     case BlockReason::NoProgram:

@@ -26,6 +26,7 @@ enum class Activity {
   Streaming,
   CheckingResume,  ///< the control is asked where a run was left
   Calibrating,
+  Commissioning,  ///< the test of method credit
 };
 
 /// Why something may not be started. The arguments are those of `Blocked::arguments`.
@@ -33,6 +34,7 @@ enum class BlockReason {
   RunInProgress,
   ResumeCheckInProgress,
   CalibrationInProgress,
+  CommissioningInProgress,
   NotConnected,
   NoProgram,
   FileChanged,          ///< the file is no longer what was read

@@ -98,11 +98,11 @@ bool shows(const QWidget* widget, const QString& text) {
 /// A picture of the whole window on every page; blank ones fail.
 void picturePages(MainWindow& window, const QString& prefix) {
   QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
-  const QStringList names{QStringLiteral("program"),     QStringLiteral("feasibility"),
-                          QStringLiteral("traces"),      QStringLiteral("template"),
-                          QStringLiteral("calibration"), QStringLiteral("report"),
-                          QStringLiteral("alarms"),      QStringLiteral("messages"),
-                          QStringLiteral("audit"),       QStringLiteral("users")};
+  const QStringList names{
+      QStringLiteral("program"),  QStringLiteral("feasibility"), QStringLiteral("traces"),
+      QStringLiteral("template"), QStringLiteral("calibration"), QStringLiteral("credit-test"),
+      QStringLiteral("runs"),     QStringLiteral("alarms"),      QStringLiteral("messages"),
+      QStringLiteral("audit"),    QStringLiteral("users")};
   const int present = window.pages()->currentIndex();
   for (int page = 0; page < window.pages()->count(); ++page) {
     window.pages()->setCurrentIndex(page);

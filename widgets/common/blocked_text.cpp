@@ -24,6 +24,8 @@ struct BlockedTexts {
         return tr("Asking the control where the run was left.");
       case BlockReason::CalibrationInProgress:
         return tr("A calibration is in progress.");
+      case BlockReason::CommissioningInProgress:
+        return tr("The test of method credit is in progress.");
       case BlockReason::NotConnected:
         return tr("Connect to a control first.");
       case BlockReason::NoProgram:

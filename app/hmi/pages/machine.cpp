@@ -3,9 +3,11 @@
 
 /// Pages about the machine: connection, calibration, and the program it is to be given.
 
+#include "hmi/credit_commissioning.h"
 #include "hmi/pages/pages.h"
 #include "templates/generator.h"
 #include "widgets/calibration/calibration_page.h"
+#include "widgets/commissioning/commissioning_page.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/connection/connection_panel.h"
@@ -96,6 +98,35 @@ QWidget* makeCalibrationPage(const Models& models, QWidget* parent) {
   QObject::connect(machine, &MachineModel::calibrationChanged, page, [page, machine] {
     page->setRecord(machine->calibration(), machine->isCalibrationOutdated());
   });
+  return page;
+}
+
+QWidget* makeCommissioningPage(const Models& models, QWidget* parent) {
+  auto* page = new widgets::CommissioningPage(parent);
+  CreditCommissioning* credit = &models.credit;
+  QObject::connect(page, &widgets::CommissioningPage::testRequested, credit,
+                   [credit, models](int firstCell, bool isByHand) {
+                     if (credit->blocked()) {
+                       return;
+                     }
+                     credit->start(firstCell, isByHand);
+                     models.messages.didAct(permission::Act::Calibrate,
+                                            {{"machine", models.machine.endpoint().toStdString()},
+                                             {"test", "credit"},
+                                             {"first_cell", std::to_string(firstCell)}});
+                   });
+  QObject::connect(page, &widgets::CommissioningPage::cancelRequested, credit,
+                   &CreditCommissioning::cancel);
+  QObject::connect(credit, &CreditCommissioning::progressed, page,
+                   &widgets::CommissioningPage::setProgress);
+  QObject::connect(credit, &CreditCommissioning::testChanged, page,
+                   [page, credit] { page->setTest(credit->test(), credit->isOutdated()); });
+  QObject::connect(credit, &CreditCommissioning::failed, page, [page](const base::Error& error) {
+    page->setProblem(widgets::errorText(error));
+  });
+  const auto block = [page, credit] { page->setBlocked(widgets::blockedText(credit->blocked())); };
+  QObject::connect(credit, &CreditCommissioning::permissionsChanged, page, block);
+  block();
   return page;
 }
 

@@ -10,6 +10,7 @@
 
 #include "hmi/alarms.h"
 #include "hmi/audit.h"
+#include "hmi/credit_commissioning.h"
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
 #include "hmi/machine_model.h"
@@ -42,6 +43,7 @@ struct Models {
   Preflight& preflight;
   FoundRuns& found;
   PastRuns& pastRuns;
+  CreditCommissioning& credit;
 };
 
 /// A page of the tab widget.
@@ -59,6 +61,7 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeTracePage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeTemplatePage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeCalibrationPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeCommissioningPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeRunsPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAlarmPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAuditPage(const Models& models, QWidget* parent);

@@ -139,6 +139,23 @@ widgets::FeasibilityModel feasibilityModel(base::MethodKind method, double feedM
   return model;
 }
 
+streaming::CreditTest creditTest(bool passed) {
+  streaming::CreditTest test;
+  test.endpoint = "opc.tcp://127.0.0.1:4840";
+  test.server = {"urn:maker:control", "SINUMERIK OPC UA", "3.2 SP1", "117"};
+  test.testedAtUtc = "2026-05-04T09:30:00Z";
+  test.result.checks = {{"answers-while-busy", passed,
+                         passed ? "40 of 40 numbers came back." : "3 of 40 numbers came back."},
+                        {"main-run-seen-by-client", true, "Seen."},
+                        {"main-run-seen-by-program", true, "Seen."},
+                        {"action-with-its-block", true, "Seen."},
+                        {"buffer-level", true, "Seen."}};
+  test.result.asked = 40;
+  test.result.answered = passed ? 40 : 3;
+  test.result.slowestAnswer = std::chrono::milliseconds{37};
+  return test;
+}
+
 std::vector<feasibility::Advice> advice(const widgets::FeasibilityModel& model) {
   feasibility::AdviceQuestion question;
   question.operatingPoint = model.operatingPoint;

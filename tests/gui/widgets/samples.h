@@ -13,6 +13,7 @@
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "streaming/calibration_record.h"
+#include "streaming/machine_facts.h"
 #include "streaming/run.h"
 #include "trace/control_trace.h"
 #include "widgets/connection/machine_view.h"
@@ -58,6 +59,7 @@ namespace rivulet::test {
 /// kinds.
 [[nodiscard]] std::shared_ptr<const streaming::CalibrationRecord> calibrationRecord();
 
+[[nodiscard]] streaming::CreditTest creditTest(bool passed);
 /// What is advised for the pocket at the operating point of a model.
 [[nodiscard]] std::vector<feasibility::Advice> advice(const widgets::FeasibilityModel& model);
 /// A simulated region that fits a model and a chart's grid; some points run, some fail.

@@ -21,6 +21,7 @@
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/audit/audit_page.h"
 #include "widgets/calibration/calibration_page.h"
+#include "widgets/commissioning/commissioning_page.h"
 #include "widgets/common/log_view.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_panel.h"
@@ -122,6 +123,12 @@ std::unique_ptr<QWidget> simulatingPage() {
   auto page = std::make_unique<FeasibilityPage>();
   page->setModel(test::feasibilityModel(base::MethodKind::Position, 100.0));
   page->setSimulationProgress(42);
+  return page;
+}
+
+std::unique_ptr<QWidget> commissioningPage(bool passed) {
+  auto page = std::make_unique<CommissioningPage>();
+  page->setTest(test::creditTest(passed), false);
   return page;
 }
 
@@ -438,6 +445,8 @@ std::vector<Sample> samples() {
       {"users_none", {900, 400}, [] { return usersPage({}); }},
       {"log_in", {300, 480}, [] { return logIn(); }},
       {"alarms_history", {960, 400}, [] { return alarmPage(true); }},
+      {"credit_test_passed", {780, 640}, [] { return commissioningPage(true); }},
+      {"credit_test_failed", {780, 640}, [] { return commissioningPage(false); }},
       {"runs_800", {800, 620}, [] { return runsPage(); }},
       {"runs_1400", {1400, 760}, [] { return runsPage(); }},
   };
