@@ -436,6 +436,10 @@
         <source>Not released: an engineer has to release this program with these settings.</source>
         <translation>Nicht freigegeben: Ein Einrichter muss dieses Programm mit diesen Einstellungen freigeben.</translation>
     </message>
+    <message>
+        <source>The test of method credit is in progress.</source>
+        <translation>Der Test des Verfahrens Kredit läuft.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1369,10 +1373,6 @@
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
         <source>Saved %1.</source>
         <translation>%1 gespeichert.</translation>
     </message>
@@ -1391,6 +1391,14 @@
     <message>
         <source>Users</source>
         <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Kredit-Test</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
     </message>
 </context>
 <context>
@@ -1525,6 +1533,176 @@
     <message>
         <source>Program: %1, version %2</source>
         <translation>Programm: %1, Fassung %2</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+    <message>
+        <source>program, %1 %</source>
+        <translation>Programm, %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RunsTexts</name>
+    <message>
+        <source>This is not the report of a run. Choose a file that this page or stream --json has written.</source>
+        <translation>Das ist kein Bericht eines Laufs. Eine Datei wählen, die diese Seite oder stream --json geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>The report was written by a later version of Rivulet. Use that one to open it.</source>
+        <translation>Der Bericht stammt von einer neueren Version von Rivulet. Mit dieser öffnen.</translation>
+    </message>
+    <message>
+        <source>The report is damaged and cannot be shown.</source>
+        <translation>Der Bericht ist beschädigt und kann nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Check permissions and free space.</source>
+        <translation>%1 kann nicht geschrieben werden. Rechte und freien Platz prüfen.</translation>
+    </message>
+</context>
+<context>
+    <name>SheetTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Bericht eines Laufs</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Pauses and access</source>
+        <translation>Pausen und Zugriff</translation>
+    </message>
+    <message>
+        <source>Path, seen from above; rapids dashed</source>
+        <translation>Bahn von oben; Eilgänge gestrichelt</translation>
+    </message>
+    <message>
+        <source>The path was not kept.</source>
+        <translation>Die Bahn wurde nicht behalten.</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Datum, Name, Unterschrift</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1; Lauf mit Version %2</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Fassung (Hash)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Gestartet von</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Laufnummer</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ausgeführt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Fremde Bewegung</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Falsche Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausen</translation>
+    </message>
+    <message>
+        <source>Pauses in all</source>
+        <translation>Pausen zusammen</translation>
+    </message>
+    <message>
+        <source>Share of the duration</source>
+        <translation>Anteil an der Dauer</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Access, median</source>
+        <translation>Zugriff, Median</translation>
+    </message>
+    <message>
+        <source>Access, 99th percentile</source>
+        <translation>Zugriff, 99. Perzentil</translation>
     </message>
 </context>
 <context>
@@ -1688,6 +1866,29 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Hoher Kontrast</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PastRuns</name>
+    <message>
+        <source>A run is in progress: the Traces page shows it until it has ended.</source>
+        <translation>Ein Lauf ist im Gang: Die Seite Verläufe zeigt ihn, bis er beendet ist.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Ein Lauf ist im Gang. Ein anderes Programm erst öffnen, wenn er beendet ist.</translation>
+    </message>
+    <message>
+        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <translation>Die Werte des Laufs sind eingestellt. Wo sein Programm lag, ist nicht bekannt: das Programm in der Fassung %1 öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is not the program of that run: version %2 then, %3 now. Its settings are set. Check the path before you start.</source>
+        <translation>%1 ist nicht das Programm dieses Laufs: Fassung %2 damals, %3 jetzt. Die Werte sind eingestellt. Vor dem Start die Bahn prüfen.</translation>
+    </message>
+    <message>
+        <source>Program and settings are those of the run of %1. Nothing has started.</source>
+        <translation>Programm und Werte sind die des Laufs vom %1. Nichts ist gestartet.</translation>
     </message>
 </context>
 <context>
@@ -1930,6 +2131,93 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The run has executed wrong points: see the report, and check the workpiece.</source>
         <translation>Der Lauf hat falsche Punkte ausgeführt: Bericht ansehen und Werkstück prüfen.</translation>
+    </message>
+    <message>
+        <source>The run is not in the history: %1</source>
+        <translation>Der Lauf ist nicht in der Liste der Läufe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AdvicePanel</name>
+    <message>
+        <source>F %1 instead of %2: still without wrong points</source>
+        <translation>F %1 statt %2: noch immer ohne falsche Punkte</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: without waiting</source>
+        <translation>F %1 statt %2: ohne Warten</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: feasible</source>
+        <translation>F %1 statt %2: machbar</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest feed %3</source>
+        <translation>N %1 statt %2: größter Vorschub %3</translation>
+    </message>
+    <message>
+        <source>δ %1 instead of %2: largest feed %3</source>
+        <translation>δ %1 statt %2: größter Vorschub %3</translation>
+    </message>
+    <message>
+        <source>Method %1 instead of %2: largest feed %3</source>
+        <translation>Verfahren %1 statt %2: größter Vorschub %3</translation>
+    </message>
+    <message>
+        <source>Judging …</source>
+        <translation>Wird beurteilt …</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Kein Urteil</translation>
+    </message>
+    <message>
+        <source>Not feasible: largest feed %1</source>
+        <translation>Nicht machbar: größter Vorschub %1</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above %1</source>
+        <translation>Sicher, mit Warten über %1</translation>
+    </message>
+    <message>
+        <source>By the equations feasible up to %1</source>
+        <translation>Nach den Gleichungen machbar bis %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Looking for better settings …</source>
+        <translation>Sucht bessere Werte …</translation>
+    </message>
+    <message>
+        <source>No single change makes this program much faster.</source>
+        <translation>Keine einzelne Änderung macht dieses Programm viel schneller.</translation>
+    </message>
+    <message>
+        <source>Each was simulated with this program and made no wrong point.</source>
+        <translation>Jede wurde mit diesem Programm simuliert, ohne einen falschen Punkt.</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>Empfehlungen</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Points per loop N</source>
+        <translation>Punkte je Schleife N</translation>
+    </message>
+    <message>
+        <source>Distance δ</source>
+        <translation>Abstand δ</translation>
+    </message>
+    <message>
+        <source>Feed F</source>
+        <translation>Vorschub F</translation>
     </message>
 </context>
 <context>
@@ -2336,6 +2624,113 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CommissioningPage</name>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>Mit dem Verfahren Kredit fahren die Achsen weiter, während das nächste Fenster unterwegs ist. Sicher ist das nur auf einer Steuerung, die antwortet, während ihre Achsen beschäftigt sind. Dieser Test stellt es fest: ein Programm, das keine Achse bewegt, einige Sekunden lang. Der Kanal muss in Reset sein.</translation>
+    </message>
+    <message>
+        <source>First R-parameter</source>
+        <translation>Erster R-Parameter</translation>
+    </message>
+    <message>
+        <source>First R-parameter of the test</source>
+        <translation>Erster R-Parameter des Tests</translation>
+    </message>
+    <message>
+        <source>Nobody else uses R%1 to R%2</source>
+        <translation>Niemand sonst benutzt R%1 bis R%2</translation>
+    </message>
+    <message>
+        <source>I bring the program to the control myself</source>
+        <translation>Ich bringe das Programm selbst auf die Steuerung</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Test starten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Test program</source>
+        <translation>Testprogramm</translation>
+    </message>
+    <message>
+        <source>1. Bring the channel to reset, in AUTO.</source>
+        <translation>1. Den Kanal in Reset bringen, in AUTO.</translation>
+    </message>
+    <message>
+        <source>2. Store the text below as part program %1 and select it.</source>
+        <translation>2. Den Text unten als Teileprogramm %1 speichern und anwählen.</translation>
+    </message>
+    <message>
+        <source>2. The program %1 is transferred, read back and selected.</source>
+        <translation>2. Das Programm %1 wird übertragen, zurückgelesen und angewählt.</translation>
+    </message>
+    <message>
+        <source>3. Press cycle start at the control (a virtual machine starts by itself).</source>
+        <translation>3. An der Steuerung Zyklusstart drücken (eine virtuelle Maschine startet von selbst).</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Zahlen werden gesendet und müssen zurückkommen, während die Steuerung beschäftigt ist.</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start</source>
+        <translation>Wartet auf Zyklusstart</translation>
+    </message>
+    <message>
+        <source>The test is in progress</source>
+        <translation>Der Test läuft</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Nicht getestet: Das Verfahren Kredit startet auf dieser Steuerung nicht</translation>
+    </message>
+    <message>
+        <source>Tested with another version of the server: test it again</source>
+        <translation>Mit einer anderen Version des Servers getestet: bitte erneut testen</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Bestanden: Das Verfahren Kredit darf auf dieser Steuerung laufen</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>Nicht bestanden: Das Verfahren Kredit startet nicht. Verfahren Fenster wählen.</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
+        <translation>%1, %2, getestet %3; %4 von %5 Antworten unter Last, die langsamste nach %6</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters first.</source>
+        <translation>Zuerst die R-Parameter bestätigen.</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>Die Steuerung antwortet dem Client, während Sätze auf ihre Ausführung warten.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Was eine Synchronaktion schreibt, kommt beim Client an.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Was eine Synchronaktion schreibt, kommt ohne Halt beim Programm an.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Eine Synchronaktion vor einem Satz wird mit diesem Satz ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>Das Programm erkennt ohne Halt, ob Sätze warten ($AC_IPO_BUF).</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -2636,6 +3031,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>reach: the client keeps up</source>
         <translation>Reichweite: Der Client kommt mit</translation>
+    </message>
+    <message>
+        <source>Runs failed in the simulation</source>
+        <translation>In der Simulation scheiterten Läufe</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3793,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>then a pause off the cut</source>
         <translation>dann eine Pause außerhalb des Schnitts</translation>
+    </message>
+    <message>
+        <source>Density of pauses</source>
+        <translation>Dichte der Pausen</translation>
+    </message>
+    <message>
+        <source>no pause</source>
+        <translation>keine Pause</translation>
+    </message>
+    <message>
+        <source>a pause every %1</source>
+        <translation>eine Pause je %1</translation>
     </message>
 </context>
 <context>
@@ -4187,6 +4598,212 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RunsModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ausgeführt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausen</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunsPage</name>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Open a report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Reports (*.json)</source>
+        <translation>Berichte (*.json)</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Alle Maschinen</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Läufe: %1</translation>
+    </message>
+    <message>
+        <source>Runs: %1 of %2</source>
+        <translation>Läufe: %1 von %2</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Noch kein Lauf</translation>
+    </message>
+    <message>
+        <source>No run is selected.</source>
+        <translation>Kein Lauf ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>%1, %2, version %3, %4</source>
+        <translation>%1, %2, Fassung %3, %4</translation>
+    </message>
+    <message>
+        <source>The run was not recorded.</source>
+        <translation>Der Lauf wurde nicht aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it with the one of the run, and sets method and settings. Nothing starts.</source>
+        <translation>Lädt das Programm, vergleicht es mit dem des Laufs und stellt Verfahren und Werte ein. Nichts startet.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Only a run that was left on the connected control, with its program loaded, can be resumed.</source>
+        <translation>Fortgesetzt werden kann nur ein Lauf, der auf der verbundenen Steuerung unterbrochen wurde und dessen Programm geladen ist.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Shows runs in which each word stands in some column</source>
+        <translation>Zeigt Läufe, bei denen jedes Wort in irgendeiner Spalte steht</translation>
+    </message>
+    <message>
+        <source>Search runs</source>
+        <translation>Läufe durchsuchen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>All results</source>
+        <translation>Alle Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Faultless</source>
+        <translation>Fehlerfrei</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Failed or wrong</source>
+        <translation>Gescheitert oder falsch</translation>
+    </message>
+    <message>
+        <source>Table as CSV…</source>
+        <translation>Tabelle als CSV…</translation>
+    </message>
+    <message>
+        <source>Open a report…</source>
+        <translation>Bericht öffnen…</translation>
+    </message>
+    <message>
+        <source>A report that was exported here or printed by stream --json</source>
+        <translation>Ein Bericht, der hier exportiert oder von stream --json ausgegeben wurde</translation>
+    </message>
+    <message>
+        <source>Open in Traces</source>
+        <translation>In Verläufen öffnen</translation>
+    </message>
+    <message>
+        <source>Repeat with these settings</source>
+        <translation>Mit diesen Werten wiederholen</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Page as PDF…</source>
+        <translation>Blatt als PDF…</translation>
+    </message>
+    <message>
+        <source>JSON…</source>
+        <translation>JSON…</translation>
+    </message>
+    <message>
+        <source>Keep at most</source>
+        <translation>Höchstens behalten</translation>
+    </message>
+    <message>
+        <source> runs</source>
+        <translation> Läufe</translation>
+    </message>
+    <message>
+        <source>Number of runs that are kept</source>
+        <translation>Zahl der Läufe, die behalten werden</translation>
+    </message>
+    <message>
+        <source>Size of reports and recordings that are kept</source>
+        <translation>Größe der Berichte und Aufzeichnungen, die behalten werden</translation>
+    </message>
+    <message>
+        <source>Others that cannot be shown: %1</source>
+        <translation>Weitere, die nicht gezeigt werden können: %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -4277,6 +4894,49 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TextPane</name>
+    <message>
+        <source>Lines with this text</source>
+        <translation>Zeilen mit diesem Text</translation>
+    </message>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Suchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Search the program text</source>
+        <translation>Programmtext durchsuchen</translation>
+    </message>
+    <message>
+        <source>Previous line with this text</source>
+        <translation>Vorige Zeile mit diesem Text</translation>
+    </message>
+    <message>
+        <source>Next line with this text</source>
+        <translation>Nächste Zeile mit diesem Text</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Go to a line (Ctrl+G)</source>
+        <translation>Zu einer Zeile gehen (Strg+G)</translation>
+    </message>
+    <message>
+        <source>Go to line</source>
+        <translation>Gehe zu Zeile</translation>
+    </message>
+    <message>
+        <source>Follow the run</source>
+        <translation>Dem Lauf folgen</translation>
+    </message>
+    <message>
+        <source>The text shows the line that is being executed</source>
+        <translation>Der Text zeigt die Zeile, die gerade ausgeführt wird</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Time, s</source>
@@ -4337,6 +4997,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>F, mm/min</source>
         <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>Run of %1, %2. </source>
+        <translation>Lauf vom %1, %2. </translation>
     </message>
 </context>
 <context>

@@ -436,6 +436,10 @@
         <source>Not released: an engineer has to release this program with these settings.</source>
         <translation>Sin aprobar: un preparador debe aprobar este programa con estos ajustes.</translation>
     </message>
+    <message>
+        <source>The test of method credit is in progress.</source>
+        <translation>La prueba del método Crédito está en curso.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1369,10 +1373,6 @@
         <translation>Calibración</translation>
     </message>
     <message>
-        <source>Report</source>
-        <translation>Informe</translation>
-    </message>
-    <message>
         <source>Saved %1.</source>
         <translation>%1 guardado.</translation>
     </message>
@@ -1391,6 +1391,14 @@
     <message>
         <source>Users</source>
         <translation>Usuarios</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Prueba crédito</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Ejecuciones</translation>
     </message>
 </context>
 <context>
@@ -1525,6 +1533,176 @@
     <message>
         <source>Program: %1, version %2</source>
         <translation>Programa: %1, versión %2</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>program, %1 %</source>
+        <translation>programa, %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RunsTexts</name>
+    <message>
+        <source>This is not the report of a run. Choose a file that this page or stream --json has written.</source>
+        <translation>No es el informe de una ejecución. Elija un archivo escrito por esta página o por stream --json.</translation>
+    </message>
+    <message>
+        <source>The report was written by a later version of Rivulet. Use that one to open it.</source>
+        <translation>El informe fue escrito por una versión más reciente de Rivulet. Ábralo con ella.</translation>
+    </message>
+    <message>
+        <source>The report is damaged and cannot be shown.</source>
+        <translation>El informe está dañado y no se puede mostrar.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 guardado.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Check permissions and free space.</source>
+        <translation>No se puede escribir %1. Compruebe los permisos y el espacio libre.</translation>
+    </message>
+</context>
+<context>
+    <name>SheetTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Informe de ejecución</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Pauses and access</source>
+        <translation>Pausas y accesos</translation>
+    </message>
+    <message>
+        <source>Path, seen from above; rapids dashed</source>
+        <translation>Trayectoria vista desde arriba; rápidos a trazos</translation>
+    </message>
+    <message>
+        <source>The path was not kept.</source>
+        <translation>La trayectoria no se ha guardado.</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Fecha, nombre, firma</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1; ejecución hecha con la versión %2</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Versión (hash)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Iniciada por</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Número de ejecución</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Acceso</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Ventanas</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>sin evaluar</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ejecutado</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Repetidos</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Omitidos</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Movimiento ajeno</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Fuera de orden</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausas</translation>
+    </message>
+    <message>
+        <source>Pauses in all</source>
+        <translation>Pausas en total</translation>
+    </message>
+    <message>
+        <source>Share of the duration</source>
+        <translation>Parte de la duración</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Peticiones</translation>
+    </message>
+    <message>
+        <source>Access, median</source>
+        <translation>Acceso, mediana</translation>
+    </message>
+    <message>
+        <source>Access, 99th percentile</source>
+        <translation>Acceso, percentil 99</translation>
     </message>
 </context>
 <context>
@@ -1688,6 +1866,29 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Alto contraste</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PastRuns</name>
+    <message>
+        <source>A run is in progress: the Traces page shows it until it has ended.</source>
+        <translation>Hay una ejecución en curso: la página Curvas la muestra hasta que termine.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Hay una ejecución en curso. Abrir otro programa cuando haya terminado.</translation>
+    </message>
+    <message>
+        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <translation>Se han tomado los ajustes de la ejecución. No indica dónde estaba su programa: abra el programa con versión %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not the program of that run: version %2 then, %3 now. Its settings are set. Check the path before you start.</source>
+        <translation>%1 no es el programa de esa ejecución: versión %2 entonces, %3 ahora. Se han tomado sus ajustes. Compruebe la trayectoria antes de iniciar.</translation>
+    </message>
+    <message>
+        <source>Program and settings are those of the run of %1. Nothing has started.</source>
+        <translation>Programa y ajustes son los de la ejecución del %1. No se ha iniciado nada.</translation>
     </message>
 </context>
 <context>
@@ -1930,6 +2131,93 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The run has executed wrong points: see the report, and check the workpiece.</source>
         <translation>La ejecución ha hecho puntos erróneos: ver el informe y comprobar la pieza.</translation>
+    </message>
+    <message>
+        <source>The run is not in the history: %1</source>
+        <translation>La ejecución no está en el historial: %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AdvicePanel</name>
+    <message>
+        <source>F %1 instead of %2: still without wrong points</source>
+        <translation>F %1 en lugar de %2: aún sin puntos erróneos</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: without waiting</source>
+        <translation>F %1 en lugar de %2: sin esperas</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: feasible</source>
+        <translation>F %1 en lugar de %2: factible</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest feed %3</source>
+        <translation>N %1 en lugar de %2: avance máximo %3</translation>
+    </message>
+    <message>
+        <source>δ %1 instead of %2: largest feed %3</source>
+        <translation>δ %1 en lugar de %2: avance máximo %3</translation>
+    </message>
+    <message>
+        <source>Method %1 instead of %2: largest feed %3</source>
+        <translation>Método %1 en lugar de %2: avance máximo %3</translation>
+    </message>
+    <message>
+        <source>Judging …</source>
+        <translation>Evaluando…</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Sin veredicto</translation>
+    </message>
+    <message>
+        <source>Not feasible: largest feed %1</source>
+        <translation>No factible: avance máximo %1</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above %1</source>
+        <translation>Seguro, con esperas por encima de %1</translation>
+    </message>
+    <message>
+        <source>By the equations feasible up to %1</source>
+        <translation>Según las ecuaciones, factible hasta %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Looking for better settings …</source>
+        <translation>Buscando mejores ajustes…</translation>
+    </message>
+    <message>
+        <source>No single change makes this program much faster.</source>
+        <translation>Ningún cambio por sí solo hace este programa mucho más rápido.</translation>
+    </message>
+    <message>
+        <source>Each was simulated with this program and made no wrong point.</source>
+        <translation>Cada uno se simuló con este programa, sin puntos erróneos.</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>Consejos</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Probar</translation>
+    </message>
+    <message>
+        <source>Points per loop N</source>
+        <translation>Puntos por bucle N</translation>
+    </message>
+    <message>
+        <source>Distance δ</source>
+        <translation>Distancia δ</translation>
+    </message>
+    <message>
+        <source>Feed F</source>
+        <translation>Avance F</translation>
     </message>
 </context>
 <context>
@@ -2336,6 +2624,113 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CommissioningPage</name>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>El método Crédito deja avanzar los ejes mientras la ventana siguiente está en camino. Solo es seguro en un control que responde mientras sus ejes están ocupados. Esta prueba lo comprueba: un programa que no mueve ningún eje, durante unos segundos. El canal debe estar en reset.</translation>
+    </message>
+    <message>
+        <source>First R-parameter</source>
+        <translation>Primer parámetro R</translation>
+    </message>
+    <message>
+        <source>First R-parameter of the test</source>
+        <translation>Primer parámetro R de la prueba</translation>
+    </message>
+    <message>
+        <source>Nobody else uses R%1 to R%2</source>
+        <translation>Nadie más usa R%1 a R%2</translation>
+    </message>
+    <message>
+        <source>I bring the program to the control myself</source>
+        <translation>Llevo yo mismo el programa al control</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Iniciar la prueba</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Test program</source>
+        <translation>Programa de prueba</translation>
+    </message>
+    <message>
+        <source>1. Bring the channel to reset, in AUTO.</source>
+        <translation>1. Lleve el canal a reset, en AUTO.</translation>
+    </message>
+    <message>
+        <source>2. Store the text below as part program %1 and select it.</source>
+        <translation>2. Guarde el texto de abajo como programa de pieza %1 y selecciónelo.</translation>
+    </message>
+    <message>
+        <source>2. The program %1 is transferred, read back and selected.</source>
+        <translation>2. El programa %1 se transfiere, se relee y se selecciona.</translation>
+    </message>
+    <message>
+        <source>3. Press cycle start at the control (a virtual machine starts by itself).</source>
+        <translation>3. Pulse Marcha CN en el control (una máquina virtual arranca sola).</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Se envían números que deben volver mientras el control está ocupado.</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start</source>
+        <translation>Esperando Marcha CN</translation>
+    </message>
+    <message>
+        <source>The test is in progress</source>
+        <translation>La prueba está en curso</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Sin probar: el método Crédito no se inicia en este control</translation>
+    </message>
+    <message>
+        <source>Tested with another version of the server: test it again</source>
+        <translation>Probado con otra versión del servidor: repita la prueba</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Superada: el método Crédito está permitido en este control</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>No superada: el método Crédito no se inicia. Use el método Ventana.</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
+        <translation>%1, %2, probado el %3; %4 de %5 respuestas con carga, la más lenta tras %6</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>El control responde al cliente mientras hay bloques esperando su ejecución.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Lo que escribe una acción síncrona llega al cliente.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Lo que escribe una acción síncrona llega al programa sin parada.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Una acción síncrona antes de un bloque se ejecuta con ese bloque.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>El programa sabe, sin parada, si hay bloques esperando ($AC_IPO_BUF).</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters first.</source>
+        <translation>Confirme primero los parámetros R.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -2636,6 +3031,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>reach: the client keeps up</source>
         <translation>alcance: el cliente mantiene el ritmo</translation>
+    </message>
+    <message>
+        <source>Runs failed in the simulation</source>
+        <translation>Fallos en la simulación</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3793,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>then a pause off the cut</source>
         <translation>después una pausa fuera del corte</translation>
+    </message>
+    <message>
+        <source>Density of pauses</source>
+        <translation>Densidad de pausas</translation>
+    </message>
+    <message>
+        <source>no pause</source>
+        <translation>sin pausa</translation>
+    </message>
+    <message>
+        <source>a pause every %1</source>
+        <translation>una pausa cada %1</translation>
     </message>
 </context>
 <context>
@@ -4187,6 +4598,212 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RunsModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ejecutado</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Repetidos</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Omitidos</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pausas</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Quién</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunsPage</name>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Open a report</source>
+        <translation>Abrir un informe</translation>
+    </message>
+    <message>
+        <source>Reports (*.json)</source>
+        <translation>Informes (*.json)</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Todas las máquinas</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Ejecuciones: %1</translation>
+    </message>
+    <message>
+        <source>Runs: %1 of %2</source>
+        <translation>Ejecuciones: %1 de %2</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Aún no hay ejecución</translation>
+    </message>
+    <message>
+        <source>No run is selected.</source>
+        <translation>No hay ninguna ejecución seleccionada.</translation>
+    </message>
+    <message>
+        <source>%1, %2, version %3, %4</source>
+        <translation>%1, %2, versión %3, %4</translation>
+    </message>
+    <message>
+        <source>The run was not recorded.</source>
+        <translation>La ejecución no se grabó.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it with the one of the run, and sets method and settings. Nothing starts.</source>
+        <translation>Carga el programa, lo compara con el de la ejecución y toma método y ajustes. No se inicia nada.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves.</source>
+        <translation>Pregunta al control dónde quedó la ejecución. No se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Only a run that was left on the connected control, with its program loaded, can be resumed.</source>
+        <translation>Solo se puede reanudar una ejecución interrumpida en el control conectado, con su programa cargado.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Shows runs in which each word stands in some column</source>
+        <translation>Muestra las ejecuciones en las que cada palabra aparece en alguna columna</translation>
+    </message>
+    <message>
+        <source>Search runs</source>
+        <translation>Buscar ejecuciones</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Ejecuciones</translation>
+    </message>
+    <message>
+        <source>All results</source>
+        <translation>Todos los resultados</translation>
+    </message>
+    <message>
+        <source>Faultless</source>
+        <translation>Sin errores</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Sin evaluar</translation>
+    </message>
+    <message>
+        <source>Failed or wrong</source>
+        <translation>Fallido o erróneo</translation>
+    </message>
+    <message>
+        <source>Table as CSV…</source>
+        <translation>Tabla en CSV…</translation>
+    </message>
+    <message>
+        <source>Open a report…</source>
+        <translation>Abrir un informe…</translation>
+    </message>
+    <message>
+        <source>A report that was exported here or printed by stream --json</source>
+        <translation>Un informe exportado aquí o escrito por stream --json</translation>
+    </message>
+    <message>
+        <source>Open in Traces</source>
+        <translation>Abrir en Curvas</translation>
+    </message>
+    <message>
+        <source>Repeat with these settings</source>
+        <translation>Repetir con estos ajustes</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reanudación</translation>
+    </message>
+    <message>
+        <source>Page as PDF…</source>
+        <translation>Página en PDF…</translation>
+    </message>
+    <message>
+        <source>JSON…</source>
+        <translation>JSON…</translation>
+    </message>
+    <message>
+        <source>Keep at most</source>
+        <translation>Guardar como máximo</translation>
+    </message>
+    <message>
+        <source> runs</source>
+        <translation> ejecuciones</translation>
+    </message>
+    <message>
+        <source>Number of runs that are kept</source>
+        <translation>Número de ejecuciones guardadas</translation>
+    </message>
+    <message>
+        <source>Size of reports and recordings that are kept</source>
+        <translation>Tamaño de los informes y grabaciones guardados</translation>
+    </message>
+    <message>
+        <source>Others that cannot be shown: %1</source>
+        <translation>Otras que no se pueden mostrar: %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -4277,6 +4894,49 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TextPane</name>
+    <message>
+        <source>Lines with this text</source>
+        <translation>Líneas con este texto</translation>
+    </message>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Buscar (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search the program text</source>
+        <translation>Buscar en el programa</translation>
+    </message>
+    <message>
+        <source>Previous line with this text</source>
+        <translation>Línea anterior con este texto</translation>
+    </message>
+    <message>
+        <source>Next line with this text</source>
+        <translation>Línea siguiente con este texto</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Go to a line (Ctrl+G)</source>
+        <translation>Ir a una línea (Ctrl+G)</translation>
+    </message>
+    <message>
+        <source>Go to line</source>
+        <translation>Ir a la línea</translation>
+    </message>
+    <message>
+        <source>Follow the run</source>
+        <translation>Seguir la ejecución</translation>
+    </message>
+    <message>
+        <source>The text shows the line that is being executed</source>
+        <translation>El texto muestra la línea en ejecución</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Time, s</source>
@@ -4337,6 +4997,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>F, mm/min</source>
         <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>Run of %1, %2. </source>
+        <translation>Ejecución del %1, %2. </translation>
     </message>
 </context>
 <context>

@@ -436,6 +436,10 @@
         <source>Not released: an engineer has to release this program with these settings.</source>
         <translation>Non validé&#xa0;: un régleur doit valider ce programme avec ces réglages.</translation>
     </message>
+    <message>
+        <source>The test of method credit is in progress.</source>
+        <translation>Le test de la méthode Crédit est en cours.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1369,10 +1373,6 @@
         <translation>Étalonnage</translation>
     </message>
     <message>
-        <source>Report</source>
-        <translation>Rapport</translation>
-    </message>
-    <message>
         <source>Saved %1.</source>
         <translation>%1 enregistré.</translation>
     </message>
@@ -1391,6 +1391,14 @@
     <message>
         <source>Users</source>
         <translation>Utilisateurs</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Test crédit</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Exécutions</translation>
     </message>
 </context>
 <context>
@@ -1525,6 +1533,176 @@
     <message>
         <source>Program: %1, version %2</source>
         <translation>Programme&#xa0;: %1, version %2</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>program, %1 %</source>
+        <translation>programme, %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RunsTexts</name>
+    <message>
+        <source>This is not the report of a run. Choose a file that this page or stream --json has written.</source>
+        <translation>Ce n’est pas le rapport d’une exécution. Choisir un fichier écrit par cette page ou par stream --json.</translation>
+    </message>
+    <message>
+        <source>The report was written by a later version of Rivulet. Use that one to open it.</source>
+        <translation>Le rapport a été écrit par une version plus récente de Rivulet. L’ouvrir avec celle-ci.</translation>
+    </message>
+    <message>
+        <source>The report is damaged and cannot be shown.</source>
+        <translation>Le rapport est endommagé et ne peut pas être affiché.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 enregistré.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Check permissions and free space.</source>
+        <translation>Impossible d’écrire %1. Vérifier les droits et l’espace libre.</translation>
+    </message>
+</context>
+<context>
+    <name>SheetTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Rapport d’exécution</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Pauses and access</source>
+        <translation>Pauses et accès</translation>
+    </message>
+    <message>
+        <source>Path, seen from above; rapids dashed</source>
+        <translation>Trajectoire vue de dessus&#xa0;; rapides en pointillé</translation>
+    </message>
+    <message>
+        <source>The path was not kept.</source>
+        <translation>La trajectoire n’a pas été conservée.</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Date, nom, signature</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1&#xa0;; exécution faite avec la version %2</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Version (hachage)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Lancée par</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Numéro d’exécution</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Fenêtres</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non évalué</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Exécuté</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Répétés</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Sautés</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Mouvement étranger</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Hors de l’ordre</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pauses</translation>
+    </message>
+    <message>
+        <source>Pauses in all</source>
+        <translation>Pauses au total</translation>
+    </message>
+    <message>
+        <source>Share of the duration</source>
+        <translation>Part de la durée</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Requêtes</translation>
+    </message>
+    <message>
+        <source>Access, median</source>
+        <translation>Accès, médiane</translation>
+    </message>
+    <message>
+        <source>Access, 99th percentile</source>
+        <translation>Accès, 99e centile</translation>
     </message>
 </context>
 <context>
@@ -1688,6 +1866,29 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Contraste élevé</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PastRuns</name>
+    <message>
+        <source>A run is in progress: the Traces page shows it until it has ended.</source>
+        <translation>Une exécution est en cours&#xa0;: la page Courbes la montre jusqu’à sa fin.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Une exécution est en cours. Ouvrir un autre programme quand elle sera terminée.</translation>
+    </message>
+    <message>
+        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <translation>Les réglages de l’exécution sont repris. Elle n’indique pas où était son programme&#xa0;: ouvrir le programme de version %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not the program of that run: version %2 then, %3 now. Its settings are set. Check the path before you start.</source>
+        <translation>%1 n’est pas le programme de cette exécution&#xa0;: version %2 alors, %3 maintenant. Ses réglages sont repris. Vérifier la trajectoire avant de démarrer.</translation>
+    </message>
+    <message>
+        <source>Program and settings are those of the run of %1. Nothing has started.</source>
+        <translation>Programme et réglages sont ceux de l’exécution du %1. Rien n’a démarré.</translation>
     </message>
 </context>
 <context>
@@ -1930,6 +2131,93 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The run has executed wrong points: see the report, and check the workpiece.</source>
         <translation>L’exécution a fait des points erronés&#xa0;: voir le rapport et contrôler la pièce.</translation>
+    </message>
+    <message>
+        <source>The run is not in the history: %1</source>
+        <translation>L’exécution n’est pas dans l’historique&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AdvicePanel</name>
+    <message>
+        <source>F %1 instead of %2: still without wrong points</source>
+        <translation>F %1 au lieu de %2&#xa0;: toujours sans point faux</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: without waiting</source>
+        <translation>F %1 au lieu de %2&#xa0;: sans attente</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: feasible</source>
+        <translation>F %1 au lieu de %2&#xa0;: faisable</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest feed %3</source>
+        <translation>N %1 au lieu de %2&#xa0;: avance maximale %3</translation>
+    </message>
+    <message>
+        <source>δ %1 instead of %2: largest feed %3</source>
+        <translation>δ %1 au lieu de %2&#xa0;: avance maximale %3</translation>
+    </message>
+    <message>
+        <source>Method %1 instead of %2: largest feed %3</source>
+        <translation>Méthode %1 au lieu de %2&#xa0;: avance maximale %3</translation>
+    </message>
+    <message>
+        <source>Judging …</source>
+        <translation>Évaluation…</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Aucun verdict</translation>
+    </message>
+    <message>
+        <source>Not feasible: largest feed %1</source>
+        <translation>Non faisable&#xa0;: avance maximale %1</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above %1</source>
+        <translation>Sûr, avec des attentes au-delà de %1</translation>
+    </message>
+    <message>
+        <source>By the equations feasible up to %1</source>
+        <translation>Selon les équations, faisable jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Looking for better settings …</source>
+        <translation>Recherche de meilleurs réglages…</translation>
+    </message>
+    <message>
+        <source>No single change makes this program much faster.</source>
+        <translation>Aucun changement seul ne rend ce programme beaucoup plus rapide.</translation>
+    </message>
+    <message>
+        <source>Each was simulated with this program and made no wrong point.</source>
+        <translation>Chacun a été simulé avec ce programme, sans point faux.</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>Conseils</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Essayer</translation>
+    </message>
+    <message>
+        <source>Points per loop N</source>
+        <translation>Points par boucle N</translation>
+    </message>
+    <message>
+        <source>Distance δ</source>
+        <translation>Distance δ</translation>
+    </message>
+    <message>
+        <source>Feed F</source>
+        <translation>Avance F</translation>
     </message>
 </context>
 <context>
@@ -2336,6 +2624,113 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CommissioningPage</name>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>La méthode Crédit laisse les axes avancer pendant que la fenêtre suivante est en route. Cela n’est sûr que sur une commande qui répond pendant que ses axes sont occupés. Ce test le vérifie&#xa0;: un programme qui ne déplace aucun axe, pendant quelques secondes. Le canal doit être en reset.</translation>
+    </message>
+    <message>
+        <source>First R-parameter</source>
+        <translation>Premier paramètre R</translation>
+    </message>
+    <message>
+        <source>First R-parameter of the test</source>
+        <translation>Premier paramètre R du test</translation>
+    </message>
+    <message>
+        <source>Nobody else uses R%1 to R%2</source>
+        <translation>Personne d’autre n’utilise R%1 à R%2</translation>
+    </message>
+    <message>
+        <source>I bring the program to the control myself</source>
+        <translation>J’apporte moi-même le programme à la commande</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Lancer le test</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Test program</source>
+        <translation>Programme de test</translation>
+    </message>
+    <message>
+        <source>1. Bring the channel to reset, in AUTO.</source>
+        <translation>1. Mettre le canal en reset, en mode AUTO.</translation>
+    </message>
+    <message>
+        <source>2. Store the text below as part program %1 and select it.</source>
+        <translation>2. Enregistrer le texte ci-dessous comme programme pièce %1 et le sélectionner.</translation>
+    </message>
+    <message>
+        <source>2. The program %1 is transferred, read back and selected.</source>
+        <translation>2. Le programme %1 est transféré, relu et sélectionné.</translation>
+    </message>
+    <message>
+        <source>3. Press cycle start at the control (a virtual machine starts by itself).</source>
+        <translation>3. Appuyer sur Départ cycle sur la commande (une machine virtuelle démarre seule).</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Des nombres sont envoyés et doivent revenir pendant que la commande est occupée.</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start</source>
+        <translation>Attend Départ cycle</translation>
+    </message>
+    <message>
+        <source>The test is in progress</source>
+        <translation>Le test est en cours</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Non testé&#xa0;: la méthode Crédit ne démarre pas sur cette commande</translation>
+    </message>
+    <message>
+        <source>Tested with another version of the server: test it again</source>
+        <translation>Testé avec une autre version du serveur&#xa0;: refaire le test</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Réussi&#xa0;: la méthode Crédit est permise sur cette commande</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>Échoué&#xa0;: la méthode Crédit ne démarre pas. Utiliser la méthode Fenêtre.</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
+        <translation>%1, %2, testé le %3&#xa0;; %4 réponses sur %5 en charge, la plus lente après %6</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>La commande répond au client pendant que des blocs attendent d’être exécutés.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Ce qu’écrit une action synchrone parvient au client.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Ce qu’écrit une action synchrone parvient au programme sans arrêt.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Une action synchrone placée avant un bloc est exécutée avec ce bloc.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>Le programme sait, sans arrêt, si des blocs attendent ($AC_IPO_BUF).</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters first.</source>
+        <translation>Confirmer d’abord les paramètres R.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -2636,6 +3031,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>reach: the client keeps up</source>
         <translation>portée&#xa0;: le client suit</translation>
+    </message>
+    <message>
+        <source>Runs failed in the simulation</source>
+        <translation>Échecs dans la simulation</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3793,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>then a pause off the cut</source>
         <translation>puis une pause hors coupe</translation>
+    </message>
+    <message>
+        <source>Density of pauses</source>
+        <translation>Densité des pauses</translation>
+    </message>
+    <message>
+        <source>no pause</source>
+        <translation>sans pause</translation>
+    </message>
+    <message>
+        <source>a pause every %1</source>
+        <translation>une pause tous les %1</translation>
     </message>
 </context>
 <context>
@@ -4187,6 +4598,212 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RunsModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Exécuté</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Répétés</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Sautés</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pauses</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Qui</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunsPage</name>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Open a report</source>
+        <translation>Ouvrir un rapport</translation>
+    </message>
+    <message>
+        <source>Reports (*.json)</source>
+        <translation>Rapports (*.json)</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Toutes les machines</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Exécutions&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Runs: %1 of %2</source>
+        <translation>Exécutions&#xa0;: %1 sur %2</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Aucune exécution</translation>
+    </message>
+    <message>
+        <source>No run is selected.</source>
+        <translation>Aucune exécution n’est sélectionnée.</translation>
+    </message>
+    <message>
+        <source>%1, %2, version %3, %4</source>
+        <translation>%1, %2, version %3, %4</translation>
+    </message>
+    <message>
+        <source>The run was not recorded.</source>
+        <translation>L’exécution n’a pas été enregistrée.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it with the one of the run, and sets method and settings. Nothing starts.</source>
+        <translation>Charge le programme, le compare à celui de l’exécution et reprend méthode et réglages. Rien ne démarre.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves.</source>
+        <translation>Demande à la commande où l’exécution s’est arrêtée. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>Only a run that was left on the connected control, with its program loaded, can be resumed.</source>
+        <translation>Seule une exécution interrompue sur la commande connectée, avec son programme chargé, peut être reprise.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Shows runs in which each word stands in some column</source>
+        <translation>Montre les exécutions où chaque mot figure dans une colonne</translation>
+    </message>
+    <message>
+        <source>Search runs</source>
+        <translation>Rechercher des exécutions</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Exécutions</translation>
+    </message>
+    <message>
+        <source>All results</source>
+        <translation>Tous les résultats</translation>
+    </message>
+    <message>
+        <source>Faultless</source>
+        <translation>Sans faute</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Non évalué</translation>
+    </message>
+    <message>
+        <source>Failed or wrong</source>
+        <translation>Échoué ou faux</translation>
+    </message>
+    <message>
+        <source>Table as CSV…</source>
+        <translation>Tableau en CSV…</translation>
+    </message>
+    <message>
+        <source>Open a report…</source>
+        <translation>Ouvrir un rapport…</translation>
+    </message>
+    <message>
+        <source>A report that was exported here or printed by stream --json</source>
+        <translation>Un rapport exporté ici ou écrit par stream --json</translation>
+    </message>
+    <message>
+        <source>Open in Traces</source>
+        <translation>Ouvrir dans Courbes</translation>
+    </message>
+    <message>
+        <source>Repeat with these settings</source>
+        <translation>Répéter avec ces réglages</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprise</translation>
+    </message>
+    <message>
+        <source>Page as PDF…</source>
+        <translation>Page en PDF…</translation>
+    </message>
+    <message>
+        <source>JSON…</source>
+        <translation>JSON…</translation>
+    </message>
+    <message>
+        <source>Keep at most</source>
+        <translation>Garder au plus</translation>
+    </message>
+    <message>
+        <source> runs</source>
+        <translation> exécutions</translation>
+    </message>
+    <message>
+        <source>Number of runs that are kept</source>
+        <translation>Nombre d’exécutions gardées</translation>
+    </message>
+    <message>
+        <source>Size of reports and recordings that are kept</source>
+        <translation>Taille des rapports et enregistrements gardés</translation>
+    </message>
+    <message>
+        <source>Others that cannot be shown: %1</source>
+        <translation>Autres qui ne peuvent pas être affichées : %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -4277,6 +4894,49 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TextPane</name>
+    <message>
+        <source>Lines with this text</source>
+        <translation>Lignes avec ce texte</translation>
+    </message>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Rechercher (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search the program text</source>
+        <translation>Rechercher dans le programme</translation>
+    </message>
+    <message>
+        <source>Previous line with this text</source>
+        <translation>Ligne précédente avec ce texte</translation>
+    </message>
+    <message>
+        <source>Next line with this text</source>
+        <translation>Ligne suivante avec ce texte</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Go to a line (Ctrl+G)</source>
+        <translation>Aller à une ligne (Ctrl+G)</translation>
+    </message>
+    <message>
+        <source>Go to line</source>
+        <translation>Aller à la ligne</translation>
+    </message>
+    <message>
+        <source>Follow the run</source>
+        <translation>Suivre l’exécution</translation>
+    </message>
+    <message>
+        <source>The text shows the line that is being executed</source>
+        <translation>Le texte montre la ligne en cours d’exécution</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Time, s</source>
@@ -4337,6 +4997,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>F, mm/min</source>
         <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>Run of %1, %2. </source>
+        <translation>Exécution du %1, %2. </translation>
     </message>
 </context>
 <context>

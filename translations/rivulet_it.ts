@@ -436,6 +436,10 @@
         <source>Not released: an engineer has to release this program with these settings.</source>
         <translation>Non approvato: un attrezzista deve approvare questo programma con queste impostazioni.</translation>
     </message>
+    <message>
+        <source>The test of method credit is in progress.</source>
+        <translation>Il test del metodo Credito è in corso.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1369,10 +1373,6 @@
         <translation>Calibrazione</translation>
     </message>
     <message>
-        <source>Report</source>
-        <translation>Rapporto</translation>
-    </message>
-    <message>
         <source>Saved %1.</source>
         <translation>%1 salvato.</translation>
     </message>
@@ -1391,6 +1391,14 @@
     <message>
         <source>Users</source>
         <translation>Utenti</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Test credito</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Esecuzioni</translation>
     </message>
 </context>
 <context>
@@ -1525,6 +1533,176 @@
     <message>
         <source>Program: %1, version %2</source>
         <translation>Programma: %1, versione %2</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 su %2</translation>
+    </message>
+    <message>
+        <source>program, %1 %</source>
+        <translation>programma, %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>RunsTexts</name>
+    <message>
+        <source>This is not the report of a run. Choose a file that this page or stream --json has written.</source>
+        <translation>Non è il rapporto di un’esecuzione. Scegliere un file scritto da questa pagina o da stream --json.</translation>
+    </message>
+    <message>
+        <source>The report was written by a later version of Rivulet. Use that one to open it.</source>
+        <translation>Il rapporto è stato scritto da una versione più recente di Rivulet. Aprirlo con quella.</translation>
+    </message>
+    <message>
+        <source>The report is damaged and cannot be shown.</source>
+        <translation>Il rapporto è danneggiato e non può essere mostrato.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 salvato.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Check permissions and free space.</source>
+        <translation>Impossibile scrivere %1. Controllare i permessi e lo spazio libero.</translation>
+    </message>
+</context>
+<context>
+    <name>SheetTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Rapporto di esecuzione</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Esecuzione</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Impostazioni</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Risultato</translation>
+    </message>
+    <message>
+        <source>Pauses and access</source>
+        <translation>Pause e accessi</translation>
+    </message>
+    <message>
+        <source>Path, seen from above; rapids dashed</source>
+        <translation>Percorso visto dall’alto; rapidi tratteggiati</translation>
+    </message>
+    <message>
+        <source>The path was not kept.</source>
+        <translation>Il percorso non è stato conservato.</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Data, nome, firma</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1; esecuzione fatta con la versione %2</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Versione (hash)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Avvio</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Avviata da</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Numero di esecuzione</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Accesso</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Finestre</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non valutato</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Eseguito</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Ripetuti</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Saltati</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Movimento estraneo</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Fuori ordine</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pauses in all</source>
+        <translation>Pause in totale</translation>
+    </message>
+    <message>
+        <source>Share of the duration</source>
+        <translation>Quota della durata</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Richieste</translation>
+    </message>
+    <message>
+        <source>Access, median</source>
+        <translation>Accesso, mediana</translation>
+    </message>
+    <message>
+        <source>Access, 99th percentile</source>
+        <translation>Accesso, 99º percentile</translation>
     </message>
 </context>
 <context>
@@ -1688,6 +1866,29 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Contrasto elevato</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PastRuns</name>
+    <message>
+        <source>A run is in progress: the Traces page shows it until it has ended.</source>
+        <translation>Un’esecuzione è in corso: la pagina Curve la mostra finché non è finita.</translation>
+    </message>
+    <message>
+        <source>A run is in progress. Open another program after it has ended.</source>
+        <translation>Un’esecuzione è in corso. Aprire un altro programma quando sarà terminata.</translation>
+    </message>
+    <message>
+        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <translation>Le impostazioni dell’esecuzione sono riprese. Non indica dove fosse il programma: aprire il programma con versione %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not the program of that run: version %2 then, %3 now. Its settings are set. Check the path before you start.</source>
+        <translation>%1 non è il programma di quell’esecuzione: versione %2 allora, %3 adesso. Le sue impostazioni sono riprese. Controllare il percorso prima di avviare.</translation>
+    </message>
+    <message>
+        <source>Program and settings are those of the run of %1. Nothing has started.</source>
+        <translation>Programma e impostazioni sono quelli dell’esecuzione del %1. Nulla è stato avviato.</translation>
     </message>
 </context>
 <context>
@@ -1930,6 +2131,93 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The run has executed wrong points: see the report, and check the workpiece.</source>
         <translation>L’esecuzione ha eseguito punti errati: vedi il rapporto e controllare il pezzo.</translation>
+    </message>
+    <message>
+        <source>The run is not in the history: %1</source>
+        <translation>L’esecuzione non è nello storico: %1</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AdvicePanel</name>
+    <message>
+        <source>F %1 instead of %2: still without wrong points</source>
+        <translation>F %1 invece di %2: ancora senza punti errati</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: without waiting</source>
+        <translation>F %1 invece di %2: senza attese</translation>
+    </message>
+    <message>
+        <source>F %1 instead of %2: feasible</source>
+        <translation>F %1 invece di %2: fattibile</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest feed %3</source>
+        <translation>N %1 invece di %2: avanzamento massimo %3</translation>
+    </message>
+    <message>
+        <source>δ %1 instead of %2: largest feed %3</source>
+        <translation>δ %1 invece di %2: avanzamento massimo %3</translation>
+    </message>
+    <message>
+        <source>Method %1 instead of %2: largest feed %3</source>
+        <translation>Metodo %1 invece di %2: avanzamento massimo %3</translation>
+    </message>
+    <message>
+        <source>Judging …</source>
+        <translation>Valutazione…</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>Nessun verdetto</translation>
+    </message>
+    <message>
+        <source>Not feasible: largest feed %1</source>
+        <translation>Non fattibile: avanzamento massimo %1</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above %1</source>
+        <translation>Sicuro, con attese oltre %1</translation>
+    </message>
+    <message>
+        <source>By the equations feasible up to %1</source>
+        <translation>Secondo le equazioni fattibile fino a %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Applica</translation>
+    </message>
+    <message>
+        <source>Looking for better settings …</source>
+        <translation>Ricerca di impostazioni migliori…</translation>
+    </message>
+    <message>
+        <source>No single change makes this program much faster.</source>
+        <translation>Nessuna singola modifica rende questo programma molto più veloce.</translation>
+    </message>
+    <message>
+        <source>Each was simulated with this program and made no wrong point.</source>
+        <translation>Ognuno è stato simulato con questo programma, senza punti errati.</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>Consigli</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Provare</translation>
+    </message>
+    <message>
+        <source>Points per loop N</source>
+        <translation>Punti per ciclo N</translation>
+    </message>
+    <message>
+        <source>Distance δ</source>
+        <translation>Distanza δ</translation>
+    </message>
+    <message>
+        <source>Feed F</source>
+        <translation>Avanzamento F</translation>
     </message>
 </context>
 <context>
@@ -2336,6 +2624,113 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CommissioningPage</name>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>Il metodo Credito lascia avanzare gli assi mentre la finestra successiva è in arrivo. È sicuro solo su un controllo che risponde mentre i suoi assi sono occupati. Questo test lo verifica: un programma che non muove alcun asse, per pochi secondi. Il canale deve essere in reset.</translation>
+    </message>
+    <message>
+        <source>First R-parameter</source>
+        <translation>Primo parametro R</translation>
+    </message>
+    <message>
+        <source>First R-parameter of the test</source>
+        <translation>Primo parametro R del test</translation>
+    </message>
+    <message>
+        <source>Nobody else uses R%1 to R%2</source>
+        <translation>Nessun altro usa da R%1 a R%2</translation>
+    </message>
+    <message>
+        <source>I bring the program to the control myself</source>
+        <translation>Porto io stesso il programma sul controllo</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Avvia il test</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Test program</source>
+        <translation>Programma di test</translation>
+    </message>
+    <message>
+        <source>1. Bring the channel to reset, in AUTO.</source>
+        <translation>1. Portare il canale in reset, in AUTO.</translation>
+    </message>
+    <message>
+        <source>2. Store the text below as part program %1 and select it.</source>
+        <translation>2. Salvare il testo sotto come programma pezzo %1 e selezionarlo.</translation>
+    </message>
+    <message>
+        <source>2. The program %1 is transferred, read back and selected.</source>
+        <translation>2. Il programma %1 viene trasferito, riletto e selezionato.</translation>
+    </message>
+    <message>
+        <source>3. Press cycle start at the control (a virtual machine starts by itself).</source>
+        <translation>3. Premere Start NC sul controllo (una macchina virtuale parte da sola).</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Vengono inviati numeri che devono tornare mentre il controllo è occupato.</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start</source>
+        <translation>Attende Start NC</translation>
+    </message>
+    <message>
+        <source>The test is in progress</source>
+        <translation>Il test è in corso</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Non testato: il metodo Credito non si avvia su questo controllo</translation>
+    </message>
+    <message>
+        <source>Tested with another version of the server: test it again</source>
+        <translation>Testato con un’altra versione del server: ripetere il test</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Superato: il metodo Credito è ammesso su questo controllo</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>Non superato: il metodo Credito non si avvia. Usare il metodo Finestra.</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
+        <translation>%1, %2, testato il %3; %4 risposte su %5 sotto carico, la più lenta dopo %6</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>Il controllo risponde al client mentre dei blocchi attendono l’esecuzione.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Ciò che scrive un’azione sincrona arriva al client.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Ciò che scrive un’azione sincrona arriva al programma senza arresto.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Un’azione sincrona prima di un blocco viene eseguita con quel blocco.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>Il programma sa, senza arresto, se dei blocchi sono in attesa ($AC_IPO_BUF).</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters first.</source>
+        <translation>Prima confermare i parametri R.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -2636,6 +3031,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>reach: the client keeps up</source>
         <translation>portata: il client tiene il passo</translation>
+    </message>
+    <message>
+        <source>Runs failed in the simulation</source>
+        <translation>Errori nella simulazione</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3793,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>then a pause off the cut</source>
         <translation>poi una pausa fuori dal taglio</translation>
+    </message>
+    <message>
+        <source>Density of pauses</source>
+        <translation>Densità delle pause</translation>
+    </message>
+    <message>
+        <source>no pause</source>
+        <translation>nessuna pausa</translation>
+    </message>
+    <message>
+        <source>a pause every %1</source>
+        <translation>una pausa ogni %1</translation>
     </message>
 </context>
 <context>
@@ -4187,6 +4598,212 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RunsModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Ora</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Risultato</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Eseguito</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Ripetuti</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Saltati</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Chi</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunsPage</name>
+    <message>
+        <source>Save</source>
+        <translation>Salva</translation>
+    </message>
+    <message>
+        <source>Open a report</source>
+        <translation>Apri un rapporto</translation>
+    </message>
+    <message>
+        <source>Reports (*.json)</source>
+        <translation>Rapporti (*.json)</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Tutte le macchine</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Esecuzioni: %1</translation>
+    </message>
+    <message>
+        <source>Runs: %1 of %2</source>
+        <translation>Esecuzioni: %1 di %2</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Nessuna esecuzione</translation>
+    </message>
+    <message>
+        <source>No run is selected.</source>
+        <translation>Nessuna esecuzione è selezionata.</translation>
+    </message>
+    <message>
+        <source>%1, %2, version %3, %4</source>
+        <translation>%1, %2, versione %3, %4</translation>
+    </message>
+    <message>
+        <source>The run was not recorded.</source>
+        <translation>L’esecuzione non è stata registrata.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it with the one of the run, and sets method and settings. Nothing starts.</source>
+        <translation>Carica il programma, lo confronta con quello dell’esecuzione e riprende metodo e impostazioni. Nulla si avvia.</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves.</source>
+        <translation>Chiede al controllo dove si è interrotta l’esecuzione. Nulla si muove.</translation>
+    </message>
+    <message>
+        <source>Only a run that was left on the connected control, with its program loaded, can be resumed.</source>
+        <translation>Si può riprendere solo un’esecuzione interrotta sul controllo connesso, con il suo programma caricato.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Shows runs in which each word stands in some column</source>
+        <translation>Mostra le esecuzioni in cui ogni parola compare in una colonna</translation>
+    </message>
+    <message>
+        <source>Search runs</source>
+        <translation>Cerca esecuzioni</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Risultato</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Esecuzioni</translation>
+    </message>
+    <message>
+        <source>All results</source>
+        <translation>Tutti i risultati</translation>
+    </message>
+    <message>
+        <source>Faultless</source>
+        <translation>Senza errori</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Non valutato</translation>
+    </message>
+    <message>
+        <source>Failed or wrong</source>
+        <translation>Fallito o errato</translation>
+    </message>
+    <message>
+        <source>Table as CSV…</source>
+        <translation>Tabella in CSV…</translation>
+    </message>
+    <message>
+        <source>Open a report…</source>
+        <translation>Apri un rapporto…</translation>
+    </message>
+    <message>
+        <source>A report that was exported here or printed by stream --json</source>
+        <translation>Un rapporto esportato qui o scritto da stream --json</translation>
+    </message>
+    <message>
+        <source>Open in Traces</source>
+        <translation>Apri in Curve</translation>
+    </message>
+    <message>
+        <source>Repeat with these settings</source>
+        <translation>Ripeti con queste impostazioni</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Ripresa</translation>
+    </message>
+    <message>
+        <source>Page as PDF…</source>
+        <translation>Pagina in PDF…</translation>
+    </message>
+    <message>
+        <source>JSON…</source>
+        <translation>JSON…</translation>
+    </message>
+    <message>
+        <source>Keep at most</source>
+        <translation>Conservare al massimo</translation>
+    </message>
+    <message>
+        <source> runs</source>
+        <translation> esecuzioni</translation>
+    </message>
+    <message>
+        <source>Number of runs that are kept</source>
+        <translation>Numero di esecuzioni conservate</translation>
+    </message>
+    <message>
+        <source>Size of reports and recordings that are kept</source>
+        <translation>Dimensione di rapporti e registrazioni conservati</translation>
+    </message>
+    <message>
+        <source>Others that cannot be shown: %1</source>
+        <translation>Altre che non possono essere mostrate: %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -4277,6 +4894,49 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TextPane</name>
+    <message>
+        <source>Lines with this text</source>
+        <translation>Righe con questo testo</translation>
+    </message>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Cerca (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search the program text</source>
+        <translation>Cerca nel programma</translation>
+    </message>
+    <message>
+        <source>Previous line with this text</source>
+        <translation>Riga precedente con questo testo</translation>
+    </message>
+    <message>
+        <source>Next line with this text</source>
+        <translation>Riga successiva con questo testo</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Riga</translation>
+    </message>
+    <message>
+        <source>Go to a line (Ctrl+G)</source>
+        <translation>Vai a una riga (Ctrl+G)</translation>
+    </message>
+    <message>
+        <source>Go to line</source>
+        <translation>Vai alla riga</translation>
+    </message>
+    <message>
+        <source>Follow the run</source>
+        <translation>Segui l’esecuzione</translation>
+    </message>
+    <message>
+        <source>The text shows the line that is being executed</source>
+        <translation>Il testo mostra la riga in esecuzione</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Time, s</source>
@@ -4337,6 +4997,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>F, mm/min</source>
         <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>Run of %1, %2. </source>
+        <translation>Esecuzione del %1, %2. </translation>
     </message>
 </context>
 <context>
