@@ -63,11 +63,8 @@ StatusLabel::StatusLabel(QWidget* parent, QLabel* text)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  layout->addWidget(m_icon, 0, Qt::AlignTop);
+  layout->addWidget(m_icon, 0, Qt::AlignVCenter);  // as the text
   layout->addWidget(m_text, 1);
-  if (qobject_cast<ElidedLabel*>(m_text) != nullptr) {
-    layout->setAlignment(m_icon, Qt::AlignVCenter);  // its text is centred, too
-  }
   m_text->setTextFormat(Qt::PlainText);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   restyle();
@@ -98,6 +95,8 @@ void StatusLabel::setEmphasis(qreal pointSize, bool bold) {
 
 void StatusLabel::setWordWrap(bool wrap) {
   m_text->setWordWrap(wrap);
+  // Beside the first of several lines.
+  layout()->setAlignment(m_icon, wrap ? Qt::AlignTop : Qt::AlignVCenter);
 }
 
 void StatusLabel::setOutdated(bool isOutdated) {
