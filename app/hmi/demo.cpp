@@ -90,6 +90,12 @@ void Demo::fail(const QString& sentence) {
 }
 
 bool Demo::savePicture(const QString& name) {
+  // What is laid out lays out what is in it in the next turn.
+  constexpr int kTurns = 4;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+  }
   return QDir().mkpath(m_folder) && m_window.grab().save(m_folder + QLatin1Char('/') + name);
 }
 
