@@ -86,7 +86,9 @@ void MachineModel::takeLink(const session::LinkChanged& change) {
     m_view.programName.reset();
     m_view.message.reset();
     m_view.executed.reset();
+    m_view.toGo.reset();
     m_view.feedSetMmPerS.reset();
+    m_view.overrideFactor.reset();
     m_stateAtS.reset();
   }
   showAges();
@@ -141,6 +143,10 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
   m_view.feedMmPerS = seen.feedMmPerS;
   m_view.rotaryAxes = seen.rotaryAxes;
   m_view.rotaryDeg = seen.rotaryDeg;
+  m_view.toGo.reset();
+  if (seen.toGoMm) {
+    m_view.toGo = widgets::MachineView::ToGo{*seen.toGoMm, seen.toGoDeg};
+  }
   m_positionAtS = m_feedAtS = m_stateAtS = m_clock();
   showAges();
   Q_EMIT this->seen();
@@ -155,8 +161,9 @@ void MachineModel::showRunning(const QString& programName) {
 }
 
 void MachineModel::showExecuted(std::size_t number, const base::Vec3& positionMm,
-                                double feedSetMmPerS) {
+                                double feedSetMmPerS, std::optional<double> overrideFactor) {
   m_view.feedSetMmPerS = feedSetMmPerS;
+  m_view.overrideFactor = overrideFactor;
   m_stateAtS = m_executedAtS = m_clock();
   if (number > 0) {
     m_view.executed = widgets::MachineView::Executed{number, positionMm, 0.0};
@@ -166,13 +173,18 @@ void MachineModel::showExecuted(std::size_t number, const base::Vec3& positionMm
 
 void MachineModel::forgetExecuted() {
   m_view.executed.reset();
+  m_view.toGo.reset();
+  m_view.feedSetMmPerS.reset();
+  m_view.overrideFactor.reset();
   showAges();
 }
 
-void MachineModel::showSample(const trace::LiveSample& sample) {
+void MachineModel::showSample(const trace::LiveSample& sample,
+                              const std::optional<widgets::MachineView::ToGo>& toGo) {
   const double nowS = m_clock();
   if (sample.positionMm) {
     m_view.positionMm = sample.positionMm;
+    m_view.toGo = toGo;
     m_positionAtS = nowS;
   }
   if (sample.rotaryDeg) {

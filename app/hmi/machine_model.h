@@ -44,10 +44,14 @@ class MachineModel final : public QObject {
   void showRunning(const QString& programName);
   /// The stream has reported; this is the last point that it knows to be executed.
   /// @param number  1: the first of the program; 0: none yet
-  void showExecuted(std::size_t number, const base::Vec3& positionMm, double feedSetMmPerS);
-  /// No run is in progress any more: no point stands in for the position.
+  /// @param overrideFactor  nothing: one feed for all moves
+  void showExecuted(std::size_t number, const base::Vec3& positionMm, double feedSetMmPerS,
+                    std::optional<double> overrideFactor);
+  /// No run is in progress any more: no point stands in for the position, and nothing is commanded.
   void forgetExecuted();
-  void showSample(const trace::LiveSample& sample);
+  /// @param toGo  from the position of the sample; nothing: not known
+  void showSample(const trace::LiveSample& sample,
+                  const std::optional<widgets::MachineView::ToGo>& toGo);
 
   /// Null: this machine was never calibrated.
   [[nodiscard]] const std::shared_ptr<const streaming::CalibrationRecord>& calibration() const {

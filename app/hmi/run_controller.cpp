@@ -6,7 +6,9 @@
 #include <QDateTime>
 #include <QDir>
 #include <QStandardPaths>
+#include <algorithm>
 
+#include "gcode/nearest_move.h"
 #include "templates/generator.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -21,6 +23,11 @@ using Source = Messages::Source;
 using session::StreamSession;
 
 namespace {
+
+/// Look-ahead rounds corners by less.
+constexpr double kOnPathMm = 1.0;
+/// No method lets the control know more points ahead.
+constexpr std::size_t kMovesAheadMax = 1000;
 
 streaming::Counters inProgram(streaming::Counters counters, std::size_t firstPoint) {
   if (counters.total > 0) {
@@ -68,6 +75,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
   connect(&m_document, &Document::programLoaded, this, [this] {
     // The points of another program are not those of the run that was left.
     m_left.reset();
+    m_update = {};
     m_document.setHeld(false);
     forgetResume();
   });
@@ -353,8 +361,11 @@ void RunController::showExecuted() {
   const auto& points = m_document.points();
   const std::size_t number = m_update.counters.executed;
   if (m_firstMotion && number <= points.size()) {
-    m_machine.showExecuted(number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
-                           m_document.commandedMmPerS(std::min(number, points.size() - 1)));
+    const widgets::StreamSettings& settings = m_document.settings();
+    m_machine.showExecuted(
+        number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
+        m_document.commandedMmPerS(std::min(number, points.size() - 1)),
+        settings.usesProgramFeeds() ? std::optional(settings.overrideFactor) : std::nullopt);
   }
 }
 
@@ -364,7 +375,33 @@ void RunController::takeSample(const trace::LiveSample& sample, base::Instant or
   if (m_firstMotion && shown.atS >= 0.0) {
     Q_EMIT sampled(shown);
   }
-  m_machine.showSample(sample);
+  m_machine.showSample(sample, toGo(sample));
+}
+
+std::optional<widgets::MachineView::ToGo> RunController::toGo(
+    const trace::LiveSample& sample) const {
+  const auto& points = m_document.points();
+  const std::size_t executed = m_update.counters.executed;
+  const bool isCorrected =
+      m_update.correction && !(m_update.correction->confirmedMm == base::Vec3{});
+  // A correction moves the path by an amount that the axes have not yet, or no longer, followed.
+  if (!m_firstMotion || !sample.positionMm || executed >= points.size() || isCorrected) {
+    return std::nullopt;
+  }
+  const std::size_t end = std::clamp(m_update.counters.accepted, executed + 1,
+                                     std::min(points.size(), executed + kMovesAheadMax));
+  const gcode::NearestMove nearest = gcode::nearestMove(points, executed, end, *sample.positionMm);
+  const bool isOnPath = nearest.distanceMm <= kOnPathMm;
+  if (!isOnPath && executed > m_firstPoint) {
+    return std::nullopt;
+  }
+  // Before its path begins, the tool is on its way to the first point.
+  const gcode::StreamPoint& target = points[isOnPath ? nearest.point : m_firstPoint];
+  widgets::MachineView::ToGo toGo{target.positionMm - *sample.positionMm, {}, true};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    toGo.deg[axis] = sample.rotaryDeg ? target.rotaryDeg[axis] - (*sample.rotaryDeg)[axis] : 0.0;
+  }
+  return toGo;
 }
 
 void RunController::takeFinished(const session::RunFinished& finished) {

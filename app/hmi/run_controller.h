@@ -114,6 +114,9 @@ class RunController final : public QObject {
   /// Where the run is, for when the axes cannot be read.
   void showExecuted();
   void takeSample(const trace::LiveSample& sample, base::Instant origin);
+  /// From the position of a sample to the end of the move that it is on; nothing: not known.
+  [[nodiscard]] std::optional<widgets::MachineView::ToGo> toGo(
+      const trace::LiveSample& sample) const;
   void takeResume(const session::ResumeFound& found);
   void takeFinished(const session::RunFinished& finished);
   void logOutcome(const session::RunFinished& finished);

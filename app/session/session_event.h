@@ -40,6 +40,9 @@ struct MachineSeen {
   double feedMmPerS = 0.0;
   base::RotarySet rotaryAxes{};  ///< those the control has
   base::RotaryDeg rotaryDeg{};
+  /// Distance to go of each axis; nothing: the control does not report it.
+  std::optional<base::Vec3> toGoMm;
+  base::RotaryDeg toGoDeg{};  ///< with `toGoMm`
 };
 
 struct RunFinished {

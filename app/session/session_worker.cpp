@@ -3,7 +3,10 @@
 
 #include "session/session_worker.h"
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <span>
 #include <vector>
 
 #include "base/units.h"
@@ -204,10 +207,18 @@ base::Result<void> SessionWorker::lookAtControl() {
       {VariableKind::PathFeed, 0},
   };
   const std::size_t firstRotary = watched.size();
-  for (const int axis : m_axes.index) {
-    if (axis >= 0) {
-      watched.push_back({VariableKind::ActualPosition, axis});
-    }
+  std::vector<int> rotary;
+  std::copy_if(m_axes.index.begin(), m_axes.index.end(), std::back_inserter(rotary),
+               [](int axis) { return axis >= 0; });
+  for (const int axis : rotary) {
+    watched.push_back({VariableKind::ActualPosition, axis});
+  }
+  const std::size_t firstToGo = watched.size();
+  for (int axis = 0; axis < static_cast<int>(base::kAxisCount); ++axis) {
+    watched.push_back({VariableKind::DistanceToGo, axis});
+  }
+  for (const int axis : rotary) {
+    watched.push_back({VariableKind::DistanceToGo, axis});
   }
   const auto readings = opcua::readNow(*m_connection.link, watched, kWatchDeadline);
   if (!readings) {
@@ -222,9 +233,18 @@ base::Result<void> SessionWorker::lookAtControl() {
   seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
   seen.feedMmPerS = base::mmPerSFromMmPerMin((*readings)[8].number);
   seen.rotaryAxes = m_axes.set();
-  std::size_t next = firstRotary;
+  const std::span toGo = std::span(*readings).subspan(firstToGo);
+  if (std::none_of(toGo.begin(), toGo.end(),
+                   [](const opcua::Reading& one) { return one.status.operator bool(); })) {
+    seen.toGoMm = {toGo[0].number, toGo[1].number, toGo[2].number};
+  }
+  std::size_t next = 0;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    seen.rotaryDeg[axis] = seen.rotaryAxes[axis] ? (*readings)[next++].number : 0.0;
+    if (seen.rotaryAxes[axis]) {
+      seen.rotaryDeg[axis] = (*readings)[firstRotary + next].number;
+      seen.toGoDeg[axis] = toGo[base::kAxisCount + next].number;
+      ++next;
+    }
   }
   tellIfRoom(seen);
   return lookForRuns(seen.channelStatus != opcua::kChannelReset);

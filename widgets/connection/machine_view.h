@@ -40,8 +40,21 @@ struct MachineView {
   base::RotarySet rotaryAxes{};  ///< those that the machine is known to have
   std::optional<base::RotaryDeg> rotaryDeg;
   std::optional<double> feedMmPerS;
-  std::optional<double> feedSetMmPerS;  ///< commanded for the move in progress; nothing: no run
+  /// Of a run of this window, commanded for the move in progress; nothing: there is no run.
+  std::optional<double> feedSetMmPerS;
+  /// Factor by which that run scales the feeds of its program; nothing: it has one feed for all
+  /// moves.
+  std::optional<double> overrideFactor;
   bool isVirtualMachine = false;
+
+  /// From the position to the end of the move in progress, axis by axis; as old as the position.
+  struct ToGo {
+    base::Vec3 mm;
+    base::RotaryDeg deg{};
+    /// From the path of the run and the position; else read from the control.
+    bool isComputed = false;
+  };
+  std::optional<ToGo> toGo;  ///< nothing: not known
 
   /// How long ago each group was read, in s; nothing: never, or before the connection was lost.
   std::optional<double> positionAgeS;

@@ -3,6 +3,7 @@
 
 #include "widgets/connection/position_line.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -20,7 +21,10 @@ namespace {
 
 constexpr double kFontPtMin = 9.0;
 constexpr double kFontPtMax = 40.0;
-constexpr int kHeightPxMin = 52;
+constexpr double kDetailPtMin = 9.0;
+constexpr double kDetailPtMax = 13.0;
+constexpr double kDetailShare = 0.5;  ///< of the size of the digits
+constexpr int kHeightPxMin = 56;
 constexpr int kHeightPxMax = 88;
 constexpr int kGapPx = 8;        ///< between a name and its value
 constexpr int kGroupGapPx = 12;  ///< on both sides of the line between two readouts
@@ -28,7 +32,8 @@ constexpr int kMarginPx = 12;
 /// The longest values that are to fit.
 const QString kLongestAxis = QStringLiteral("\u22120000.000");
 const QString kLongestFeed = QStringLiteral("00000 mm/min");
-const QString kLongestFeeds = QStringLiteral("00,000/00,000 mm/min");  ///< actual and commanded
+const QString kLongestFeedSet = QStringLiteral("00,000");
+const QString kLongestOverride = QStringLiteral("000");
 
 QFont sized(QFont font, double pointSize) {
   font.setPointSizeF(pointSize);
@@ -46,7 +51,7 @@ PositionLine::PositionLine(QWidget* parent)
   layout->setSizeConstraint(QLayout::SetNoConstraint);  // the digits adapt instead
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     Readout& readout = m_readouts[i];
-    readout = {nullptr, new QLabel(this), makeValueLabel(this)};
+    readout = {nullptr, new QLabel(this), makeValueLabel(this), new QLabel(this)};
     if (i < kAxisReadouts) {
       readout.name->setText(QString(
           QLatin1Char(i < base::kAxisCount ? base::kAxisNames[i]
@@ -54,11 +59,14 @@ PositionLine::PositionLine(QWidget* parent)
     }
     readout.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout.group = new QWidget(this);
-    auto* pair = new QHBoxLayout(readout.group);
-    pair->setContentsMargins(i == 0 ? 0 : kGroupGapPx, 0, kGroupGapPx, 0);
-    pair->setSpacing(kGapPx);
-    pair->addWidget(readout.name);
-    pair->addWidget(readout.value);
+    readout.detail->setAlignment(Qt::AlignRight | Qt::AlignTop);
+    auto* grid = new QGridLayout(readout.group);
+    grid->setContentsMargins(i == 0 ? 0 : kGroupGapPx, 0, kGroupGapPx, 0);
+    grid->setHorizontalSpacing(kGapPx);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(readout.name, 0, 0, Qt::AlignBottom);
+    grid->addWidget(readout.value, 0, 1, Qt::AlignBottom);
+    grid->addWidget(readout.detail, 1, 0, 1, 2);
     layout->addWidget(readout.group);
   }
   layout->addSpacing(kGroupGapPx);
@@ -74,8 +82,7 @@ QSize PositionLine::minimumSizeHint() const {
 }
 
 void PositionLine::setMachineState(const MachineView& machine) {
-  const bool sameWidth = machine.rotaryAxes == m_machine.rotaryAxes &&
-                         machine.feedSetMmPerS.has_value() == m_machine.feedSetMmPerS.has_value();
+  const bool sameWidth = machine.rotaryAxes == m_machine.rotaryAxes;
   m_machine = machine;
   showAll();
   if (!sameWidth) {
@@ -97,47 +104,99 @@ void PositionLine::restyle() {
   update();
 }
 
+void PositionLine::showValue(QLabel* label, const QString& text, bool isOld, const QColor& color) {
+  label->setText(text);
+  QFont font = label->font();
+  font.setStrikeOut(isOld && text != noValue());
+  label->setFont(font);
+  QPalette colors = label->palette();
+  colors.setColor(QPalette::WindowText, isOld ? themeColors(palette()).mutedText : color);
+  label->setPalette(colors);
+}
+
 void PositionLine::showAll() {
+  const QColor color = themeColors(palette()).text;
   const bool standsIn = m_machine.standsIn();
   const auto nan = std::numeric_limits<double>::quiet_NaN();
   const std::optional<base::Vec3>& positionMm =
       standsIn ? std::optional(m_machine.executed->positionMm) : m_machine.positionMm;
   const bool isPositionOld = !standsIn && !isFresh(m_machine.positionAgeS);
-  const auto show = [this](std::size_t readout, const QString& text, bool isOld) {
-    QLabel* label = m_readouts[readout].value;
-    label->setText(text);
-    QFont font = label->font();
-    font.setStrikeOut(isOld && text != noValue());
-    label->setFont(font);
-    QPalette colors = label->palette();
-    colors.setColor(QPalette::WindowText,
-                    isOld ? themeColors(palette()).mutedText : themeColors(palette()).text);
-    label->setPalette(colors);
-  };
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    show(axis, numberText(positionMm ? (*positionMm)[axis] : nan, 3), isPositionOld);
+    showValue(m_readouts[axis].value, numberText(positionMm ? (*positionMm)[axis] : nan, 3),
+              isPositionOld, color);
   }
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    const std::size_t readout = base::kAxisCount + axis;
+    const Readout& readout = m_readouts[base::kAxisCount + axis];
     const QString text = numberText(m_machine.rotaryDeg ? (*m_machine.rotaryDeg)[axis] : nan, 3);
-    show(readout, text == noValue() ? text : text + QStringLiteral("°"),
-         !isFresh(m_machine.positionAgeS));
-    m_readouts[readout].group->setVisible(m_machine.rotaryAxes[axis]);
+    showValue(readout.value, text == noValue() ? text : text + QStringLiteral("°"),
+              !isFresh(m_machine.positionAgeS), color);
+    readout.group->setVisible(m_machine.rotaryAxes[axis]);
   }
-  show(kFeed, feedLine(), !isFresh(m_machine.feedAgeS));
+  showValue(m_readouts[kFeed].value,
+            m_machine.feedMmPerS
+                ? QStringLiteral("%1\u00A0mm/min")
+                      .arg(numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0))
+                : noValue(),
+            !isFresh(m_machine.feedAgeS), color);
+  showToGo();
+  showFeedSet();
   showFreshness();
 }
 
-QString PositionLine::feedLine() const {
-  if (!m_machine.feedMmPerS) {
-    return noValue();
+void PositionLine::showToGo() {
+  // It belongs to the position that was read, not to a point that stands in for it.
+  const bool isKnown = m_machine.toGo && !m_machine.standsIn();
+  const QString hint = toGoHint();
+  for (std::size_t i = 0; i < kAxisReadouts; ++i) {
+    const bool isRotary = i >= base::kAxisCount;
+    QString text = noValue();
+    if (isKnown) {
+      text = isRotary
+                 ? numberText(m_machine.toGo->deg[i - base::kAxisCount], 3) + QStringLiteral("°")
+                 : numberText(m_machine.toGo->mm[i], 3);
+    }
+    const Readout& readout = m_readouts[i];
+    showValue(readout.detail, m_hasWords ? tr("to go %1").arg(text) : text,
+              isKnown && !isFresh(m_machine.positionAgeS), themeColors(palette()).mutedText);
+    readout.group->setToolTip(hint);
   }
-  const QString actual = numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0);
-  if (!m_machine.feedSetMmPerS) {
-    return QStringLiteral("%1\u00A0mm/min").arg(actual);
+}
+
+QString PositionLine::toGoHint() const {
+  if (m_machine.standsIn()) {
+    return tr("Distance to go: not known, because the stream leaves no time to read the axes.");
   }
-  return QStringLiteral("%1/%2\u00A0mm/min")
-      .arg(actual, numberText(base::mmPerMinFromMmPerS(*m_machine.feedSetMmPerS), 0));
+  if (!m_machine.toGo) {
+    return m_machine.feedSetMmPerS
+               ? tr("Distance to go: not known. The axes are not on the path of the program, or it "
+                    "is being corrected.")
+               : tr("Distance to go: the control does not report it.");
+  }
+  return m_machine.toGo->isComputed
+             ? tr("Distance to go to the end of the move in progress, from the position that was "
+                  "read and the path of the program")
+             : tr("Distance to go to the end of the block, as the control reports it");
+}
+
+void PositionLine::showFeedSet() {
+  const Readout& readout = m_readouts[kFeed];
+  const bool isRun = m_machine.feedSetMmPerS.has_value();
+  const QString feed =
+      isRun ? numberText(base::mmPerMinFromMmPerS(*m_machine.feedSetMmPerS), 0) : noValue();
+  constexpr double kPercent = 100.0;
+  QString text = tr("set %1").arg(feed);
+  if (m_machine.overrideFactor) {
+    text += QStringLiteral(" · %1\u00A0%").arg(numberText(*m_machine.overrideFactor * kPercent, 0));
+  }
+  showValue(readout.detail, text, false, themeColors(palette()).mutedText);
+  const QString dial = tr("The feed override at the control is not read; it acts in addition.");
+  QString hint = tr("Commanded feed: not known, because no run of this window is in progress.");
+  if (m_machine.overrideFactor) {
+    hint = tr("Feed of the program, scaled by the override of the run. %1").arg(dial);
+  } else if (isRun) {
+    hint = tr("One feed for all moves, without an override. %1").arg(dial);
+  }
+  readout.group->setToolTip(hint);
 }
 
 void PositionLine::showFreshness() {
@@ -160,7 +219,6 @@ void PositionLine::fitFonts() {
   // As large as the width permits, measured at one size and scaled.
   constexpr double kProbePt = 10.0;
   const QFontMetrics metrics(sized(font(), kProbePt));
-  const QString& longestFeed = m_machine.feedSetMmPerS ? kLongestFeeds : kLongestFeed;
   double atProbe = 0.0;
   double fixed = 2.0 * kMarginPx + kGroupGapPx;
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
@@ -168,25 +226,40 @@ void PositionLine::fitFonts() {
       continue;
     }
     atProbe += metrics.horizontalAdvance(m_readouts[i].name->text()) +
-               metrics.horizontalAdvance(i == kFeed ? longestFeed : kLongestAxis);
+               metrics.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis);
     fixed += 2.0 * kGroupGapPx + kGapPx;
   }
   // A fifth of the line says how old it is.
   const double room = 0.8 * width() - fixed;
-  const double byHeight = kProbePt * 0.62 * height() / metrics.height();
+  const double byHeight = kProbePt * 0.58 * height() / metrics.height();
   const double pointSize =
       std::clamp(std::min(kProbePt * room / atProbe, byHeight), kFontPtMin, kFontPtMax);
   const QFont fitting = sized(font(), pointSize);
+  const QFontMetrics digits(fitting);
+  QFont small = font();
+  small.setPointSizeF(std::clamp(kDetailShare * pointSize, kDetailPtMin, kDetailPtMax));
+  const QFontMetrics details(small);
+  m_hasWords = details.horizontalAdvance(tr("to go %1").arg(kLongestAxis)) <=
+               digits.horizontalAdvance(kLongestAxis) +
+                   digits.horizontalAdvance(m_readouts.front().name->text()) + kGapPx;
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     const Readout& readout = m_readouts[i];
-    QFont value = fitting;
-    value.setStrikeOut(readout.value->font().strikeOut());
-    readout.value->setFont(value);
+    const auto setFont = [](QLabel* label, QFont next) {
+      next.setStrikeOut(label->font().strikeOut());
+      label->setFont(next);
+    };
+    setFont(readout.value, fitting);
+    setFont(readout.detail, small);
     // The same width whatever the value is: digits that move cannot be read.
     readout.value->setFixedWidth(
-        QFontMetrics(fitting).horizontalAdvance(i == kFeed ? longestFeed : kLongestAxis) + 2);
+        digits.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
     readout.name->setFont(fitting);
   }
+  m_readouts[kFeed].detail->setMinimumWidth(
+      details.horizontalAdvance(tr("set %1").arg(kLongestFeedSet) + QStringLiteral(" · ") +
+                                kLongestOverride + QStringLiteral(" %")) +
+      2);
+  showAll();
 }
 
 void PositionLine::resizeEvent(QResizeEvent* event) {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the tool is and how fast it moves, in one line on every page. The digits are as large as
-/// the width permits. What is older than half a second is grey, crossed out, and has its age; a
-/// point that stands in for the position of the axes says so.
+/// Where the tool is and how fast it moves, in one line on every page; below the position what is
+/// to go, below the feed what is commanded. The digits are as large as the width permits. What is
+/// older than half a second is grey, crossed out, and has its age; a point that stands in for the
+/// position of the axes says so. What is not known is a dash, and its tool tip says why.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -39,12 +40,16 @@ class PositionLine final : public Page {
     QWidget* group;
     QLabel* name;
     QLabel* value;
+    QLabel* detail;  ///< to go; of the feed, what is commanded
   };
 
   void showAll();
   void showFreshness();
-  /// Actual feed and, during a run, the commanded one.
-  [[nodiscard]] QString feedLine() const;
+  void showToGo();
+  void showFeedSet();
+  /// Why the distance to go is not known, or where it is from.
+  [[nodiscard]] QString toGoHint() const;
+  void showValue(QLabel* label, const QString& text, bool isOld, const QColor& color);
   void fitFonts();
 
   MachineView m_machine;
@@ -53,6 +58,7 @@ class PositionLine final : public Page {
   static constexpr std::size_t kFeed = kAxisReadouts;
   std::array<Readout, kAxisReadouts + 1> m_readouts{};
   StatusLabel* m_freshness;
+  bool m_hasWords = true;  ///< there is room for "to go"
 };
 
 }  // namespace rivulet::widgets

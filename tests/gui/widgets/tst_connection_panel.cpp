@@ -8,9 +8,11 @@
 #include <QTest>
 #include <algorithm>
 
+#include "base/units.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
+#include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/connection/position_line.h"
@@ -25,6 +27,14 @@ bool isStruck(const QWidget& widget) {
   return std::any_of(labels.begin(), labels.end(), [&widget](const QLabel* label) {
     return label->isVisibleTo(&widget) && label->font().strikeOut();
   });
+}
+
+/// The tool tip of the readout that shows a text; empty: none does.
+QString hintOf(const QWidget& widget, const QString& shown) {
+  const auto labels = widget.findChildren<QLabel*>();
+  const auto found = std::find_if(labels.begin(), labels.end(),
+                                  [&](const QLabel* label) { return label->text() == shown; });
+  return found == labels.end() ? QString() : (*found)->parentWidget()->toolTip();
 }
 
 }  // namespace
@@ -113,6 +123,42 @@ class TestConnectionPanel : public QObject {
     machine.executed->ageS = 0.7;
     line.setMachineState(machine);
     QVERIFY(test::visibleText(line).contains("-12.346") && isStruck(line));
+  }
+
+  /// Each has a value, or a dash and a reason; what is to go is as old as the position.
+  void toGoAndCommandedFeedAreShown() {
+    test::Language language;
+    PositionLine line;
+    line.resize(1280, 56);
+    line.show();
+    MachineView machine = test::runningMachine();
+    line.setMachineState(machine);
+    QCOMPARE(hintOf(line, "to go " + noValue()),
+             QString("Distance to go: the control does not report it."));
+    QVERIFY(hintOf(line, "set " + noValue()).contains("no run of this window"));
+    machine.toGo = MachineView::ToGo{{0.25, -1.5, 0.0}, {}, true};
+    machine.feedSetMmPerS = base::mmPerSFromMmPerMin(1200.0);
+    line.setMachineState(machine);
+    QVERIFY(hintOf(line, "to go -1.500").contains("the path of the program"));
+    QVERIFY(hintOf(line, "set 1,200").contains("One feed for all moves"));
+    machine.overrideFactor = 0.8;
+    line.setMachineState(machine);
+    QVERIFY(hintOf(line, QString("set 1,200 · 80") + QChar(0x00A0) + "%")
+                .contains("at the control is not read"));
+    QVERIFY(!isStruck(line));
+    machine.toGo->isComputed = false;
+    machine.positionAgeS = 0.6;
+    line.setMachineState(machine);
+    QVERIFY(hintOf(line, "to go 0.250").contains("as the control reports it"));
+    QVERIFY(isStruck(line));
+    // What is to go belongs to the axes, not to the point that stands in for them.
+    machine.executed = MachineView::Executed{437, {1.5, 2.5, -3.25}, 0.1};
+    line.setMachineState(machine);
+    QVERIFY(hintOf(line, "to go " + noValue()).contains("no time to read the axes"));
+    machine.executed.reset();
+    machine.toGo.reset();
+    line.setMachineState(machine);
+    QVERIFY(hintOf(line, "to go " + noValue()).contains("not on the path"));
   }
 
   void speaksBothLanguages() {
