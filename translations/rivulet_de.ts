@@ -3844,6 +3844,50 @@ GPL-3.0-or-later</translation>
         <source>Old: read %1 ago</source>
         <translation>Alt: vor %1 gelesen</translation>
     </message>
+    <message>
+        <source>to go %1</source>
+        <translation>Rest %1</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known, because the stream leaves no time to read the axes.</source>
+        <translation>Restweg: nicht bekannt, weil das Streaming keine Zeit lässt, die Achsen zu lesen.</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known. The axes are not on the path of the program, or it is being corrected.</source>
+        <translation>Restweg: nicht bekannt. Die Achsen sind nicht auf der Bahn des Programms, oder sie wird gerade korrigiert.</translation>
+    </message>
+    <message>
+        <source>Distance to go: the control does not report it.</source>
+        <translation>Restweg: Die Steuerung meldet ihn nicht.</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the move in progress, from the position that was read and the path of the program</source>
+        <translation>Restweg bis zum Ende der laufenden Bewegung, aus der gelesenen Position und der Bahn des Programms</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the block, as the control reports it</source>
+        <translation>Restweg bis zum Ende des Satzes, wie ihn die Steuerung meldet</translation>
+    </message>
+    <message>
+        <source>set %1</source>
+        <translation>Soll %1</translation>
+    </message>
+    <message>
+        <source>Commanded feed: not known, because no run of this window is in progress.</source>
+        <translation>Soll-Vorschub: nicht bekannt, weil kein Lauf dieses Fensters im Gang ist.</translation>
+    </message>
+    <message>
+        <source>Feed of the program, scaled by the override of the run. %1</source>
+        <translation>Vorschub des Programms, mit dem Override des Laufs. %1</translation>
+    </message>
+    <message>
+        <source>One feed for all moves, without an override. %1</source>
+        <translation>Ein Vorschub für alle Bewegungen, ohne Override. %1</translation>
+    </message>
+    <message>
+        <source>The feed override at the control is not read; it acts in addition.</source>
+        <translation>Der Vorschub-Override an der Steuerung wird nicht gelesen; er wirkt zusätzlich.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>
@@ -4595,6 +4639,78 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1 windows</source>
         <translation>%1 Fenster</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Restzeit</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Puffer</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Punkte, die nachweislich ausgeführt sind</translation>
+    </message>
+    <message>
+        <source>Points that were sent to the control</source>
+        <translation>Punkte, die an die Steuerung gesendet wurden</translation>
+    </message>
+    <message>
+        <source>Points that the control has confirmed</source>
+        <translation>Punkte, deren Empfang die Steuerung bestätigt hat</translation>
+    </message>
+    <message>
+        <source>Only the computer that streams this run knows it.</source>
+        <translation>Das weiß nur der Rechner, der diesen Lauf streamt.</translation>
+    </message>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>Kein Programm geladen.</translation>
+    </message>
+    <message>
+        <source>Line of the program that the last executed point comes from</source>
+        <translation>Programmzeile, aus der der zuletzt ausgeführte Punkt stammt</translation>
+    </message>
+    <message>
+        <source>No point has been executed yet.</source>
+        <translation>Noch ist kein Punkt ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>Der Lauf ist beendet.</translation>
+    </message>
+    <message>
+        <source>The time of the run is not estimated yet. During a run nothing is estimated.</source>
+        <translation>Die Dauer des Laufs ist noch nicht geschätzt. Während eines Laufs wird nichts geschätzt.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2</source>
+        <translation>%1, Pausen %2</translation>
+    </message>
+    <message>
+        <source>Known while points have to be brought.</source>
+        <translation>Bekannt, solange Punkte zu liefern sind.</translation>
+    </message>
+    <message>
+        <source>%1 pts</source>
+        <translation>%1 Pkt.</translation>
+    </message>
+    <message>
+        <source>Points that the control has and that are not known to be executed</source>
+        <translation>Punkte, die die Steuerung hat und die noch nicht nachweislich ausgeführt sind</translation>
+    </message>
+    <message>
+        <source>No run of this window is in progress.</source>
+        <translation>Kein Lauf dieses Fensters ist im Gang.</translation>
+    </message>
+    <message>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <translation>Geschätzte verbleibende Zeit mit den Vorschüben und den geplanten Pausen dieses Laufs. Halt und der Vorschub-Override an der Steuerung sind nicht enthalten.</translation>
     </message>
 </context>
 <context>

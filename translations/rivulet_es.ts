@@ -3844,6 +3844,50 @@ GPL-3.0-or-later</translation>
         <source>Old: read %1 ago</source>
         <translation>Antiguo: leído hace %1</translation>
     </message>
+    <message>
+        <source>to go %1</source>
+        <translation>resta %1</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known, because the stream leaves no time to read the axes.</source>
+        <translation>Distancia restante: desconocida, porque el flujo no deja tiempo para leer los ejes.</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known. The axes are not on the path of the program, or it is being corrected.</source>
+        <translation>Distancia restante: desconocida. Los ejes no están en la trayectoria del programa, o se está corrigiendo.</translation>
+    </message>
+    <message>
+        <source>Distance to go: the control does not report it.</source>
+        <translation>Distancia restante: el control no la comunica.</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the move in progress, from the position that was read and the path of the program</source>
+        <translation>Distancia restante hasta el final del movimiento en curso, según la posición leída y la trayectoria del programa</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the block, as the control reports it</source>
+        <translation>Distancia restante hasta el final del bloque, comunicada por el control</translation>
+    </message>
+    <message>
+        <source>set %1</source>
+        <translation>cons. %1</translation>
+    </message>
+    <message>
+        <source>The feed override at the control is not read; it acts in addition.</source>
+        <translation>El override de avance del control no se lee; actúa además.</translation>
+    </message>
+    <message>
+        <source>Commanded feed: not known, because no run of this window is in progress.</source>
+        <translation>Avance de consigna: desconocido, porque no hay ninguna ejecución de esta ventana en curso.</translation>
+    </message>
+    <message>
+        <source>Feed of the program, scaled by the override of the run. %1</source>
+        <translation>Avance del programa, con el override de la ejecución. %1</translation>
+    </message>
+    <message>
+        <source>One feed for all moves, without an override. %1</source>
+        <translation>Un avance para todos los movimientos, sin override. %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>
@@ -4595,6 +4639,78 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 windows</source>
         <translation>%1 ventanas</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Resta</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Búfer</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Puntos cuya ejecución consta</translation>
+    </message>
+    <message>
+        <source>Points that were sent to the control</source>
+        <translation>Puntos enviados al control</translation>
+    </message>
+    <message>
+        <source>Points that the control has confirmed</source>
+        <translation>Puntos confirmados por el control</translation>
+    </message>
+    <message>
+        <source>Only the computer that streams this run knows it.</source>
+        <translation>Solo lo sabe el ordenador que transmite esta ejecución.</translation>
+    </message>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>No hay ningún programa cargado.</translation>
+    </message>
+    <message>
+        <source>Line of the program that the last executed point comes from</source>
+        <translation>Línea del programa de la que procede el último punto ejecutado</translation>
+    </message>
+    <message>
+        <source>No point has been executed yet.</source>
+        <translation>Aún no se ha ejecutado ningún punto.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>La ejecución ha terminado.</translation>
+    </message>
+    <message>
+        <source>The time of the run is not estimated yet. During a run nothing is estimated.</source>
+        <translation>La duración de la ejecución aún no está estimada. Durante una ejecución no se estima nada.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2</source>
+        <translation>%1, pausas %2</translation>
+    </message>
+    <message>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <translation>Tiempo restante estimado, con los avances y las pausas previstas de esta ejecución. La suspensión y el override del control no están incluidos.</translation>
+    </message>
+    <message>
+        <source>Known while points have to be brought.</source>
+        <translation>Conocido mientras haya puntos por llevar.</translation>
+    </message>
+    <message>
+        <source>%1 pts</source>
+        <translation>%1 ptos</translation>
+    </message>
+    <message>
+        <source>Points that the control has and that are not known to be executed</source>
+        <translation>Puntos que el control tiene y cuya ejecución no consta</translation>
+    </message>
+    <message>
+        <source>No run of this window is in progress.</source>
+        <translation>No hay ninguna ejecución de esta ventana en curso.</translation>
     </message>
 </context>
 <context>

@@ -3844,6 +3844,50 @@ GPL-3.0-or-later</translation>
         <source>Old: read %1 ago</source>
         <translation>Ancien&#xa0;: lu il y a %1</translation>
     </message>
+    <message>
+        <source>to go %1</source>
+        <translation>reste %1</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known, because the stream leaves no time to read the axes.</source>
+        <translation>Distance restante&#xa0;: inconnue, car le flux ne laisse pas le temps de lire les axes.</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known. The axes are not on the path of the program, or it is being corrected.</source>
+        <translation>Distance restante&#xa0;: inconnue. Les axes ne sont pas sur la trajectoire du programme, ou elle est en cours de correction.</translation>
+    </message>
+    <message>
+        <source>Distance to go: the control does not report it.</source>
+        <translation>Distance restante&#xa0;: la commande ne l’indique pas.</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the move in progress, from the position that was read and the path of the program</source>
+        <translation>Distance restante jusqu’à la fin du mouvement en cours, d’après la position lue et la trajectoire du programme</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the block, as the control reports it</source>
+        <translation>Distance restante jusqu’à la fin du bloc, indiquée par la commande</translation>
+    </message>
+    <message>
+        <source>set %1</source>
+        <translation>cons. %1</translation>
+    </message>
+    <message>
+        <source>The feed override at the control is not read; it acts in addition.</source>
+        <translation>Le correcteur d’avance de la commande n’est pas lu&#xa0;; il agit en plus.</translation>
+    </message>
+    <message>
+        <source>Commanded feed: not known, because no run of this window is in progress.</source>
+        <translation>Avance de consigne&#xa0;: inconnue, car aucune exécution de cette fenêtre n’est en cours.</translation>
+    </message>
+    <message>
+        <source>Feed of the program, scaled by the override of the run. %1</source>
+        <translation>Avance du programme, avec l’override de l’exécution. %1</translation>
+    </message>
+    <message>
+        <source>One feed for all moves, without an override. %1</source>
+        <translation>Une avance pour tous les mouvements, sans override. %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>
@@ -4596,6 +4640,78 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <source>%1 windows</source>
         <translation>%1 fenêtres</translation>
     </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Tampon</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Points dont l’exécution est établie</translation>
+    </message>
+    <message>
+        <source>Points that were sent to the control</source>
+        <translation>Points envoyés à la commande</translation>
+    </message>
+    <message>
+        <source>Points that the control has confirmed</source>
+        <translation>Points confirmés par la commande</translation>
+    </message>
+    <message>
+        <source>Only the computer that streams this run knows it.</source>
+        <translation>Seul l’ordinateur qui transmet cette exécution le sait.</translation>
+    </message>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>Aucun programme n’est chargé.</translation>
+    </message>
+    <message>
+        <source>Line of the program that the last executed point comes from</source>
+        <translation>Ligne du programme d’où vient le dernier point exécuté</translation>
+    </message>
+    <message>
+        <source>No point has been executed yet.</source>
+        <translation>Aucun point n’a encore été exécuté.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>L’exécution est terminée.</translation>
+    </message>
+    <message>
+        <source>The time of the run is not estimated yet. During a run nothing is estimated.</source>
+        <translation>La durée de l’exécution n’est pas encore estimée. Rien n’est estimé pendant une exécution.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2</source>
+        <translation>%1, pauses %2</translation>
+    </message>
+    <message>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <translation>Temps restant estimé, avec les avances et les pauses prévues de cette exécution. La suspension et le correcteur d’avance de la commande n’y sont pas compris.</translation>
+    </message>
+    <message>
+        <source>Known while points have to be brought.</source>
+        <translation>Connue tant que des points sont à apporter.</translation>
+    </message>
+    <message>
+        <source>%1 pts</source>
+        <translation>%1 pts</translation>
+    </message>
+    <message>
+        <source>Points that the control has and that are not known to be executed</source>
+        <translation>Points que la commande possède et dont l’exécution n’est pas établie</translation>
+    </message>
+    <message>
+        <source>No run of this window is in progress.</source>
+        <translation>Aucune exécution de cette fenêtre n’est en cours.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunsModel</name>
@@ -4800,7 +4916,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Others that cannot be shown: %1</source>
-        <translation>Autres qui ne peuvent pas être affichées : %1</translation>
+        <translation>Autres qui ne peuvent pas être affichées&#xa0;: %1</translation>
     </message>
 </context>
 <context>

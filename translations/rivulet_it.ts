@@ -3844,6 +3844,50 @@ GPL-3.0-or-later</translation>
         <source>Old: read %1 ago</source>
         <translation>Vecchio: letto %1 fa</translation>
     </message>
+    <message>
+        <source>to go %1</source>
+        <translation>resta %1</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known, because the stream leaves no time to read the axes.</source>
+        <translation>Distanza residua: non nota, perché il flusso non lascia il tempo di leggere gli assi.</translation>
+    </message>
+    <message>
+        <source>Distance to go: not known. The axes are not on the path of the program, or it is being corrected.</source>
+        <translation>Distanza residua: non nota. Gli assi non sono sul percorso del programma, o è in corso una correzione.</translation>
+    </message>
+    <message>
+        <source>Distance to go: the control does not report it.</source>
+        <translation>Distanza residua: il controllo non la comunica.</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the move in progress, from the position that was read and the path of the program</source>
+        <translation>Distanza residua fino alla fine del movimento in corso, dalla posizione letta e dal percorso del programma</translation>
+    </message>
+    <message>
+        <source>Distance to go to the end of the block, as the control reports it</source>
+        <translation>Distanza residua fino alla fine del blocco, comunicata dal controllo</translation>
+    </message>
+    <message>
+        <source>set %1</source>
+        <translation>imp. %1</translation>
+    </message>
+    <message>
+        <source>The feed override at the control is not read; it acts in addition.</source>
+        <translation>L’override di avanzamento del controllo non viene letto; agisce in aggiunta.</translation>
+    </message>
+    <message>
+        <source>Commanded feed: not known, because no run of this window is in progress.</source>
+        <translation>Avanzamento impostato: non noto, perché nessuna esecuzione di questa finestra è in corso.</translation>
+    </message>
+    <message>
+        <source>Feed of the program, scaled by the override of the run. %1</source>
+        <translation>Avanzamento del programma, con l’override dell’esecuzione. %1</translation>
+    </message>
+    <message>
+        <source>One feed for all moves, without an override. %1</source>
+        <translation>Un avanzamento per tutti i movimenti, senza override. %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>
@@ -4595,6 +4639,78 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 windows</source>
         <translation>%1 finestre</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Riga</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Resta</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Buffer</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Punti la cui esecuzione è accertata</translation>
+    </message>
+    <message>
+        <source>Points that were sent to the control</source>
+        <translation>Punti inviati al controllo</translation>
+    </message>
+    <message>
+        <source>Points that the control has confirmed</source>
+        <translation>Punti confermati dal controllo</translation>
+    </message>
+    <message>
+        <source>Only the computer that streams this run knows it.</source>
+        <translation>Lo sa solo il computer che trasmette questa esecuzione.</translation>
+    </message>
+    <message>
+        <source>No program is loaded.</source>
+        <translation>Nessun programma caricato.</translation>
+    </message>
+    <message>
+        <source>Line of the program that the last executed point comes from</source>
+        <translation>Riga del programma da cui viene l’ultimo punto eseguito</translation>
+    </message>
+    <message>
+        <source>No point has been executed yet.</source>
+        <translation>Nessun punto è ancora stato eseguito.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>L’esecuzione è finita.</translation>
+    </message>
+    <message>
+        <source>The time of the run is not estimated yet. During a run nothing is estimated.</source>
+        <translation>La durata dell’esecuzione non è ancora stimata. Durante un’esecuzione nulla viene stimato.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2</source>
+        <translation>%1, pause %2</translation>
+    </message>
+    <message>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <translation>Tempo residuo stimato, con gli avanzamenti e le pause previste di questa esecuzione. La sospensione e l’override del controllo non sono compresi.</translation>
+    </message>
+    <message>
+        <source>Known while points have to be brought.</source>
+        <translation>Noto finché ci sono punti da portare.</translation>
+    </message>
+    <message>
+        <source>%1 pts</source>
+        <translation>%1 pti</translation>
+    </message>
+    <message>
+        <source>Points that the control has and that are not known to be executed</source>
+        <translation>Punti che il controllo ha e la cui esecuzione non è accertata</translation>
+    </message>
+    <message>
+        <source>No run of this window is in progress.</source>
+        <translation>Nessuna esecuzione di questa finestra è in corso.</translation>
     </message>
 </context>
 <context>

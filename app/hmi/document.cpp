@@ -50,8 +50,7 @@ Document::Document(const widgets::StreamSettings& settings)
           [this](const std::shared_ptr<const widgets::ProgramTimes>& times,
                  const std::shared_ptr<const widgets::ProgramView>& view) {
             if (m_view && view->program == program() && times->atS.size() == points().size()) {
-              m_hasTimes = true;
-              m_runTime = times->run;
+              m_times = times;
               Q_EMIT timesEstimated(times);
               Q_EMIT pausesChanged();
             }
@@ -112,7 +111,6 @@ void Document::take(const session::LoadedProgram& loaded) {
   m_reading = loaded.request.reading;
   m_watch.watch(m_path, loaded.stamp);
   forgetTimes();
-  m_hasTimes = false;
   Q_EMIT programLoaded();
   judge();
 }
@@ -135,7 +133,7 @@ void Document::forgetTimes() {
   m_timer.cancel();
   m_estimatedFor.reset();
   m_pauses.reset();
-  m_runTime.reset();
+  m_times.reset();
 }
 
 std::shared_ptr<const gcode::Program> Document::program() const {
@@ -251,7 +249,7 @@ void Document::setRunning(bool isRunning) {
     if (!m_rehearsed) {
       m_rehearsedFor.clear();
     }
-  } else if (!m_hasTimes || !m_estimatedFor) {
+  } else if (!m_times || !m_times->run || !m_estimatedFor) {
     m_estimatedFor.reset();  // the run has interrupted it
     m_estimateTimer.start();
   }
@@ -416,11 +414,35 @@ std::optional<widgets::PauseSummary> Document::pauseSummary() const {
   widgets::PauseSummary summary;
   summary.count = map->count();
   summary.inCut = map->inCut.size();
-  if (m_runTime && m_pausesFor == timeSettings() && m_runTime->pauses == summary.count) {
-    summary.costS = m_runTime->pausesCostS();
-    summary.totalS = m_runTime->totalS;
+  if (const widgets::RunTime* time = runTime()) {
+    summary.costS = time->pausesCostS();
+    summary.totalS = time->totalS;
   }
   return summary;
+}
+
+const widgets::RunTime* Document::runTime() const {
+  const bool isOfPauses = m_times && m_times->run && m_pauses &&
+                          m_times->run->pauses == m_pauses->count() &&
+                          m_pausesFor == timeSettings();
+  return isOfPauses ? &*m_times->run : nullptr;
+}
+
+std::optional<widgets::TimeLeft> Document::timeLeft(std::size_t executed) const {
+  const widgets::RunTime* time = runTime();
+  if (time == nullptr || executed > time->atS.size()) {
+    return std::nullopt;
+  }
+  const double passedS = executed == 0 ? 0.0 : static_cast<double>(time->atS[executed - 1]);
+  widgets::TimeLeft left{std::max(0.0, time->totalS - passedS), 0.0};
+  if (time->pauses > 0) {
+    const auto after = [executed](const std::vector<std::uint32_t>& points) {
+      return std::distance(std::lower_bound(points.begin(), points.end(), executed), points.end());
+    };
+    const auto pauses = static_cast<double>(after(m_pauses->inCut) + after(m_pauses->offCut));
+    left.pausesS = time->pausesCostS() * pauses / static_cast<double>(time->pauses);
+  }
+  return left;
 }
 
 }  // namespace rivulet::hmi

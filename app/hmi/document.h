@@ -25,6 +25,7 @@
 #include "streaming/start_policy.h"
 #include "widgets/calibration/access_source.h"
 #include "widgets/streaming/method_panel.h"
+#include "widgets/streaming/run_progress.h"
 #include "widgets/streaming/stream_settings.h"
 
 namespace rivulet::hmi {
@@ -89,6 +90,8 @@ class Document final : public QObject {
   /// Null: not known for the present settings (yet).
   [[nodiscard]] std::shared_ptr<const widgets::PauseMap> pauses() const;
   [[nodiscard]] std::optional<widgets::PauseSummary> pauseSummary() const;
+  /// What is left of the run with the present settings. @param executed  points so far
+  [[nodiscard]] std::optional<widgets::TimeLeft> timeLeft(std::size_t executed) const;
 
   /// What access costs on the connected machine. @param record  null: not measured
   void setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record, bool isOutdated);
@@ -136,6 +139,8 @@ class Document final : public QObject {
                      const std::string& key);
   void forgetTimes();
   [[nodiscard]] session::TimeSettings timeSettings() const;
+  /// Null: not known for the present settings (yet).
+  [[nodiscard]] const widgets::RunTime* runTime() const;
 
   session::ProgramLoader m_loader;
   session::ProgramTimer m_timer;
@@ -164,10 +169,9 @@ class Document final : public QObject {
   bool m_isHeld = false;
 
   std::optional<session::TimeSettings> m_estimatedFor;
-  bool m_hasTimes = false;
-  std::shared_ptr<const widgets::PauseMap> m_pauses;  ///< null: not known
+  std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< null: not known
+  std::shared_ptr<const widgets::PauseMap> m_pauses;     ///< null: not known
   std::optional<session::TimeSettings> m_pausesFor;
-  std::optional<widgets::RunTime> m_runTime;
   std::string m_rehearsedFor;  ///< key of the simulation that was made last or is in progress
   std::shared_ptr<const session::RehearsalOutcome> m_rehearsed;  ///< of that key; null: not done
 };

@@ -20,6 +20,16 @@ namespace {
 /// machine.
 constexpr const char* kMachine = "dmu75";
 
+/// Of the points that are streamed. @param atS  one per point of the trajectory
+std::vector<float> ofStreamed(const widgets::ProgramView& view, const std::vector<float>& atS) {
+  std::vector<float> streamed;
+  streamed.reserve(view.trajectoryIndices.size());
+  for (const std::uint32_t index : view.trajectoryIndices) {
+    streamed.push_back(atS[index]);
+  }
+  return streamed;
+}
+
 /// Computes the times that do not depend on the settings. @return false: cancelled
 bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineConfig& machine,
                       const std::function<bool(double)>& progress, widgets::ProgramTimes& times) {
@@ -31,10 +41,7 @@ bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineCo
   }
   times.programmedS = time->totalS;
   times.machine = machine.name;
-  times.atS.reserve(view.trajectoryIndices.size());
-  for (const std::uint32_t index : view.trajectoryIndices) {
-    times.atS.push_back(time->atS[index]);
-  }
+  times.atS = ofStreamed(view, time->atS);
   return true;
 }
 
@@ -139,7 +146,8 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
       return;
     }
     auto streamed = std::make_shared<widgets::ProgramTimes>(*times);
-    streamed->run = widgets::RunTime{time->totalS, time->standingS, time->pauses, unpaused->totalS};
+    streamed->run = widgets::RunTime{ofStreamed(*view, time->atS), time->totalS, time->standingS,
+                                     time->pauses, unpaused->totalS};
     tell([streamed, unpaused](ProgramTimer& timer, const auto& of) {
       timer.m_stop.reset();
       timer.m_times = streamed;

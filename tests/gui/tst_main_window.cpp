@@ -63,6 +63,7 @@ constexpr int kSoonMs = 20000;
 /// Bound of a run of the scorpion at the slowest feed used here, about 130 s of motion.
 constexpr int kRunMs = 300000;
 constexpr std::size_t kScorpionPoints = 270;
+constexpr std::size_t kScorpionLines = 276;
 constexpr int kCalibrationPage = 4;
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
@@ -93,6 +94,13 @@ bool shows(const QWidget* widget, const QString& text) {
   return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
     return label->isVisible() && label->text().contains(text);
   });
+}
+
+int countOf(const QWidget* widget, const QString& text) {
+  const auto labels = widget->findChildren<QLabel*>();
+  return static_cast<int>(std::count_if(labels.begin(), labels.end(), [&](const QLabel* label) {
+    return label->isVisible() && label->text() == text;
+  }));
 }
 
 /// A picture of the whole window on every page; blank ones fail.
@@ -754,6 +762,15 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rests(), kRunMs);
     const std::size_t held = m_window->lastUpdate().counters.executed;
     QVERIFY(held < kScorpionPoints);
+    // The axes stand at the end of a move, and the time that is left is known.
+    auto* line = m_window->findChild<widgets::PositionLine*>();
+    QTRY_VERIFY_WITH_TIMEOUT(countOf(line, QStringLiteral("to go 0.000")) == 3, kRunMs);
+    QVERIFY(shows(line, QStringLiteral("set 6,000")));
+    auto* strip = m_window->findChild<widgets::RunPanel*>();
+    const std::size_t at =
+        gcode::streamPoints(m_window->program()->trajectory, {}).points[held - 1].line.value;
+    QVERIFY(shows(strip, QStringLiteral("%1 of %2").arg(at).arg(kScorpionLines)));
+    QVERIFY(shows(strip, QStringLiteral(", pauses ")));
     picturePages(*m_window, QStringLiteral("holding"));
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed > held, kRunMs);

@@ -79,6 +79,7 @@ struct ProgramView {
 
 /// How long a run takes: with its feed and its pauses.
 struct RunTime {
+  std::vector<float> atS;  ///< when the run passes each streamed point, with its pauses
   double totalS = 0.0;
   double standingS = 0.0;  ///< part of it that is standstill in pauses
   std::size_t pauses = 0;

@@ -30,6 +30,7 @@ constexpr int kFiguresHeightPx = 28;
 constexpr int kFigureGapPx = 16;
 constexpr int kPairGapPx = 6;
 constexpr int kProgressWidthPx = 90;
+constexpr int kTitleWidthPx = 160;  ///< with less, the program is not named
 constexpr int kProgressSteps = 1000;
 /// Below this width the state has a row of its own.
 constexpr int kOneRowWidthPx = 860;
@@ -154,6 +155,7 @@ void RunPanel::buildFigures() {
   }
   m_title->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(m_title, 1);
+  row->addStretch();
   m_figures->setFixedHeight(kFiguresHeightPx);
   m_figures->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 }
@@ -239,6 +241,11 @@ void RunPanel::setTotal(std::size_t points) {
   showAll();
 }
 
+void RunPanel::setProgress(const RunProgress& progress) {
+  m_where = progress;
+  showFigures();
+}
+
 void RunPanel::setTitle(const QString& title) {
   m_title->setText(title);
 }
@@ -284,8 +291,9 @@ void RunPanel::retranslate() {
   m_names[Accepted]->setText(tr("Accepted"));
   m_names[Executed]->setText(tr("Executed"));
   m_names[Margin]->setText(tr("Margin"));
-  m_names[Margin]->setToolTip(tr(
-      "Time until the control needs the next point, minus the 99th percentile of the access time"));
+  m_names[Line]->setText(tr("Line"));
+  m_names[Left]->setText(tr("Time left"));
+  m_names[Buffer]->setText(tr("Buffer"));
   showAll();
 }
 
@@ -475,52 +483,125 @@ void RunPanel::showReason() {
 }
 
 void RunPanel::showFigures() {
+  showCounters();
+  showPlace();
+  showMargin();
+  showBuffer();
+  fitFigures();
+}
+
+void RunPanel::showFigure(Figure figure, const QString& value, const QString& hint) {
+  m_values[figure]->setStatus(Status::Plain, value.isEmpty() ? noValue() : value);
+  m_figureAreas[figure]->setToolTip(hint);
+}
+
+void RunPanel::showCounters() {
   streaming::Counters counters = m_update.counters;
-  const bool isOther = hasFound() && m_found->isWatched;
-  if (isOther) {
+  if (isWatching()) {
     counters.executed = m_found->executed;
     counters.total = m_found->total;
   }
   const QString total = countText(counters.total);
-  const std::array<std::size_t, 3> values{counters.sent, counters.accepted, counters.executed};
-  for (std::size_t counter = 0; counter < values.size(); ++counter) {
-    m_values[counter]->setStatus(Status::Plain,
-                                 tr("%1 of %2").arg(countText(values[counter]), total));
-    if (isOther && counter != Executed) {
-      m_values[counter]->setStatus(Status::Plain, noValue());  // only its client knows
-    } else if (isOther && counters.total == 0) {
-      m_values[counter]->setStatus(Status::Plain,
-                                   tr("%1 windows").arg(countText(counters.executed)));
-    }
-  }
+  const auto place = [&total](std::size_t count) {
+    return tr("%1 of %2").arg(countText(count), total);
+  };
+  showFigure(Executed,
+             isWatching() && counters.total == 0
+                 ? tr("%1 windows").arg(countText(counters.executed))
+                 : place(counters.executed),
+             tr("Points that are known to be executed"));
+  const QString unknown = elsewhereText();
+  showFigure(Sent, isWatching() ? QString() : place(counters.sent),
+             isWatching() ? unknown : tr("Points that were sent to the control"));
+  showFigure(Accepted, isWatching() ? QString() : place(counters.accepted),
+             isWatching() ? unknown : tr("Points that the control has confirmed"));
   const double done = counters.total == 0 ? 0.0
                                           : static_cast<double>(counters.executed) /
                                                 static_cast<double>(counters.total);
   m_progress->setValue(static_cast<int>(done * kProgressSteps));
   m_progress->setFormat(QStringLiteral("%1 %").arg(numberText(done * 100.0, 1)));
-  if (m_update.margin && isActive() && m_update.state != RunState::Holding) {
-    const bool late = m_update.margin->count() < 0;
-    m_values[Margin]->setStatus(late ? Status::Attention : Status::Good,
-                                millisecondsText(*m_update.margin) +
-                                    (late ? QStringLiteral(" ") + tr("(too late)") : QString()));
-  } else {
-    m_values[Margin]->setStatus(Status::Plain, noValue());
+}
+
+QString RunPanel::elsewhereText() {
+  return tr("Only the computer that streams this run knows it.");
+}
+
+void RunPanel::showPlace() {
+  if (isWatching()) {
+    showFigure(Line, {}, elsewhereText());
+    showFigure(Left, {}, elsewhereText());
+    return;
   }
-  fitFigures();
+  const bool hasLine = m_where.line > 0;
+  showFigure(
+      Line,
+      hasLine ? tr("%1 of %2").arg(countText(m_where.line), countText(m_where.lines)) : QString(),
+      m_where.lines == 0 ? tr("No program is loaded.")
+      : hasLine          ? tr("Line of the program that the last executed point comes from")
+                         : tr("No point has been executed yet."));
+  const bool isOver = m_update.state == RunState::Done;
+  if (isOver || !m_where.left) {
+    showFigure(Left, {},
+               isOver               ? tr("The run has ended.")
+               : m_where.lines == 0 ? tr("No program is loaded.")
+                                    : tr("The time of the run is not estimated yet. During a run "
+                                         "nothing is estimated."));
+    return;
+  }
+  const QString total = durationText(m_where.left->totalS);
+  showFigure(Left,
+             m_where.left->pausesS > 0.0
+                 ? tr("%1, pauses %2").arg(total, durationText(m_where.left->pausesS))
+                 : total,
+             tr("Estimate of the time that is left, with the feeds and the planned pauses of this "
+                "run. Hold and the feed override at the control are not in it."));
+}
+
+void RunPanel::showMargin() {
+  const QString meaning =
+      tr("Time until the control needs the next point, minus the 99th percentile of the access "
+         "time");
+  if (!m_update.margin || !isActive() || m_update.state == RunState::Holding) {
+    showFigure(Margin, {},
+               isWatching()
+                   ? elsewhereText()
+                   : meaning + QStringLiteral(". ") + tr("Known while points have to be brought."));
+    return;
+  }
+  const bool late = m_update.margin->count() < 0;
+  showFigure(Margin,
+             millisecondsText(*m_update.margin) +
+                 (late ? QStringLiteral(" ") + tr("(too late)") : QString()),
+             meaning);
+  m_values[Margin]->setStatus(late ? Status::Attention : Status::Good, m_values[Margin]->text());
+}
+
+void RunPanel::showBuffer() {
+  const streaming::Counters& counters = m_update.counters;
+  const bool isKnown = isActive() && counters.accepted >= counters.executed;
+  showFigure(
+      Buffer,
+      isKnown ? tr("%1 pts").arg(countText(counters.accepted - counters.executed)) : QString(),
+      isKnown        ? tr("Points that the control has and that are not known to be executed")
+      : isWatching() ? elsewhereText()
+                     : tr("No run of this window is in progress."));
 }
 
 void RunPanel::fitFigures() {
   int room = width() - kProgressWidthPx - 2 * 8;
-  for (const Figure figure : {Executed, Margin, Sent, Accepted}) {
+  for (const Figure figure : {Line, Left, Margin, Buffer, Executed, Sent, Accepted}) {
     QWidget* area = m_figureAreas[figure];
     // Not what the layout remembers: the font may have changed since.
     const int widthPx = m_names[figure]->sizeHint().width() + kPairGapPx +
                         m_values[figure]->layout()->totalSizeHint().width();
     area->setFixedWidth(widthPx);
     const int needed = widthPx + kFigureGapPx;
-    area->setVisible(needed <= room);
-    room -= needed <= room ? needed : 0;
+    // Which program it is matters more than the counters.
+    const int kept = figure >= Sent ? kTitleWidthPx : 0;
+    area->setVisible(needed + kept <= room);
+    room -= area->isVisibleTo(this) ? needed : 0;
   }
+  m_title->setVisible(room >= kTitleWidthPx);
 }
 
 void RunPanel::showEvent(QShowEvent* event) {

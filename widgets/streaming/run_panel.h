@@ -16,6 +16,7 @@
 #include "streaming/run.h"
 #include "widgets/common/page.h"
 #include "widgets/streaming/found_run_bar.h"
+#include "widgets/streaming/run_progress.h"
 
 class QBoxLayout;
 class QGridLayout;
@@ -45,6 +46,9 @@ class RunPanel final : public Page {
   void setProgram(std::size_t points);
   /// Number of points of the loaded program, before a run reports it.
   void setTotal(std::size_t points);
+  /// Where the run is in its program, and the time that is left of it; before a start, of the run
+  /// to come.
+  void setProgress(const RunProgress& progress);
   /// One line: which program in which version.
   void setTitle(const QString& title);
   /// Why Start is not possible; empty: it is.
@@ -85,7 +89,8 @@ class RunPanel final : public Page {
 
  private:
   enum class StopState { None, Requested, Confirmed, Unconfirmed };
-  enum Figure { Sent, Accepted, Executed, Margin, FigureCount };
+  /// From Sent on, they are counters.
+  enum Figure { Line, Left, Margin, Buffer, Sent, Accepted, Executed, FigureCount };
 
   void buildButtons();
   void buildFigures();
@@ -97,18 +102,29 @@ class RunPanel final : public Page {
   void showState();
   void showReason();
   void showFigures();
+  void showCounters();
+  void showPlace();
+  void showMargin();
+  void showBuffer();
+  /// @param value  empty: not known  @param hint  what it is, or why it is not known
+  void showFigure(Figure figure, const QString& value, const QString& hint);
   /// Hides the less important figures until the others fit.
   void fitFigures();
   [[nodiscard]] QString stopText() const;
+  /// Why a figure of a run that another computer streams is not known.
+  [[nodiscard]] static QString elsewhereText();
   [[nodiscard]] QString waitingText() const;
   /// Shows the run on the control instead of one of this window.
   void showFoundState();
+  /// The run that is shown is not of this window.
+  [[nodiscard]] bool isWatching() const { return hasFound() && m_found->isWatched; }
   /// A run that this window does not stream is on the control, and none of its own is in progress.
   [[nodiscard]] bool hasFound() const { return !isActive() && m_found && m_found->isOnControl(); }
   /// "Wrong motion", and how the run ended if it has.
   [[nodiscard]] QString ruinText(const QString& end) const;
 
   streaming::LiveUpdate m_update;
+  RunProgress m_where;
   bool m_isRuined = false;
   QString m_startBlocked;
   StopState m_stopState = StopState::None;

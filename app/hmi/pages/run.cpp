@@ -66,6 +66,21 @@ std::vector<int> openWrongMotion(const Alarms& alarms) {
   return numbers;
 }
 
+/// @param executed  points of the run so far
+widgets::RunProgress progressOf(const Document& document, std::size_t executed) {
+  widgets::RunProgress progress;
+  if (!document.view()) {
+    return progress;
+  }
+  progress.lines = document.view()->text.lines();
+  const auto& points = document.points();
+  if (executed > 0 && executed <= points.size()) {
+    progress.line = points[executed - 1].line.value;
+  }
+  progress.left = document.timeLeft(executed);
+  return progress;
+}
+
 void connectFeed(CorrectionPanel* panel, const Models& models) {
   auto* feed = new CorrectionFeed(panel);
   RunController* runs = &models.runs;
@@ -233,6 +248,14 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
       panel->setTitle(RunTexts::title(*program, runs->isRunning()));
     }
   });
+  const auto showProgress = [panel, document, runs] {
+    panel->setProgress(progressOf(*document, runs->update().counters.executed));
+  };
+  for (const auto signal : {&Document::programLoaded, &Document::programPlaced,
+                            &Document::settingsChanged, &Document::pausesChanged}) {
+    QObject::connect(document, signal, panel, showProgress);
+  }
+  QObject::connect(runs, &RunController::updated, panel, showProgress);
   QObject::connect(preflight, &Preflight::changed, panel, [panel, preflight] {
     panel->setPreflightPassed(preflight->hasPassed() && !preflight->isForResume());
   });

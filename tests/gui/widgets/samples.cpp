@@ -91,7 +91,7 @@ std::shared_ptr<const widgets::ProgramTimes> timesOf(const widgets::ProgramView&
     times->atS.push_back(0.1F * static_cast<float>(i));
   }
   times->programmedS = times->atS.back();
-  times->run = widgets::RunTime{2.0 * times->programmedS, 12.5, 39};
+  times->run = widgets::RunTime{{}, 2.0 * times->programmedS, 12.5, 39};
   times->machine = "dmu75";
   return times;
 }

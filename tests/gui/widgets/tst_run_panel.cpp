@@ -9,6 +9,7 @@
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
+#include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
 #include "widgets/streaming/report_panel.h"
 #include "widgets/streaming/run_panel.h"
@@ -213,6 +214,48 @@ class TestRunPanel : public QObject {
     text = test::visibleText(panel);
     QVERIFY(text.contains("412 von 1.353"));
     QVERIFY(text.contains("(zu spät)"));
+  }
+
+  /// Line, time left and buffer; what is not known is a dash with a reason.
+  void progressIsShown() {
+    test::Language language;
+    RunPanel panel;
+    panel.resize(1400, 130);
+    const auto hint = [&panel](const QString& shown) {
+      const auto labels = panel.findChildren<QLabel*>();
+      for (const QLabel* label : labels) {
+        if (label->text() == shown) {
+          return label->parentWidget()->parentWidget()->toolTip();
+        }
+      }
+      return QString();
+    };
+    QVERIFY(hint(noValue()).contains("No program is loaded"));
+    panel.setProgram(1353);
+    panel.setProgress({0, 1500, TimeLeft{754.0, 130.0}});
+    QVERIFY(hint(QString("12:34") + QChar(0x00A0) + "min, pauses 2:10" + QChar(0x00A0) + "min")
+                .contains("planned pauses"));
+    QVERIFY(hint(noValue()).contains("No point has been executed"));
+    panel.setUpdate(updateOf(RunState::Running));
+    panel.setProgress({406, 1500, TimeLeft{90.0, 0.0}});
+    QVERIFY(hint("406 of 1,500").contains("last executed point"));
+    QVERIFY(!hint(QString("1:30") + QChar(0x00A0) + "min").isEmpty());
+    QVERIFY(hint("4 pts").contains("not known to be executed"));
+    panel.setProgress({406, 1500, std::nullopt});
+    QVERIFY(hint(noValue()).contains("not estimated yet"));
+    panel.setProgress({406, 1500, TimeLeft{90.0, 0.0}});
+    panel.setUpdate(updateOf(RunState::Done));
+    QVERIFY(hint(noValue()).contains("The run has ended"));
+    // Of a run that another computer streams, only what the control says is known.
+    panel.setProgram(1353);
+    FoundRunView found;
+    found.kind = FoundRunView::Kind::Served;
+    found.isWatched = true;
+    found.executed = 21;
+    found.total = 40;
+    panel.setFound(found);
+    QVERIFY(!hint("21 of 40").isEmpty());
+    QVERIFY(hint(noValue()).contains("Only the computer that streams"));
   }
 
   void reportTellsWhatHappened() {
