@@ -16,7 +16,7 @@ ordered_json stretchJson(const job::Stretch& stretch) {
           {"last_line", stretch.blocks.back().line.value},
           {"blocks", stretch.blocks.size()},
           {"points", stretch.pointCount},
-          {"start_known", stretch.startIsKnown}};
+          {"start_known", stretch.startIsKnown()}};
 }
 
 ordered_json nativeJson(const job::NativeBlock& native) {

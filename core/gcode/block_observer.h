@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "gcode/program.h"
+#include "nc/eval/variables.h"
 #include "nc/exec/executor.h"
 #include "nc/exec/sink.h"
 #include "nc/fault.h"
@@ -30,6 +31,7 @@ struct SourceBlock {
   std::string_view text;              ///< its line as written, without the line end
   std::span<const nc::Token> tokens;  ///< empty: a statement of its own
   bool isInSubprogram = false;
+  const nc::Variables& variables;  ///< as they are before the block
 };
 
 class BlockObserver {

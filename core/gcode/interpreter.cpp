@@ -181,9 +181,9 @@ class Interpreter {
   void begin(std::span<const Token> tokens) {
     if (m_observer != nullptr) {
       const nc::Place place = m_flow.place();
-      m_observer->begin(
-          {place, m_flow.fileName(place.file), lineText(place), tokens, m_flow.isInSubprogram()},
-          m_executor);
+      m_observer->begin({place, m_flow.fileName(place.file), lineText(place), tokens,
+                         m_flow.isInSubprogram(), m_variables},
+                        m_executor);
     }
   }
 

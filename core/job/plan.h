@@ -14,6 +14,7 @@
 
 #include "base/id.h"
 #include "base/result.h"
+#include "base/vec3.h"
 #include "gcode/program.h"
 #include "job/native_reason.h"
 #include "nc/modal/state.h"
@@ -26,8 +27,10 @@ struct Stretch {
   std::size_t firstPoint = 0;  ///< of `Plan::program`'s trajectory
   std::size_t pointCount = 0;
   std::vector<nc::Place> blocks;
-  /// False: where it begins is read from the control, at least for one axis.
-  bool startIsKnown = false;
+  /// Where the program has the tool before it, workpiece frame, mm; NaN: only the control knows.
+  base::Vec3 startMm;
+
+  [[nodiscard]] bool startIsKnown() const { return base::isFinite(startMm); }
 };
 
 /// A block that the control executes itself.
@@ -37,13 +40,15 @@ struct NativeBlock {
   NativeReason reason = NativeReason::Other;
   std::string source;  ///< its line as written
   /// What the control gets. SINUMERIK: the line, without a jump label, a skip mark and a call that
-  /// Rivulet has followed; others: its translation. Empty: there is none.
+  /// Rivulet has followed, and with values in place of calculations; others: its translation.
+  /// Empty: nothing is left for the control.
   std::string text;
   nc::ModalState before;  ///< in force when the program reaches it
-  /// TRANS, ROT and the like in force, one line each; empty: none.
+  /// TRANS, ROT and the like in force, one line each, mm; empty: none.
   std::vector<std::string> frame;
   bool moves = false;       ///< it names an axis
-  bool calculates = false;  ///< its text reads variables
+  bool increments = false;  ///< it names an axis with an increment
+  bool calculates = false;  ///< its text still reads variables
   /// The same block also moves, and is streamed for that (not SINUMERIK).
   bool isHalf = false;
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "base/contract.h"
@@ -77,7 +78,7 @@ struct BlockNotes {
   bool isInSubprogram = false;
   nc::ModalState before;
   std::vector<std::string> frame;  ///< before it
-  bool startIsKnown = false;
+  base::Vec3 startMm;              ///< workpiece frame
   std::size_t firstPoint = 0;
   bool continuesCurve = false;  ///< one was in progress
 
@@ -89,11 +90,13 @@ struct BlockNotes {
   bool isMissing = false;     ///< the subprogram it calls is not at hand
   bool calls = false;
   bool moves = false;
+  bool increments = false;
   std::array<bool, nc::kProgrammedAxisCount> given{};
   std::vector<ForeignWord> words;
   std::optional<HomeMove> home;
   bool toFixedPoint = false;
   std::vector<Heard> heard;
+  std::map<const Token*, std::string> values;  ///< what stands for a calculation
 };
 
 class Splitter final : public gcode::BlockObserver,
@@ -120,9 +123,13 @@ class Splitter final : public gcode::BlockObserver,
     m_block->isInSubprogram = block.isInSubprogram;
     m_block->before = executor.state();
     m_block->frame = m_frame;
-    m_block->startIsKnown = base::isFinite(executor.start().programmedMm);
+    const nc::Position& position = executor.start();
+    m_block->startMm = position.frame.toWorkpiece(position.programmedMm);
     m_block->firstPoint = m_points;
     m_block->continuesCurve = isLongCurve(executor.state().motion);
+    if (!isForeign()) {
+      noteValues(block);
+    }
   }
 
   void executed(const nc::BlockWords& words, nc::Executor& executor) override {
@@ -133,11 +140,15 @@ class Splitter final : public gcode::BlockObserver,
     block.calls = words.rare && (words.rare->call || words.rare->call98 || words.rare->macroCall);
     block.moves = words.moves() || words.hasAnyCentre();
     block.given = words.axes.given;
+    for (std::size_t axis = 0; axis < words.axes.given.size(); ++axis) {
+      block.increments =
+          block.increments || (words.axes.given[axis] && words.axes.isIncrement[axis]);
+    }
     if ((words.ends || (words.rare && words.rare->returns)) && !block.isInSubprogram) {
       add(NativeReason::End);
       block.words.push_back({ForeignWord::Kind::M, 30.0, "M30"});
     }
-    noteFrame(words);
+    noteFrame(words, executor.state());
     if (block.reason == NativeReason::Retract) {
       block.home.emplace();
       block.home->toFixedPoint = block.toFixedPoint;
@@ -191,6 +202,34 @@ class Splitter final : public gcode::BlockObserver,
   [[nodiscard]] bool isAccepted(const std::string& name) const {
     const std::vector<std::string>& names = m_options.accepted;
     return !name.empty() && std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  /// The values that Rivulet has computed take the place of calculations: the control does not know
+  /// the variables. A variable that is only set is Rivulet's.
+  void noteValues(const gcode::SourceBlock& block) {
+    for (const Token& token : block.tokens) {
+      if (token.calculation == nullptr || token.text.empty() || token.text.front() == '$') {
+        continue;
+      }
+      const std::string name = base::toUpper(nc::tokenName(token));
+      const bool isVariable = token.kind == TokenKind::Assignment &&
+                              nc::nameEffect(m_language->dialect, name) == nc::NameEffect::Unknown;
+      const nc::Expression* const value = token.calculated();
+      if (isVariable) {
+        m_block->values[&token] = "";
+      } else if (const nc::Expected<double> number =
+                     value != nullptr ? block.variables.number(*value)
+                                      : nc::Expected<double>(nc::fail(FaultCode::ListMalformed))) {
+        const std::string_view address = token.text.substr(0, token.text.find('='));
+        const nc::Reference reference = (*token.calculation)->reference;
+        const std::string text = base::formatNumber(*number);
+        m_block->values[&token] =
+            fmt::format("{}={}", address,
+                        reference == nc::Reference::Absolute      ? "AC(" + text + ")"
+                        : reference == nc::Reference::Incremental ? "IC(" + text + ")"
+                                                                  : text);
+      }
+    }
   }
 
   // --- whose the block is -----------------------------------------------------------------------
@@ -466,7 +505,7 @@ class Splitter final : public gcode::BlockObserver,
       m_isOpen = true;
       m_open = {};
       m_open.firstPoint = m_block->firstPoint;
-      m_open.startIsKnown = m_block->startIsKnown;
+      m_open.startMm = m_block->startMm;
     }
     return m_open;
   }
@@ -493,22 +532,29 @@ class Splitter final : public gcode::BlockObserver,
     native.before = before;
     native.frame = block.frame;
     native.moves = block.moves;
+    native.increments = block.increments;
     native.isHalf = isForeign() && m_points > block.firstPoint;
     native.calculates =
-        !isForeign() && std::any_of(block.tokens.begin(), block.tokens.end(), readsVariables);
+        !isForeign() &&
+        std::any_of(block.tokens.begin(), block.tokens.end(), [&block](const Token& token) {
+          return block.values.count(&token) == 0 && readsVariables(token);
+        });
     m_parts.emplace_back(std::move(native));
   }
 
-  /// The line without what Rivulet has followed: labels, skip marks, calls, returns.
+  /// The line without what Rivulet has followed (labels, skip marks, calls, returns), with values
+  /// in place of calculations.
   [[nodiscard]] std::string verbatim() const {
     const BlockNotes& block = *m_block;
     std::string text(block.text);
     for (auto token = block.tokens.rbegin(); token != block.tokens.rend(); ++token) {
-      if (isFollowed(*token)) {
-        const auto at = static_cast<std::size_t>(token->column - 1);
-        RIVULET_ASSERT(block.text.substr(at, token->text.size()) == token->text);
-        text.erase(at, token->text.size());
+      const auto value = block.values.find(&*token);
+      if (value == block.values.end() && !isFollowed(*token)) {
+        continue;
       }
+      const auto at = static_cast<std::size_t>(token->column - 1);
+      RIVULET_ASSERT(block.text.substr(at, token->text.size()) == token->text);
+      text.replace(at, token->text.size(), value == block.values.end() ? "" : value->second);
     }
     return std::string(base::trim(text));
   }
@@ -586,7 +632,7 @@ class Splitter final : public gcode::BlockObserver,
   }
 
   /// TRANS, ROT, SCALE and MIRROR as lines that repeat them.
-  void noteFrame(const nc::BlockWords& words) {
+  void noteFrame(const nc::BlockWords& words, const nc::ModalState& state) {
     if (!words.rare || words.rare->frame.empty()) {
       return;
     }
@@ -595,19 +641,20 @@ class Splitter final : public gcode::BlockObserver,
       m_frame.clear();  // it replaces what there was
     }
     std::string text = name;
-    bool isEmpty = true;
+    const double factor = name == "TRANS" || name == "ATRANS" ? state.lengthFactor : 1.0;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (words.axes.given[axis]) {
         text += fmt::format(" {}{}", base::kAxisNames[axis],
-                            base::formatNumber(words.axes.value[axis]));
-        isEmpty = false;
+                            base::formatNumber(words.axes.value[axis] * factor));
       }
     }
     if (const nc::NamedWord* const turn = words.named("RPL")) {
+      m_frame.emplace_back(state.planeFirstAxis == 0   ? "G17"
+                           : state.planeFirstAxis == 2 ? "G18"
+                                                       : "G19");
       text += " RPL=" + base::formatNumber(turn->value);
-      isEmpty = false;
     }
-    if (!isEmpty) {
+    if (text != name) {
       m_frame.push_back(std::move(text));
     }
   }

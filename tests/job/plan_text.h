@@ -30,7 +30,7 @@ inline std::string printParts(const job::Plan& plan) {
     if (stretch.number > 0) {
       text += ": " + std::to_string(stretch.pointCount) +
               (stretch.pointCount == 1 ? " point" : " points") +
-              (stretch.startIsKnown ? "" : " from ?");
+              (stretch.startIsKnown() ? "" : " from ?");
     }
   }
   return text;

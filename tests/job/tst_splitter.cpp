@@ -95,7 +95,7 @@ class TestSplitter : public QObject {
     QCOMPARE(text(test::printPoints(plan.program.trajectory)),
              QStringLiteral("1 R X0 Y0 Z5 | 3 R X100 Y50 Z?"));
     const auto& last = std::get<job::Stretch>(plan.parts.back());
-    QVERIFY(!last.startIsKnown);
+    QVERIFY(!last.startIsKnown());
   }
 
   /// What only switches something leaves the tool where it is.
@@ -208,7 +208,7 @@ class TestSplitter : public QObject {
     QVERIFY(on.before.relative);
     QVERIFY(on.before.diameter);
     QCOMPARE(on.before.feedMode, nc::FeedMode::PerRevolution);
-    QCOMPARE(on.frame, (std::vector<std::string>{"TRANS X10", "AROT RPL=30"}));
+    QCOMPARE(on.frame, (std::vector<std::string>{"TRANS X254", "G18", "AROT RPL=30"}));
     const job::NativeBlock& off = std::get<job::NativeBlock>(plan.parts.at(3));
     QCOMPARE(off.before.planeFirstAxis, std::size_t{0});
     QVERIFY(!off.before.relative);
@@ -258,9 +258,18 @@ class TestSplitter : public QObject {
             "native 1 coolant N10 M8 ; mist | native 2 coolant M9 | stretch 1 3: 1 point from ?"));
   }
 
-  void textReadsVariables() {
-    const job::Plan plan = planOf("R1=500\nS=R1 M3\nMSG(\"S is \"<<R1)\nMSG(\"READY\")\n");
-    QVERIFY(std::get<job::NativeBlock>(plan.parts.at(1)).calculates);
+  /// The control does not know the variables that Rivulet has computed.
+  void valuesTakeThePlaceOfCalculations() {
+    const job::Plan plan = planOf(
+        "DEF REAL HOME=20\nR1=500\nS=R1*2 M3\nMSG(\"S is \"<<R1)\nMSG(\"READY\")\nG0 X1 Y1 Z1\n"
+        "SUPA G0 Z=HOME D0\nG1 X=IC(R1/100) M8 F100\n");
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral("settings 1-2 | native 3 spindle S=1000 M3 | native 4 message MSG(\"S is "
+                       "\"<<R1) | native 5 message MSG(\"READY\") | stretch 1 6: 1 point from "
+                       "? | native 7 retract SUPA G0 Z=20 D0 | native 8 unknown-position G1 "
+                       "X=IC(5) M8 F100"));
+    QVERIFY(!std::get<job::NativeBlock>(plan.parts.at(1)).calculates);
     QVERIFY(std::get<job::NativeBlock>(plan.parts.at(2)).calculates);
     QVERIFY(!std::get<job::NativeBlock>(plan.parts.at(3)).calculates);
   }
