@@ -243,6 +243,7 @@ void WindowedTemplate::writeWaiting(Listing& out, const CellMap& cells) const {
   out.line("RIV_NEXT:");
   out.line("STOPRE");
   out.line("R{}=RIV_L R{}=RIV_L", cells.latched, cells.executed);
+  writeLeaving(out, cells);
   out.line("IF R{}>{} GOTOF RIV_STOPPED", cells.run, WindowProtocol::kRun);
   out.line("IF (R{}>{}) AND (RIV_OWN>0) AND (R{}>RIV_L) AND (R{}<=RIV_L+{}) GOTOF RIV_TAKE",
            cells.run, WindowProtocol::kHold, cells.delivered, cells.delivered, cells.windows);
@@ -268,7 +269,7 @@ void WindowedTemplate::writeEnd(Listing& out, const CellMap& cells, std::string_
   } else {
     out.line("R{}={}", cells.state, static_cast<int>(state));
   }
-  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : "M30");
+  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : endWord());
 }
 
 base::Result<void> WindowTemplate::check(const TemplateParameters& parameters) const {
@@ -334,6 +335,7 @@ int WindowTemplate::longestWrite(const TemplateParameters& parameters) const {
 std::string WindowTemplate::program(const TemplateParameters& parameters, const CellMap& cells,
                                     int layoutNumber) const {
   Listing out;
+  writeHead(out);
   writeComments(out, parameters, cells);
   writeStart(out, parameters, cells, layoutNumber);
   writeWaiting(out, cells);
@@ -342,7 +344,8 @@ std::string WindowTemplate::program(const TemplateParameters& parameters, const 
   writeMotion(out, parameters, cells);
   out.line("STOPRE");
   out.line("R{}=RIV_L R{}={}", cells.executed, cells.state, static_cast<int>(WindowState::Done));
-  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : "M30");
+  writeDone(out, cells);
+  out.line("{}", cells.corrects() ? "GOTOF RIV_OFF" : endWord());
   writeEnd(out, cells, "RIV_STOPPED", WindowState::Stopped, standsBetweenWindows());
   writeEnd(out, cells, "RIV_DAMAGED", WindowState::Damaged, standsBetweenWindows());
   writeEnd(out, cells, "RIV_LOST", WindowState::Abandoned, true);
@@ -407,6 +410,7 @@ void WindowTemplate::writeStart(Listing& out, const TemplateParameters& paramete
   }
   writeSlowDown(out, parameters, cells);
   out.line("R{}={}", cells.layout, layoutNumber);
+  writeReady(out, cells);
 }
 
 void WindowTemplate::writeCopyAndCheck(Listing& out, const CellMap& cells) const {

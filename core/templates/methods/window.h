@@ -34,6 +34,10 @@ class WindowedTemplate : public MethodTemplate {
   void writeResets(Listing& out, const CellMap& cells) const;
   /// The axes have stopped; the program checks for news, and ends if the client is gone.
   void writeWaiting(Listing& out, const CellMap& cells) const;
+  /// Last block of the program, on each way.
+  [[nodiscard]] virtual std::string_view endWord() const { return "M30"; }
+  /// A way out of the waiting loop that needs no window. Nothing here.
+  virtual void writeLeaving(Listing&, const CellMap&) const {}
   /// @param stands  the axes stand here; else a STOPRE comes first, and all that was copied has
   ///                been executed after it
   void writeEnd(Listing& out, const CellMap& cells, std::string_view label, WindowState state,
@@ -52,6 +56,10 @@ class WindowTemplate : public WindowedTemplate {
   [[nodiscard]] int longestWrite(const TemplateParameters& parameters) const override;
 
  protected:
+  // What the loop of a whole job does in addition. Nothing here.
+  virtual void writeHead(Listing&) const {}
+  virtual void writeReady(Listing&, const CellMap&) const {}
+  virtual void writeDone(Listing&, const CellMap&) const {}
   /// What method credit does in addition. Nothing here.
   virtual void writeNotes(Listing&, const CreditSettings&) const {}
   [[nodiscard]] virtual std::string_view variables() const { return ""; }
@@ -74,7 +82,7 @@ class WindowTemplate : public WindowedTemplate {
 };
 
 /// As method window, without a stop between windows. Experimental.
-class CreditTemplate final : public WindowTemplate {
+class CreditTemplate : public WindowTemplate {
  public:
   [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
 

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The flexible program as a subprogram: a whole job calls it once for each stretch. It differs
+/// from the program of its method in its beginning and its end only. @threadsafety pure.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "templates/cells.h"
+
+namespace rivulet::templates {
+
+/// The numbers on which main program, loop and client agree, in addition to `WindowProtocol`.
+///
+/// The main program calls the loop with the number of the job, of the stretch (0: the beginning,
+/// which waits for the client and moves nothing), and of the run that the loop obeys. The loop
+/// writes `callNumber` into its call cell when it is ready for the client. Each stretch has a run
+/// number of its own, which is part of the check number of each window: no window of another
+/// stretch is executed. When a stretch has been executed, the loop waits until the client writes
+/// `goOn` of this stretch, then writes the negative call number and returns.
+struct JobProtocol {
+  /// Value of the run cell: the control goes on with the native blocks after a stretch. Another one
+  /// for each, so that a late write never ends the next stretch.
+  [[nodiscard]] static constexpr int goOn(int stretch) { return 3 + stretch; }
+  static constexpr int kStretchesMax = 9'999;
+  /// @param job  from 1 to 2^24  @param stretch  from 0
+  [[nodiscard]] static constexpr double callNumber(int job, int stretch) {
+    return static_cast<double>(job) * (kStretchesMax + 1) + stretch;
+  }
+  /// Of the run of a stretch. @param first  of the beginning
+  [[nodiscard]] static constexpr int runNumber(int first, int stretch) { return first + stretch; }
+};
+
+struct JobLoop {
+  std::string name;  ///< of the subprogram, without ending
+  std::string text;
+  CellMap cells;
+  int callCell = 0;  ///< NC: `JobProtocol::callNumber`, negative: executed
+};
+
+/// @param parameters  method window or credit, without online correction
+/// @return the errors of `planCells`, BadCorrection, BadCells for another method
+[[nodiscard]] base::Result<JobLoop> generateJobLoop(const TemplateParameters& parameters);
+
+}  // namespace rivulet::templates
