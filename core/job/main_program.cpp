@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "job/main_program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/hash.h"
+#include "base/text.h"
+
+namespace rivulet::job {
+
+namespace {
+
+using templates::JobProtocol;
+using templates::WindowProtocol;
+
+class Category final : public std::error_category {
+ public:
+  [[nodiscard]] const char* name() const noexcept override { return "job"; }
+  [[nodiscard]] std::string message(int code) const override {
+    switch (static_cast<JobError>(code)) {
+      case JobError::NotWhole:
+        return "the program is no whole job";
+      case JobError::ReadsVariables:
+        return "a native block reads variables";
+      case JobError::IncrementInFrame:
+        return "a native block moves by an increment in a frame";
+      case JobError::TooManyStretches:
+        return "too many stretches";
+      case JobError::PositionDiffers:
+        return "the tool is not where the program says";
+    }
+    return "unknown error";
+  }
+};
+
+/// Before a native block a client may stop or hold the job, except where blocks belong together.
+bool mayWaitBefore(NativeReason reason) {
+  return reason >= NativeReason::Tool;
+}
+
+class MainWriter {
+ public:
+  MainWriter(const Plan& plan, const templates::JobLoop& loop, int number)
+      : m_plan(plan), m_loop(loop), m_number(number) {}
+
+  std::string write() {
+    writeHead();
+    bool isAfterNative = false;
+    for (const Part& part : m_plan.parts) {
+      if (const auto* const native = std::get_if<NativeBlock>(&part)) {
+        if (!native->text.empty()) {
+          writeNative(*native, isAfterNative);
+          isAfterNative = true;
+        }
+        continue;
+      }
+      isAfterNative = false;
+      if (const auto& stretch = std::get<Stretch>(part); stretch.number > 0) {
+        writeStretch(stretch);
+      }
+    }
+    line("RIV_END:");
+    line("M30");
+    return std::move(m_text);
+  }
+
+ private:
+  template <class... Arguments>
+  void line(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(m_text), text, std::forward<Arguments>(arguments)...);
+    m_text += '\n';
+  }
+
+  void writeHead() {
+    line("; RIVULET JOB {}: {} OF {}", m_number, m_plan.program.hash, m_plan.program.name);
+    line("; {} stretches are streamed by the client, {} blocks are executed here.",
+         m_plan.stretchCount(), m_plan.nativeCount());
+    line("; Do not edit: the client relies on every line. Needs {}.SPF.", m_loop.name);
+    line("; Nothing moves before the client has connected.");
+    line("EXTERN {}(REAL,REAL,REAL)", m_loop.name);
+    line("DEF REAL RIV_RUN");
+    line("{}({},0,0)", m_loop.name, m_number);
+    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
+         static_cast<int>(templates::WindowState::Done));
+    line("RIV_RUN=R{}", m_loop.cells.owner);
+    line("R{}={}", m_loop.cells.run, JobProtocol::goOn(0));
+  }
+
+  void writeStretch(const Stretch& stretch) {
+    line("; STRETCH {}: lines {} to {}, {} points", stretch.number,
+         stretch.blocks.front().line.value, stretch.blocks.back().line.value, stretch.pointCount);
+    line("G710 DIAMOF G40");
+    line("TRANS");
+    line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
+    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
+         static_cast<int>(templates::WindowState::Done));
+  }
+
+  void writeNative(const NativeBlock& native, bool isAfterNative) {
+    line("; LINE {}{}: {}", native.file.empty() ? std::string() : native.file + " ",
+         native.place.line.value, nativeReasonName(native.reason));
+    if (mayWaitBefore(native.reason) && native.reason != NativeReason::End) {
+      writeWait();
+    }
+    const bool isForeign = m_plan.program.dialect != nc::Dialect::Sinumerik;
+    if (isForeign) {
+      line("G90 G94 G710 DIAMOF");
+    } else if (!isAfterNative) {
+      line("G710 DIAMOF");
+      line("TRANS");
+      for (const std::string& frame : native.frame) {
+        line("{}", frame);
+      }
+      line("{}", modalWords(native.before));
+    }
+    line("{}", native.text);
+  }
+
+  /// Stop and hold between two native blocks. The axes stand.
+  void writeWait() {
+    ++m_waits;
+    line("RIV_W{}:", m_waits);
+    line("STOPRE");
+    line("IF R{}=={} GOTOF RIV_END", m_loop.cells.run, WindowProtocol::kEnd);
+    line("IF R{}<>{} GOTOF RIV_G{}", m_loop.cells.run, WindowProtocol::kHold, m_waits);
+    line("G4 F0.02");
+    line("GOTOB RIV_W{}", m_waits);
+    line("RIV_G{}:", m_waits);
+  }
+
+  const Plan& m_plan;
+  const templates::JobLoop& m_loop;
+  int m_number;
+  std::string m_text;
+  int m_waits = 0;
+};
+
+base::Result<void> requireWhole(const Plan& plan) {
+  if (!plan.isWhole()) {
+    const auto isError = [](const gcode::Diagnostic& found) {
+      return found.severity == gcode::Severity::Error;
+    };
+    const auto& found = plan.program.diagnostics;
+    const auto first = std::find_if(found.begin(), found.end(), isError);
+    return plan.refusals.empty()
+               ? base::fail(JobError::NotWhole, gcode::describe(*first),
+                            fmt::format("{}:{}", plan.program.name, first->line.value))
+               : base::fail(
+                     JobError::NotWhole, describe(plan.refusals.front()),
+                     fmt::format("{}:{}", plan.program.name, plan.refusals.front().line.value));
+  }
+  bool isAfterNative = false;
+  for (const Part& part : plan.parts) {
+    const auto* const native = std::get_if<NativeBlock>(&part);
+    if (native == nullptr) {
+      isAfterNative = false;
+      continue;
+    }
+    const auto refuse = [&](JobError code, const char* reason) {
+      return base::fail(code, reason + native->source,
+                        fmt::format("{}:{}", plan.program.name, native->place.line.value));
+    };
+    if (native->calculates) {
+      return refuse(JobError::ReadsVariables,
+                    "A block for the control reads variables, whose values only Rivulet has "
+                    "computed. Write the values into it: ");
+    }
+    // The frame is set again before the block, and an increment would pass that shift as well.
+    const auto& from = native->before.incrementFrom;
+    const bool isShifted =
+        !native->frame.empty() ||
+        std::any_of(from.begin(), from.end(), [](const auto& each) { return each.has_value(); });
+    if (native->increments && isShifted && !isAfterNative) {
+      return refuse(JobError::IncrementInFrame,
+                    "A block for the control moves by an increment while TRANS, ROT or the like is "
+                    "in force. Write it with G90: ");
+    }
+    isAfterNative = true;
+  }
+  if (plan.stretchCount() > static_cast<std::size_t>(JobProtocol::kStretchesMax)) {
+    return base::fail(JobError::TooManyStretches,
+                      fmt::format("The program has {} stretches, more than {}: split it.",
+                                  plan.stretchCount(), JobProtocol::kStretchesMax));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::error_code make_error_code(JobError code) {
+  static const Category category;
+  return {static_cast<int>(code), category};
+}
+
+std::string modalWords(const nc::ModalState& state) {
+  static constexpr std::array<std::string_view, 4> kMotions{"G0", "G1", "G2", "G3"};
+  std::string words;
+  if (state.motion < nc::Motion::None) {
+    words += fmt::format("{} ", kMotions[static_cast<std::size_t>(state.motion)]);
+  }
+  words += state.planeFirstAxis == 0 ? "G17" : state.planeFirstAxis == 2 ? "G18" : "G19";
+  words += state.relative ? " G91" : " G90";
+  const bool inches = state.lengthFactor != 1.0;
+  words += !inches ? " G710" : state.feedFactor != 1.0 ? " G700" : " G70";
+  words += !state.diameter ? " DIAMOF" : state.diameterIncrements ? " DIAMON" : " DIAM90";
+  words += state.blockEnd == nc::BlockEnd::ExactStop ? " G60" : " G64";
+  if (state.feedMode == nc::FeedMode::PerRevolution) {
+    words += " G95";
+    if (state.feedMmPerRev > 0.0) {
+      words += " F" + base::formatFixed(state.feedMmPerRev / state.lengthFactor, 6);
+    }
+  } else if (state.feedMode == nc::FeedMode::InverseTime) {
+    words += " G93";
+  } else {
+    words += " G94";
+    if (state.feedMmPerS > 0.0) {
+      words += " F" + base::formatFixed(state.feedMmPerS * 60.0 / state.feedFactor, 6);
+    }
+  }
+  return words;
+}
+
+base::Result<JobPrograms> makePrograms(const Plan& plan,
+                                       const templates::TemplateParameters& parameters) {
+  if (base::Result<void> whole = requireWhole(plan); !whole) {
+    return base::fail(whole.error());
+  }
+  base::Result<templates::JobLoop> loop = templates::generateJobLoop(parameters);
+  if (!loop) {
+    return base::fail(loop.error());
+  }
+  constexpr std::uint64_t kNumbers = (1U << 24U) - 1;
+  JobPrograms programs;
+  const std::string unnumbered = MainWriter(plan, *loop, 0).write();
+  programs.number = 1 + static_cast<int>(base::hashOf(unnumbered + loop->text) % kNumbers);
+  programs.mainName = fmt::format("RIVJOB_{}.MPF", programs.number);
+  programs.mainText = MainWriter(plan, *loop, programs.number).write();
+  programs.loopFileName = loop->name + ".SPF";
+  programs.loop = std::move(*loop);
+  return programs;
+}
+
+}  // namespace rivulet::job

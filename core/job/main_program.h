@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The programs of a whole job for the control: a main program with the native blocks at their
+/// place, and the loop that it calls for each stretch. @threadsafety pure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "base/result.h"
+#include "job/plan.h"
+#include "templates/job_loop.h"
+
+namespace rivulet::job {
+
+enum class JobError {
+  NotWhole = 1,      ///< a finding or refusal stops it
+  ReadsVariables,    ///< a native block reads variables that only Rivulet has computed
+  IncrementInFrame,  ///< a native block moves by an increment, and the frame changes before it
+  TooManyStretches,  ///< more than `templates::JobProtocol::kStretchesMax`
+  PositionDiffers,   ///< the tool is not where the program says
+};
+[[nodiscard]] std::error_code make_error_code(JobError code);
+
+struct JobPrograms {
+  int number = 0;        ///< of the job: a hash of both texts
+  std::string mainName;  ///< "RIVJOB_123.MPF"
+  std::string mainText;
+  std::string loopFileName;  ///< "RIVLOOP_123.SPF"
+  templates::JobLoop loop;
+};
+
+/// @param parameters  see `templates::generateJobLoop`
+/// @return NotWhole, ReadsVariables, IncrementInFrame, TooManyStretches, or the errors of
+/// `generateJobLoop`
+[[nodiscard]] base::Result<JobPrograms> makePrograms(
+    const Plan& plan, const templates::TemplateParameters& parameters);
+
+/// The words that put a control into the modal state, "G1 G17 G90 G710 DIAMOF G64 G94 F500".
+[[nodiscard]] std::string modalWords(const nc::ModalState& state);
+
+}  // namespace rivulet::job
+
+template <>
+struct std::is_error_code_enum<rivulet::job::JobError> : std::true_type {};
