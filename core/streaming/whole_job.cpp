@@ -1,0 +1,577 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/whole_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/hash.h"
+#include "opcua/await.h"
+#include "streaming/access_probe.h"
+#include "streaming/job.h"
+#include "streaming/program_transfer.h"
+#include "templates/generator.h"
+#include "templates/lint/lint.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::Result;
+using opcua::Variable;
+using opcua::VariableKind;
+using templates::JobProtocol;
+using templates::WindowProtocol;
+
+/// Where the axes stand and where they should are this close: servo and exact stop.
+constexpr double kStartToleranceMm = 0.05;
+constexpr Duration kPollInterval = std::chrono::milliseconds{20};
+
+/// Presents one stretch as if it were a program of its own: the channel is in reset before and
+/// after it, and what prepares a program has been done. Everything else goes to the control.
+class StretchLink final : public opcua::Link, public opcua::Control {
+ public:
+  StretchLink(opcua::Link& link, opcua::Control& control, const templates::JobLoop& loop,
+              double call)
+      : m_link(link),
+        m_control(control),
+        m_state{opcua::rParameter(loop.callCell), opcua::rParameter(loop.cells.state)},
+        m_call(call),
+        m_end{opcua::rParameter(loop.cells.endCell), static_cast<double>(loop.cells.endValue)},
+        m_beat{opcua::rParameter(loop.cells.heartbeat), 0.5} {}
+
+  [[nodiscard]] Instant now() const override { return m_link.now(); }
+  [[nodiscard]] Duration silence() const override { return m_link.silence(); }
+
+  base::RequestId read(std::span<const Variable> variables, Duration deadline,
+                       opcua::Grouping grouping) override {
+    const auto status = std::find_if(variables.begin(), variables.end(), isStatus);
+    if (status == variables.end()) {
+      return m_link.read(variables, deadline, grouping);
+    }
+    std::vector<Variable> all(variables.begin(), variables.end());
+    all.insert(all.end(), m_state.begin(), m_state.end());
+    const base::RequestId id = m_link.read(all, deadline, opcua::Grouping::List);
+    m_reads.push_back({id, static_cast<std::size_t>(status - variables.begin())});
+    return id;
+  }
+  base::RequestId write(std::span<const opcua::Assignment> assignments, Duration deadline,
+                        opcua::Grouping grouping) override {
+    // What a run clears before its start has been cleared by the loop.
+    return m_isStarted ? m_link.write(assignments, deadline, grouping)
+                       : m_link.write({&m_beat, 1}, deadline, opcua::Grouping::List);
+  }
+  base::RequestId store(const std::string& name, const std::string& text,
+                        Duration deadline) override {
+    return m_link.store(name, text, deadline);
+  }
+  std::optional<opcua::Event> wait(Instant until) override {
+    std::optional<opcua::Event> event = m_link.wait(until);
+    if (event) {
+      translate(*event);
+    }
+    return event;
+  }
+
+  Result<void> uploadProgram(const std::string&, const std::string& text, bool) override {
+    m_text = text;
+    return {};
+  }
+  Result<std::string> downloadProgram(const std::string&) override { return m_text; }
+  Result<void> selectProgram(const std::string&) override { return {}; }
+  [[nodiscard]] bool isVirtualMachine() const override { return m_control.isVirtualMachine(); }
+  /// The trace is that of the whole job.
+  [[nodiscard]] opcua::Abilities abilities() const override { return {true, false}; }
+  Result<void> cycleStart() override {
+    m_isStarted = true;
+    return {};
+  }
+  /// Ends the whole job.
+  Result<void> reset() override { return opcua::writeNow(m_link, {&m_end, 1}, kSetupDeadline); }
+  Result<trace::ControlTrace> fetchTrace() override { return m_control.fetchTrace(); }
+
+ private:
+  struct Read {
+    base::RequestId id;
+    std::size_t status = 0;
+  };
+
+  static bool isStatus(const Variable& variable) {
+    return variable.kind == VariableKind::ChannelStatus;
+  }
+
+  void translate(opcua::Event& event) {
+    const auto read = std::find_if(m_reads.begin(), m_reads.end(),
+                                   [&event](const Read& each) { return each.id == event.request; });
+    if (read == m_reads.end()) {
+      return;
+    }
+    if (event.kind == opcua::EventKind::ReadDone) {
+      const opcua::Reading state = event.readings.back();
+      const opcua::Reading call = event.readings[event.readings.size() - m_state.size()];
+      event.readings.resize(event.readings.size() - m_state.size());
+      const bool isRead = !call.status && !state.status;
+      const bool runs = m_isStarted && call.number == m_call &&
+                        state.number == static_cast<double>(templates::WindowState::Runs);
+      if (isRead && !runs) {
+        event.readings[read->status].number = opcua::kChannelReset;
+      }
+    }
+    m_reads.erase(read);
+  }
+
+  opcua::Link& m_link;
+  opcua::Control& m_control;
+  std::array<Variable, 2> m_state;
+  double m_call;
+  opcua::Assignment m_end;
+  opcua::Assignment m_beat;
+  std::string m_text;
+  std::vector<Read> m_reads;
+  bool m_isStarted = false;
+};
+
+class WholeJob {
+ public:
+  WholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
+           const RunSettings& settings, RunOrders& orders, WholeJobSink& sink)
+      : m_link(link),
+        m_control(control),
+        m_plan(plan),
+        m_settings(settings),
+        m_orders(orders),
+        m_sink(sink) {
+    for (const job::Part& part : plan.parts) {
+      const auto* const stretch = std::get_if<job::Stretch>(&part);
+      if (stretch != nullptr && stretch->number > 0) {
+        m_stretches.push_back(stretch);
+      }
+    }
+  }
+
+  WholeJobReport run() {
+    Result<void> result;
+    for (const auto step : {&WholeJob::prepare, &WholeJob::transfer, &WholeJob::start,
+                            &WholeJob::greet, &WholeJob::goThrough}) {
+      if (result && !m_isOver) {
+        result = (this->*step)();
+      }
+    }
+    if (!result) {
+      m_report.outcome = Outcome::Failed;
+      m_report.error = result.error();
+      if (m_isStarted && !m_isOver && m_report.error.code != opcua::LinkError::ConnectionLost) {
+        (void)writeRun(WindowProtocol::kEnd);  // else the control waits until it ends by itself
+      }
+    }
+    if (m_isStarted && m_control.abilities().keepsTrace &&
+        m_report.error.code != opcua::LinkError::ConnectionLost) {
+      if (Result<trace::ControlTrace> trace = m_control.fetchTrace()) {
+        m_report.controlTrace = std::make_shared<const trace::ControlTrace>(std::move(*trace));
+      }
+    }
+    publish(endState(m_report.outcome), "");
+    return std::move(m_report);
+  }
+
+ private:
+  Result<void> prepare() {
+    Result<job::JobPrograms> programs = job::makePrograms(m_plan, m_settings.parameters);
+    if (!programs) {
+      return base::fail(programs.error());
+    }
+    m_programs = std::move(*programs);
+    if (Result<void> sound = templates::requireSound(m_programs.loop.text, m_settings.parameters);
+        !sound) {
+      return sound;
+    }
+    const auto entropy = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count()) + 1;
+    m_firstRun =
+        m_settings.runNumber != 0
+            ? m_settings.runNumber
+            : runNumberFrom(base::hashOf(m_plan.program.hash) ^ (entropy * base::kHashPrime));
+    m_firstRun = 1 + (m_firstRun - 1) % (kRunNumberMax - JobProtocol::kStretchesMax);
+    const std::array<Variable, 2> watched{
+        {{VariableKind::ChannelStatus, 0}, {VariableKind::Alarm, 0}}};
+    const auto numbers = opcua::readNumbers(m_link, watched, m_settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    if ((*numbers)[0] != opcua::kChannelReset) {
+      return base::fail(channelBusy());
+    }
+    return requireNoAlarm((*numbers)[1]);
+  }
+
+  static Result<void> requireNoAlarm(double alarm) {
+    return alarm == 0.0
+               ? Result<void>()
+               : base::fail(StreamError::ControlAlarm,
+                            fmt::format("The control reports alarm {}. Clear it at the control.",
+                                        static_cast<int>(alarm)));
+  }
+
+  Result<void> transfer() {
+    publish(RunState::Armed, "transfer");
+    if (Result<void> access = chooseAccess(); !access) {
+      return access;
+    }
+    if (Result<void> written =
+            m_control.uploadProgram(m_programs.loopFileName, m_programs.loop.text, true);
+        !written) {
+      return written;
+    }
+    const Result<std::string> there = m_control.downloadProgram(m_programs.loopFileName);
+    if (!there) {
+      return base::fail(there.error());
+    }
+    std::string plain = *there;
+    std::erase(plain, '\r');
+    if (plain != m_programs.loop.text) {
+      return base::fail(StreamError::WrongProgram,
+                        "The subprogram on the control differs from the one for these settings. "
+                        "Delete it there and start again.",
+                        m_programs.loopFileName);
+    }
+    const Result<ProgramTransfer> main =
+        transferProgram(m_control, m_programs.mainName, m_programs.mainText, m_settings.transfer);
+    return main ? Result<void>() : base::fail(main.error());
+  }
+
+  Result<void> chooseAccess() {
+    if (m_settings.access == AccessChoice::Fixed || !m_programs.loop.cells.scratch) {
+      m_settings.access = AccessChoice::Fixed;
+      return {};
+    }
+    const templates::CellRange cells = *m_programs.loop.cells.scratch;
+    Result<AccessForms> forms =
+        probeAccess(m_link, {cells.first, cells.last}, m_settings.requestDeadline);
+    if (!forms) {
+      return base::fail(forms.error());
+    }
+    m_settings.grouping = forms->best();
+    m_settings.access = AccessChoice::Fixed;
+    return {};
+  }
+
+  Result<void> start() {
+    // A number left from an earlier job must not be mistaken for one of this.
+    const std::array<opcua::Assignment, 3> clear{
+        {{opcua::rParameter(m_programs.loop.callCell), 0.0},
+         {opcua::rParameter(m_programs.loop.cells.layout), 0.0},
+         {opcua::rParameter(m_programs.loop.cells.run), 0.0}}};
+    if (Result<void> done = opcua::writeNow(m_link, clear, m_settings.setupDeadline); !done) {
+      return done;
+    }
+    publish(RunState::Armed, "cycle-start");
+    if (m_control.abilities().startsOnRequest) {
+      if (Result<void> done = m_control.cycleStart(); !done) {
+        return done;
+      }
+    }
+    m_isStarted = true;
+    const Instant until = m_link.now() + m_settings.startDeadline;
+    while (m_link.now() < until) {
+      if (m_orders.stopRequested(m_link.now())) {
+        return cancel();
+      }
+      const Result<State> state = look();
+      if (!state) {
+        return base::fail(state.error());
+      }
+      if (state->call == call(0)) {
+        return {};
+      }
+      if (state->call != 0.0) {
+        return base::fail(StreamError::WrongProgram,
+                          "The control runs another job. Nothing was started: reset the control "
+                          "and select the program.",
+                          m_programs.mainName);
+      }
+      pause();
+    }
+    return base::fail(
+        StreamError::NotStarted,
+        "Cycle start was not pressed in time. Start again when the machine is ready.");
+  }
+
+  /// Before anything has moved.
+  Result<void> cancel() {
+    m_isOver = true;
+    m_report.outcome = Outcome::Stopped;
+    return m_control.abilities().startsOnRequest ? m_control.reset() : Result<void>();
+  }
+
+  /// The control obeys this client from here on.
+  Result<void> greet() {
+    const templates::CellMap& cells = m_programs.loop.cells;
+    const opcua::Assignment claim{opcua::rParameter(cells.client), static_cast<double>(m_firstRun)};
+    const opcua::Assignment go{opcua::rParameter(cells.run),
+                               static_cast<double>(WindowProtocol::kRun)};
+    const std::array<Variable, 1> owner{opcua::rParameter(cells.owner)};
+    const Instant until = m_link.now() + m_settings.stallDeadline;
+    if (Result<void> done = opcua::writeNow(m_link, {&claim, 1}, m_settings.setupDeadline); !done) {
+      return done;
+    }
+    for (;;) {
+      const auto numbers = opcua::readNumbers(m_link, owner, m_settings.setupDeadline);
+      if (!numbers) {
+        return base::fail(numbers.error());
+      }
+      if ((*numbers)[0] == static_cast<double>(m_firstRun)) {
+        break;
+      }
+      if ((*numbers)[0] != 0.0 || m_link.now() >= until) {
+        return base::fail(StreamError::OtherClient,
+                          "Another client is using the program on the control. Rivulet writes "
+                          "nothing more: wait until the other client has finished, or reset the "
+                          "control.");
+      }
+      pause();
+    }
+    m_lastGoOn = JobProtocol::goOn(0);
+    return opcua::writeNow(m_link, {&go, 1}, m_settings.setupDeadline);
+  }
+
+  /// Native blocks and stretches by turns, until the control has ended the program.
+  Result<void> goThrough() {
+    std::size_t next = 0;
+    m_sink.nativeBlocks(1);
+    while (!m_isOver) {
+      const Result<State> state = look();
+      if (!state) {
+        return base::fail(state.error());
+      }
+      if (state->isReset) {
+        return judgeEnd(next);
+      }
+      const bool isCalled =
+          next < m_stretches.size() && state->call == call(m_stretches[next]->number);
+      if (!isCalled) {
+        if (Result<void> done = followOrders(); !done) {
+          return done;
+        }
+        pause();
+        continue;
+      }
+      if (Result<void> done = stream(*m_stretches[next]); !done) {
+        return done;
+      }
+      ++next;
+      m_sink.nativeBlocks(static_cast<int>(next) + 1);
+    }
+    return {};
+  }
+
+  Result<void> judgeEnd(std::size_t next) {
+    m_isOver = true;
+    if (m_isStopped) {
+      m_report.outcome = Outcome::Stopped;
+      return {};
+    }
+    if (next < m_stretches.size()) {
+      return base::fail(StreamError::EndedEarly,
+                        fmt::format("The program on the control ended before stretch {} of {}.",
+                                    m_stretches[next]->number, m_stretches.size()));
+    }
+    m_report.outcome = Outcome::Completed;
+    return {};
+  }
+
+  /// Stop and hold while native blocks are executed: they take effect at the next one.
+  Result<void> followOrders() {
+    if (m_isStopped) {
+      return {};
+    }
+    if (m_orders.stopRequested(m_link.now())) {
+      return end();
+    }
+    const bool holds = m_orders.holdRequested(m_link.now());
+    if (holds == m_isHeld) {
+      return {};
+    }
+    m_isHeld = holds;
+    publish(holds ? RunState::Holding : RunState::Running, "native-blocks");
+    return writeRun(holds ? WindowProtocol::kHold : m_lastGoOn);
+  }
+
+  Result<void> end() {
+    m_isStopped = true;
+    publish(RunState::Stopping, "");
+    return writeRun(WindowProtocol::kEnd);
+  }
+
+  Result<void> writeRun(int value) {
+    const opcua::Assignment run{opcua::rParameter(m_programs.loop.cells.run),
+                                static_cast<double>(value)};
+    return opcua::writeNow(m_link, {&run, 1}, m_settings.setupDeadline);
+  }
+
+  Result<void> stream(const job::Stretch& stretch) {
+    RunSettings settings = m_settings;
+    settings.runNumber = JobProtocol::runNumber(m_firstRun, stretch.number);
+    settings.origin = {};
+    settings.resume.reset();
+    settings.transfer = TransferWay::Link;
+    const gcode::Program program = programOf(m_plan, stretch);
+    StretchLink link(m_link, m_control, m_programs.loop, call(stretch.number));
+    const Result<Preflight> flight = preflight(link, program, settings);
+    if (!flight) {
+      return base::fail(flight.error());
+    }
+    if (Result<void> there = requireStart(stretch, flight->toolMm); !there) {
+      return there;
+    }
+    m_sink.stretchBegins(stretch, flight->toolMm);
+    StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
+    report.run = runJob(link, link, program, settings, m_orders, m_sink);
+    const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
+    if (run.outcome == Outcome::Completed) {
+      return goOn(stretch.number);
+    }
+    m_isStopped = run.outcome == Outcome::Stopped;
+    if (run.error.code == opcua::LinkError::ConnectionLost) {
+      return base::fail(run.error);
+    }
+    // The loop has ended the job itself, or does so now.
+    if (Result<void> done = writeRun(WindowProtocol::kEnd); !done) {
+      return done;
+    }
+    if (Result<void> done = awaitReset(); !done) {
+      return done;
+    }
+    if (!m_isStopped) {
+      return base::fail(run.error);
+    }
+    m_isOver = true;
+    m_report.outcome = Outcome::Stopped;
+    return {};
+  }
+
+  /// A tool that is elsewhere than the program says means another frame, offset or tool length.
+  Result<void> requireStart(const job::Stretch& stretch, base::Vec3 toolMm) const {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (std::abs(toolMm[axis] - stretch.startMm[axis]) > kStartToleranceMm) {  // NaN: not known
+        return base::fail(
+            job::JobError::PositionDiffers,
+            fmt::format("Before stretch {} (line {}) {} is at {:.3f} mm, but at {:.3f} mm by the "
+                        "program: a frame or tool offset has changed. Nothing more was moved. "
+                        "Check the blocks before that line.",
+                        stretch.number, stretch.blocks.front().line.value, base::kAxisNames[axis],
+                        toolMm[axis], stretch.startMm[axis]));
+      }
+    }
+    return {};
+  }
+
+  Result<void> goOn(int stretch) {
+    m_lastGoOn = JobProtocol::goOn(stretch);
+    m_isHeld = false;
+    return writeRun(m_lastGoOn);
+  }
+
+  Result<void> awaitReset() {
+    const Instant until = m_link.now() + m_settings.stopDeadline;
+    while (m_link.now() < until) {
+      const Result<State> state = look();
+      if (!state || state->isReset) {
+        return state ? Result<void>() : base::fail(state.error());
+      }
+      pause();
+    }
+    return base::fail(StreamError::StopNotConfirmed,
+                      "The control did not end the job. Stop it at the control.");
+  }
+
+  struct State {
+    bool isReset = false;
+    double call = 0.0;
+  };
+
+  Result<State> look() {
+    const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
+                                           {VariableKind::Alarm, 0},
+                                           opcua::rParameter(m_programs.loop.callCell)}};
+    const auto numbers = opcua::readNumbers(m_link, watched, m_settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    if (Result<void> fine = requireNoAlarm((*numbers)[1]); !fine) {
+      return base::fail(fine.error());
+    }
+    return State{(*numbers)[0] == opcua::kChannelReset, (*numbers)[2]};
+  }
+
+  [[nodiscard]] double call(int stretch) const {
+    return JobProtocol::callNumber(m_programs.number, stretch);
+  }
+
+  void pause() {
+    const Instant until = m_link.now() + kPollInterval;
+    while (m_link.now() < until) {
+      if (!m_link.wait(until)) {
+        return;
+      }
+    }
+  }
+
+  void publish(RunState state, const char* waitingFor) {
+    LiveUpdate update;
+    update.state = state;
+    update.at = m_link.now();
+    update.waitingFor = waitingFor;
+    m_sink.update(update);
+  }
+
+  opcua::Link& m_link;
+  opcua::Control& m_control;
+  const job::Plan& m_plan;
+  RunSettings m_settings;
+  RunOrders& m_orders;
+  WholeJobSink& m_sink;
+  std::vector<const job::Stretch*> m_stretches;
+  job::JobPrograms m_programs;
+  int m_firstRun = 0;
+  int m_lastGoOn = 0;
+  bool m_isStarted = false;
+  bool m_isStopped = false;
+  bool m_isHeld = false;
+  bool m_isOver = false;
+  WholeJobReport m_report;
+};
+
+}  // namespace
+
+gcode::Program programOf(const job::Plan& plan, const job::Stretch& stretch) {
+  const auto slice = [&stretch](const auto& all) {
+    using List = std::decay_t<decltype(all)>;
+    if (all.empty()) {
+      return List{};
+    }
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(stretch.firstPoint);
+    return List(begin, begin + static_cast<std::ptrdiff_t>(stretch.pointCount));
+  };
+  gcode::Program program;
+  program.name = plan.program.name;
+  program.hash = fmt::format("{}-{}", plan.program.hash, stretch.number);
+  program.dialect = plan.program.dialect;
+  program.trajectory.points = slice(plan.program.trajectory.points);
+  program.trajectory.rotary = slice(plan.program.trajectory.rotary);
+  program.trajectory.toolDirections = slice(plan.program.trajectory.toolDirections);
+  return program;
+}
+
+WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
+                           const RunSettings& settings, RunOrders& orders, WholeJobSink& sink) {
+  return WholeJob(link, control, plan, settings, orders, sink).run();
+}
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A whole job from start to end: the control executes its native blocks, and each stretch between
+/// them is a run of its own (`runJob`), on the same link and in the same program of the control.
+/// @threadsafety runs on the calling thread; the sinks are called on that thread.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "job/main_program.h"
+#include "job/plan.h"
+#include "streaming/driver.h"
+#include "streaming/run.h"
+#include "trace/control_trace.h"
+
+namespace rivulet::streaming {
+
+/// Told how far the job is, in addition to what a run tells.
+class WholeJobSink : public RunSink {
+ public:
+  /// The control executes native blocks. @param next  number of the stretch after them; one more
+  ///        than there are: the last ones
+  virtual void nativeBlocks(int next) = 0;
+  /// A stretch is about to begin. @param startMm  where the tool is, as the control says
+  virtual void stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) = 0;
+};
+
+struct StretchReport {
+  int number = 0;
+  base::Vec3 startMm;  ///< where the tool was
+  std::vector<gcode::StreamPoint> points;
+  RunReport run;
+};
+
+struct WholeJobReport {
+  Outcome outcome = Outcome::Failed;
+  base::Error error;                                        ///< why, for Failed
+  std::vector<StretchReport> stretches;                     ///< those that were begun
+  std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< of the whole job; null: none
+};
+
+/// Runs a job. Nothing moves before every check has passed. A stop ends it at the next window or
+/// native block; a hold waits there.
+/// @param settings  method window or credit; the access is tested before the start
+[[nodiscard]] WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control,
+                                         const job::Plan& plan, const RunSettings& settings,
+                                         RunOrders& orders, WholeJobSink& sink);
+
+/// The points of one stretch, as a program of their own.
+[[nodiscard]] gcode::Program programOf(const job::Plan& plan, const job::Stretch& stretch);
+
+}  // namespace rivulet::streaming

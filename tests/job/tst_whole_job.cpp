@@ -1,0 +1,388 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Whole jobs on the virtual machine, in virtual time: native blocks and streamed stretches by
+// turns.
+
+#include <QtTest>
+
+#include "base/random.h"
+#include "job/main_program.h"
+#include "machine/machine.h"
+#include "plan_text.h"
+#include "streaming/simulation/simulated_link.h"
+#include "streaming/whole_job.h"
+#include "support/test_program.h"
+#include "templates/lint/lint.h"
+
+using namespace rivulet;
+
+namespace {
+
+using streaming::Outcome;
+
+job::Plan planOf(const std::string& text) {
+  gcode::LoadOptions options;
+  options.dialect = gcode::Dialect::Sinumerik;
+  const auto plan = job::makePlan("PART.MPF", text, options);
+  if (!plan) {
+    qFatal("%s", plan.error().text().c_str());
+  }
+  return *plan;
+}
+
+/// Follows a job; stops or holds it where a test wants.
+class Watcher final : public streaming::WholeJobSink, public streaming::RunOrders {
+ public:
+  void update(const streaming::LiveUpdate& update) override {
+    if (events.empty() || events.back() != streaming::runStateName(update.state)) {
+      events.emplace_back(streaming::runStateName(update.state));
+    }
+  }
+  void access(const trace::Access&) override {}
+  void note(const trace::Note& note) override { notes.push_back(note.text); }
+  void nativeBlocks(int next) override {
+    nativeBefore = next;
+    inNative = true;
+  }
+  void stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) override {
+    begun.push_back(stretch.number);
+    starts.push_back(startMm);
+    inNative = false;
+  }
+  bool stopRequested(base::Instant now) override { return stopWhen && stopWhen(now); }
+  bool holdRequested(base::Instant now) override { return holdWhen && holdWhen(now); }
+
+  std::function<bool(base::Instant)> stopWhen;
+  std::function<bool(base::Instant)> holdWhen;
+  std::vector<std::string> events;
+  std::vector<std::string> notes;
+  std::vector<int> begun;
+  std::vector<base::Vec3> starts;
+  int nativeBefore = 0;
+  bool inNative = false;
+};
+
+streaming::RunSettings settingsOf(base::MethodKind method = base::MethodKind::Window) {
+  streaming::RunSettings settings;
+  settings.parameters.method = method;
+  settings.parameters.pointsPerLoop = 5;
+  settings.isCommissioned = true;
+  settings.feedMmPerS = 20.0;
+  return settings;
+}
+
+/// Ends of the blocks that moved, "X1 Y2 Z3", as the control's trace has them, to 0.01 mm: an
+/// axis whose position was read from the control trembles.
+QStringList motions(const trace::ControlTrace& trace) {
+  QStringList ends;
+  for (const trace::ExecutedBlock& block : trace.blocks) {
+    if (block.lengthMm > 0.01) {
+      QString end;
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        const double rounded = std::round(block.targetMm[axis] * 100.0) / 100.0;
+        end += QStringLiteral(" %1%2")
+                   .arg(QLatin1Char(base::kAxisNames[axis]))
+                   .arg(rounded == 0.0 ? 0.0 : rounded);
+      }
+      ends << end.mid(1);
+    }
+  }
+  return ends;
+}
+
+/// What the source program itself moves on the same machine.
+QStringList motionsOfSource(const std::string& text) {
+  machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+  streaming::SimulatedLink link(machine);
+  if (!link.uploadProgram("SOURCE.MPF", text, true) || !link.selectProgram("SOURCE.MPF") ||
+      !link.cycleStart()) {
+    qFatal("the source program does not start");
+  }
+  const base::Instant until = link.now() + std::chrono::minutes{30};
+  while (machine.state().channel != machine::ChannelStatus::Reset && link.now() < until) {
+    (void)link.wait(link.now() + std::chrono::milliseconds{100});
+  }
+  const auto trace = link.fetchTrace();
+  return trace && machine.state().alarm == 0 ? motions(*trace) : QStringList();
+}
+
+/// A program drawn from a seed: motion, what switches, and modal state, in any order.
+std::string drawProgram(std::uint64_t seed) {
+  base::Random random(seed);
+  const auto pick = [&random](std::initializer_list<const char*> from) {
+    return std::string(*(from.begin() + random.below(from.size())));
+  };
+  const auto number = [&random] {
+    return (random.below(2) == 0 ? "" : "-") + std::to_string(random.below(4)) + ".5";
+  };
+  std::string text = "G17 G90 G71 G94 F2000\nG0 X1 Y1 Z1\n";
+  for (std::size_t block = 0; block < 40; ++block) {
+    switch (random.below(10)) {
+      case 0:
+        text += pick({"M8", "M9", "S500 M3", "MSG(\"A\")", "G4 F0.02", "M5"}) + "\n";
+        break;
+      case 1:
+        text += pick({"T1 M6", "D1", "G54", "SUPA G0 Z30", "M60"}) + "\n";
+        break;
+      case 2:
+        text += pick({"G90", "G91", "G17", "G18", "G70", "G71", "DIAMON", "DIAMOF", "F1500",
+                      "TRANS X2 Y1", "TRANS", "ATRANS Z1", "G64", "G60"}) +
+                "\n";
+        break;
+      case 3:
+        text += "G1 X" + number() + " M8\n";
+        break;
+      default:
+        text += pick({"G0", "G1", ""}) + " " + pick({"X", "Y", "Z"}) + number() + "\n";
+        break;
+    }
+  }
+  return text + "M30\n";
+}
+
+const char* const kPart =
+    "N10 G17 G90 G71\n"
+    "T1 D1 M6\n"
+    "S3000 M3\n"
+    "G0 X5 Y5\n"
+    "G0 Z2\n"
+    "M8\n"
+    "G1 Z-1 F400\n"
+    "G1 X10\n"
+    "Y10\n"
+    "X5 Y12\n"
+    "M9\n"
+    "G0 Z5\n"
+    "SUPA G0 Z20\n"
+    "T2 M6\n"
+    "MSG(\"SECOND TOOL\")\n"
+    "G0 X1 Y1\n"
+    "G91 G0 Z-3 M8\n"
+    "G1 X2 F300\n"
+    "G90 X0 Y0\n"
+    "G4 F0.1\n"
+    "G1 X3 Y3\n"
+    "M5 M9\n"
+    "M30\n";
+
+}  // namespace
+
+class TestWholeJob : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  /// The texts are those that a person at the control reads.
+  void programs() {
+    const auto programs = job::makePrograms(planOf("T1 M6\nG0 X1 Y1\nG91 TRANS X1\nM8\nM30\n"),
+                                            settingsOf().parameters);
+    QVERIFY2(programs.has_value(), programs ? "" : programs.error().text().c_str());
+    const QString text = QString::fromStdString(programs->mainText);
+    const QString number = QString::number(programs->number);
+    QVERIFY2(text.contains(QStringLiteral("T1 M6\n")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("%1(%2,1,RIV_RUN+1)\n")
+                               .arg(QString::fromStdString(programs->loop.name), number)),
+             qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("TRANS\nTRANS X1\nG0 G17 G91 G710 DIAMOF G60 G94\nM8\n")),
+             qPrintable(text));
+    const auto findings = templates::lintProgram(programs->loop.text, settingsOf().parameters);
+    QVERIFY(findings.has_value());
+    QVERIFY2(findings->empty(), findings->empty() ? "" : findings->front().message.c_str());
+  }
+
+  void whole_data() {
+    QTest::addColumn<int>("method");
+    QTest::newRow("window") << static_cast<int>(base::MethodKind::Window);
+    QTest::newRow("credit") << static_cast<int>(base::MethodKind::Credit);
+  }
+
+  /// The control moves where the source program moves, in the same order, each once.
+  void whole() {
+    QFETCH(const int, method);
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    const job::Plan plan = planOf(kPart);
+    QVERIFY(plan.isWhole());
+    const streaming::WholeJobReport report = streaming::runWholeJob(
+        link, link, plan, settingsOf(static_cast<base::MethodKind>(method)), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QCOMPARE(report.stretches.size(), plan.stretchCount());
+    QVERIFY(report.controlTrace != nullptr);
+    QCOMPARE(motions(*report.controlTrace), motionsOfSource(kPart));
+    QCOMPARE(motions(*report.controlTrace).size(), 13);
+    QCOMPARE(watcher.begun, (std::vector<int>{1, 2, 3, 4, 5, 6}));
+  }
+
+  /// Programs drawn at random: the same motion as the source, whatever modal state the native
+  /// blocks need.
+  void drawnPrograms() {
+    int jobs = 0;
+    std::size_t natives = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      const std::string text = drawProgram(seed);
+      const job::Plan plan = planOf(text);
+      streaming::RunSettings settings = settingsOf();
+      settings.feedMmPerS = 100.0;
+      if (!job::makePrograms(plan, settings.parameters)) {
+        continue;
+      }
+      const QStringList source = motionsOfSource(text);
+      if (source.isEmpty()) {
+        continue;  // it leaves the working area
+      }
+      machine::Machine machine(*machine::loadPreset("dmu75"), seed);
+      streaming::SimulatedLink link(machine);
+      Watcher watcher;
+      const streaming::WholeJobReport report =
+          streaming::runWholeJob(link, link, plan, settings, watcher, watcher);
+      QVERIFY2(report.outcome == Outcome::Completed,
+               qPrintable(QStringLiteral("seed %1: %2")
+                              .arg(seed)
+                              .arg(QString::fromStdString(report.error.text()))));
+      if (motions(*report.controlTrace) != source) {
+        qInfo("%s", text.c_str());
+        qInfo("%s", job::makePrograms(plan, settings.parameters)->mainText.c_str());
+      }
+      QCOMPARE(motions(*report.controlTrace), source);
+      ++jobs;
+      natives += plan.nativeCount();
+    }
+    qInfo("%d jobs, %zu native blocks", jobs, natives);
+    QVERIFY(jobs > 50);
+  }
+
+  /// Stop in a stretch: the axes stand after the window, and no native block follows.
+  void stopInAStretch() {
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    watcher.stopWhen = [&](base::Instant) { return watcher.begun.size() == 2; };
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf(kPart), settingsOf(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Stopped, report.error.text().c_str());
+    QVERIFY(report.stretches.size() == 2);
+    QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
+    // Nothing after the stretch: the retract to Z 20 was not made.
+    QVERIFY(!motions(*report.controlTrace).contains(QStringLiteral("X5 Y12 Z20")));
+  }
+
+  /// Stop while the control executes native blocks: it ends before the next one.
+  void stopInNativeBlocks() {
+    const char* const text = "G0 X1 Y1 Z1\nG4 F2\nG4 F2\nM8\nG0 X9\nM30\n";
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    std::optional<base::Instant> since;
+    watcher.stopWhen = [&](base::Instant now) {
+      if (watcher.inNative && watcher.nativeBefore == 2) {
+        since = since.value_or(now);
+      }
+      return since && now - *since > std::chrono::seconds{1};
+    };
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf(text), settingsOf(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Stopped, report.error.text().c_str());
+    QCOMPARE(watcher.begun, (std::vector<int>{1}));
+    QVERIFY(since && link.now() - *since < std::chrono::seconds{3});
+    QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
+  }
+
+  /// Hold while the control executes native blocks: it waits before the next one, then goes on.
+  void holdInNativeBlocks() {
+    const char* const text = "G0 X1 Y1 Z1\nG4 F1\nM8\nG0 X9\nM30\n";
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    std::optional<base::Instant> since;
+    watcher.holdWhen = [&](base::Instant now) {
+      if (watcher.inNative && watcher.nativeBefore == 2) {
+        since = since.value_or(now);
+      }
+      return since && now - *since < std::chrono::seconds{20};
+    };
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf(text), settingsOf(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QCOMPARE(motions(*report.controlTrace), motionsOfSource(text));
+    QVERIFY(since && link.now() - *since > std::chrono::seconds{20});
+    QVERIFY(std::count(watcher.events.begin(), watcher.events.end(), "holding") > 0);
+  }
+
+  void stopBeforeTheStart() {
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    watcher.stopWhen = [](base::Instant) { return true; };
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf(kPart), settingsOf(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Stopped, report.error.text().c_str());
+    QVERIFY(report.stretches.empty());
+    QVERIFY(motions(*report.controlTrace).empty());
+  }
+
+  /// A program that the control runs already is left alone.
+  void busyControl() {
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    QVERIFY(link.uploadProgram("A.MPF", "G4 F1000\nM30\n", true));
+    QVERIFY(link.selectProgram("A.MPF"));
+    QVERIFY(link.cycleStart());
+    (void)link.wait(link.now() + std::chrono::seconds{1});
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf(kPart), settingsOf(), watcher, watcher);
+    QVERIFY(report.outcome == Outcome::Failed);
+    QVERIFY(report.error.code == streaming::StreamError::ChannelBusy);
+  }
+
+  /// A native block that the control refuses ends the job with its alarm.
+  void alarmInANativeBlock() {
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    const streaming::WholeJobReport report = streaming::runWholeJob(
+        link, link, planOf("G0 X1 Y1 Z1\nNOT_THERE\nG0 X2\nM30\n"), settingsOf(), watcher, watcher);
+    QVERIFY(report.outcome == Outcome::Failed);
+    QVERIFY2(report.error.code == streaming::StreamError::ControlAlarm,
+             report.error.text().c_str());
+    QCOMPARE(watcher.begun, (std::vector<int>{1}));
+  }
+
+  /// If the control has another frame than the program, the job stops before the next point.
+  void anotherFrame() {
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    // The plan expects the tool where the program left it, as with a shift that nobody knows of.
+    job::Plan plan = planOf("G0 X1 Y1 Z1\nM8\nG0 X2\nM30\n");
+    for (job::Part& part : plan.parts) {
+      auto* const stretch = std::get_if<job::Stretch>(&part);
+      if (stretch != nullptr && stretch->number == 2) {
+        stretch->startMm.set(2, 5.0);
+      }
+    }
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, plan, settingsOf(), watcher, watcher);
+    QVERIFY(report.outcome == Outcome::Failed);
+    QVERIFY2(report.error.code == job::JobError::PositionDiffers, report.error.text().c_str());
+    QCOMPARE(motions(*report.controlTrace), QStringList{QStringLiteral("X1 Y1 Z1")});
+  }
+
+  void refusals() {
+    const templates::TemplateParameters parameters = settingsOf().parameters;
+    const auto code = [&](const char* text) {
+      return job::makePrograms(planOf(text), parameters).error().code;
+    };
+    QVERIFY(code("G999\nM8\nG0 X1\n") == job::JobError::NotWhole);
+    QVERIFY(code("R1=5\nMSG(\"A\"<<R1)\nG0 X1\n") == job::JobError::ReadsVariables);
+    QVERIFY(code("G0 X1 Y1 Z1\nTRANS X5\nG1 X1 F100\nG91 X1 M8\n") ==
+            job::JobError::IncrementInFrame);
+    templates::TemplateParameters position = parameters;
+    position.method = base::MethodKind::Position;
+    QVERIFY(!job::makePrograms(planOf("M8\nG0 X1\n"), position));
+  }
+};
+
+RIVULET_TEST(TestWholeJob)
+#include "tst_whole_job.moc"
