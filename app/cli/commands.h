@@ -104,6 +104,21 @@ struct StreamOptions {
 };
 [[nodiscard]] Exit stream(const StreamOptions& options);
 
+struct JobOptions {
+  OperatingOptions point;
+  std::string file;
+  LoadingOptions loading;
+  std::string output;    ///< folder for the files of the job; empty: none are written
+  std::string endpoint;  ///< empty: the job is not run, unless `simulate`
+  bool simulate = false;
+  std::string preset = "dmu75";
+  std::uint64_t seed = 1;
+  double stopAfterS = 0.0;  ///< 0: not
+  bool json = false;
+};
+/// Writes the files of a whole job, or runs it on a virtual machine.
+[[nodiscard]] Exit job(const JobOptions& options);
+
 struct RunsOptions {
   std::string endpoint;  ///< control that is asked, too; empty: none
   int baseCell = 0;      ///< of a program whose name does not say it

@@ -324,6 +324,37 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
   });
 }
 
+void addJobCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::JobOptions>();
+  CLI::App* command = app.add_subcommand(
+      "job", "Whole job: what is streamed, and what the control executes itself");
+  command->add_option("FILE", options->file, "NC program")->required();
+  addLoading(command, options->loading);
+  addPoint(command, options->point);
+  addFeed(command, options->point);
+  addLayout(command, options->point);
+  command->add_option("-o,--output", options->output, "Folder for the files of the job");
+  auto* endpoint =
+      command->add_option("--endpoint", options->endpoint, "Run it on this virtual machine");
+  auto* simulate = command->add_flag("--simulate", options->simulate,
+                                     "Run it on a virtual machine in virtual time");
+  endpoint->excludes(simulate);
+  command
+      ->add_option("--preset", options->preset,
+                   "Machine of --simulate, a name or a file; whose rapid and axes limit the feeds")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
+  command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
+      ->check(kPositive);
+  addJson(command, options->json);
+  command->callback([options, &exit] {
+    if (!options->simulate && options->endpoint.empty() && options->output.empty()) {
+      throw CLI::RequiredError("--output, --endpoint or --simulate");
+    }
+    exit = rivulet::cli::job(*options);
+  });
+}
+
 void addRunsCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::RunsOptions>();
   CLI::App* command = app.add_subcommand(
@@ -479,6 +510,7 @@ int main(int argc, char** argv) {
   addFeasibilityCommand(app, exit);
   addTemplateCommand(app, exit);
   addStreamCommand(app, exit, {argv, argv + argc});
+  addJobCommand(app, exit);
   addRunsCommand(app, exit);
   addAuditCommand(app, exit);
   addAnalyseCommand(app, exit);

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include "base/file.h"
+#include "base/units.h"
+#include "cli/commands.h"
+#include "cli/connection.h"
+#include "gcode/block_observer.h"
+#include "job/main_program.h"
+#include "log/log.h"
+#include "machine/config.h"
+#include "report/operating_point.h"
+#include "report/plan_json.h"
+#include "report/report_json.h"
+#include "streaming/access_policy.h"
+#include "streaming/control_axes.h"
+#include "streaming/feed_plan.h"
+#include "streaming/whole_job.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+/// Stops at Ctrl-C, or after a time; says what the control does.
+class JobConsole final : public streaming::WholeJobSink, public streaming::RunOrders {
+ public:
+  JobConsole(double stopAfterS, bool isQuiet) : m_stopAfterS(stopAfterS), m_isQuiet(isQuiet) {}
+
+  bool stopRequested(base::Instant now) override {
+    m_first = m_first.value_or(now);
+    return wasInterrupted() ||
+           (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
+  }
+  void update(const streaming::LiveUpdate&) override {}
+  void access(const trace::Access&) override {}
+  void note(const trace::Note&) override {}
+  void nativeBlocks(int next) override {
+    if (!m_isQuiet) {
+      fmt::print("the control executes the blocks before stretch {}\n", next);
+    }
+  }
+  void stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) override {
+    if (!m_isQuiet) {
+      fmt::print("stretch {}: lines {} to {}, {} points, from X {:.3f} Y {:.3f} Z {:.3f}\n",
+                 stretch.number, stretch.blocks.front().line.value,
+                 stretch.blocks.back().line.value, stretch.pointCount, startMm.x, startMm.y,
+                 startMm.z);
+    }
+  }
+
+ private:
+  double m_stopAfterS;
+  bool m_isQuiet;
+  std::optional<base::Instant> m_first;
+};
+
+/// For the person at the control.
+std::string readMe(const job::Plan& plan, const job::JobPrograms& programs) {
+  std::string text = fmt::format(
+      "Job {} of {}\n\n"
+      "1. Copy {} to the part programs of the control, and {} to its subprograms.\n"
+      "   Do not change them.\n"
+      "2. Set up work offset, tools and stock as for {} itself.\n"
+      "3. Select {} in channel 1. The cells begin at R{}: nothing else may use R{} to R{}.\n"
+      "4. Press cycle start. Nothing moves before Rivulet has connected.\n\n"
+      "The control executes {} blocks itself, and Rivulet streams {} stretches between them.\n"
+      "Stop in Rivulet ends the job after the window in motion, or before the next block.\n"
+      "Emergency stop, feed override and reset at the control work as always.\n\n",
+      programs.number, plan.program.name, programs.mainName, programs.loopFileName,
+      plan.program.name, programs.mainName, programs.loop.cells.run, programs.loop.cells.run,
+      programs.loop.cells.last(), plan.nativeCount(), plan.stretchCount());
+  for (const job::Part& part : plan.parts) {
+    if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+      text += fmt::format("  line {:<7} {:<19} {}\n", native->place.line.value,
+                          job::nativeReasonName(native->reason), native->source);
+    } else if (const auto& stretch = std::get<job::Stretch>(part); stretch.number > 0) {
+      text += fmt::format("  stretch {:<4} {} points\n", stretch.number, stretch.pointCount);
+    }
+  }
+  return text;
+}
+
+class JobCommand {
+ public:
+  explicit JobCommand(const JobOptions& options) : m_options(options) {}
+  base::Result<void> prepare();
+  base::Result<void> writeFiles() const;
+  base::Result<void> connect();
+  [[nodiscard]] Exit run();
+
+ private:
+  base::Result<void> planFeeds();
+
+  const JobOptions& m_options;
+  job::Plan m_plan;
+  streaming::RunSettings m_settings;
+  job::JobPrograms m_programs;
+  Connection m_connection;
+};
+
+base::Result<void> JobCommand::prepare() {
+  auto program = gcode::loadProgram(m_options.file, m_options.loading.loadOptions());
+  if (!program) {
+    return base::fail(program.error());
+  }
+  gcode::LoadOptions options = m_options.loading.loadOptions();
+  options.subprogram = gcode::subprogramsBeside(m_options.file);
+  auto plan = job::makePlan(std::move(program->name), std::move(program->text), options);
+  if (!plan) {
+    return base::fail(plan.error());
+  }
+  m_plan = std::move(*plan);
+  m_settings.parameters = m_options.point.parameters();
+  if (m_options.point.axes.empty()) {
+    m_settings.parameters =
+        streaming::withTurnedAxes(m_settings.parameters, m_plan.program.trajectory);
+  }
+  const streaming::AccessPlan access =
+      streaming::accessPlan(streaming::AccessPreference::Automatic, m_settings.parameters.method);
+  m_settings.access = access.choice;
+  m_settings.grouping = access.grouping;
+  if (base::Result<void> feeds = planFeeds(); !feeds) {
+    return feeds;
+  }
+  auto programs = job::makePrograms(m_plan, m_settings.parameters);
+  if (!programs) {
+    return base::fail(programs.error());
+  }
+  m_programs = std::move(*programs);
+  return {};
+}
+
+base::Result<void> JobCommand::planFeeds() {
+  if (m_options.point.feedMmPerMin > 0.0) {
+    m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_options.point.feedMmPerMin);
+    return {};
+  }
+  const auto machine = machine::loadPreset(m_options.preset);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  m_settings.programFeeds =
+      report::programFeedsOf(*machine, m_options.point.overridePercent / 100.0,
+                             base::mmPerSFromMmPerMin(m_options.point.rapidMmPerMin));
+  const gcode::Trajectory& trajectory = m_plan.program.trajectory;
+  if (base::Result<void> known = streaming::requireFeeds(trajectory, m_settings); !known) {
+    known.error().context = m_plan.program.name;
+    known.error().message += " (--feed 500)";
+    return known;
+  }
+  if (!trajectory.points.empty()) {
+    const std::string& cells = m_options.point.feedCells;
+    streaming::planFeeds(
+        m_settings, gcode::streamPoints(trajectory, {}, {}, &*m_settings.programFeeds).points, {},
+        cells == "window"  ? streaming::FeedCells::PerWindow
+        : cells == "point" ? streaming::FeedCells::PerPoint
+                           : streaming::FeedCells::Best);
+  }
+  return {};
+}
+
+base::Result<void> JobCommand::writeFiles() const {
+  const std::filesystem::path folder(m_options.output);
+  std::error_code status;
+  std::filesystem::create_directories(folder, status);
+  const std::array<std::pair<std::string, std::string>, 4> files{
+      {{m_programs.mainName, m_programs.mainText},
+       {m_programs.loopFileName, m_programs.loop.text},
+       {"README.txt", readMe(m_plan, m_programs)},
+       {"job.json", report::planJson(m_plan).dump(2) + "\n"}}};
+  for (const auto& [name, text] : files) {
+    if (const auto written = base::writeFile((folder / name).string(), text); !written) {
+      return written;
+    }
+    if (!m_options.json) {
+      fmt::print("{}\n", (folder / name).string());
+    }
+  }
+  return {};
+}
+
+base::Result<void> JobCommand::connect() {
+  auto connection = m_options.simulate ? simulate(m_options.preset, m_options.seed)
+                                       : connectTo(m_options.endpoint);
+  if (!connection) {
+    return base::fail(connection.error());
+  }
+  m_connection = std::move(*connection);
+  if (!m_connection.control->isVirtualMachine()) {
+    return base::fail(streaming::StreamError::NotCommissioned,
+                      "Whole jobs run on virtual machines only so far. Nothing was changed on the "
+                      "control.",
+                      m_connection.name);
+  }
+  // Wrong motion of a virtual machine does no harm.
+  m_settings.isCommissioned = true;
+  return {};
+}
+
+Exit JobCommand::run() {
+  JobConsole console(m_options.stopAfterS, m_options.json);
+  const streaming::WholeJobReport done = streaming::runWholeJob(
+      *m_connection.link, *m_connection.control, m_plan, m_settings, console, console);
+  std::size_t executed = 0;
+  nlohmann::ordered_json stretches = nlohmann::ordered_json::array();
+  for (const streaming::StretchReport& stretch : done.stretches) {
+    executed += stretch.run.counters.executed;
+    stretches.push_back({{"stretch", stretch.number},
+                         {"outcome", streaming::outcomeName(stretch.run.outcome)},
+                         {"points", stretch.run.counters.total},
+                         {"executed", stretch.run.counters.executed},
+                         {"start_mm", {stretch.startMm.x, stretch.startMm.y, stretch.startMm.z}},
+                         {"duration_s", base::toSeconds(stretch.run.duration)}});
+  }
+  if (m_options.json) {
+    nlohmann::ordered_json json{{"outcome", streaming::outcomeName(done.outcome)},
+                                {"job", m_programs.number},
+                                {"stretches", m_plan.stretchCount()},
+                                {"native_blocks", m_plan.nativeCount()},
+                                {"executed_points", executed},
+                                {"runs", stretches}};
+    json["error"] = done.error.code ? report::errorJson(done.error) : nlohmann::ordered_json();
+    printJson(json);
+  } else {
+    fmt::print("{}: {} of {} stretches begun, {} points executed, {} blocks for the control\n",
+               streaming::outcomeName(done.outcome), done.stretches.size(), m_plan.stretchCount(),
+               executed, m_plan.nativeCount());
+  }
+  if (!done.error.code) {
+    return Exit::Done;
+  }
+  if (!m_options.json) {
+    log::logger().error(done.error.text());
+  }
+  return exitFor(done.error) == Exit::Connection ? Exit::Connection : Exit::Wrong;
+}
+
+}  // namespace
+
+Exit job(const JobOptions& options) {
+  watchForInterrupt();
+  JobCommand command(options);
+  base::Result<void> done = command.prepare();
+  if (done && !options.output.empty()) {
+    done = command.writeFiles();
+  }
+  const bool runs = options.simulate || !options.endpoint.empty();
+  if (done && runs) {
+    done = command.connect();
+  }
+  if (!done) {
+    return reportError(done.error(), options.json);
+  }
+  return runs ? command.run() : Exit::Done;
+}
+
+}  // namespace rivulet::cli
