@@ -48,6 +48,13 @@ bool isWithoutEffect(const nc::Words& words) {
   });
 }
 
+/// CYCLE800(): no plane is swivelled here.
+bool swivelsBack(const nc::Call& call) {
+  return call.name == "CYCLE800" &&
+         std::none_of(call.arguments.begin(), call.arguments.end(),
+                      [](const auto& argument) { return argument.has_value(); });
+}
+
 template <class... Callables>
 struct Overload : Callables... {
   using Callables::operator()...;
@@ -222,6 +229,9 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
           [&](const nc::Call& s) -> Prepared {
             if (isCycle(s)) {
               return callCycle(s, statement.place.line);
+            }
+            if (swivelsBack(s)) {
+              return PreparedNothing{};
             }
             const nc::Expected<bool> jumped = m_flow.execute(statement);
             return jumped ? Prepared(PreparedNothing{*jumped}) : alarmOf(jumped.error());

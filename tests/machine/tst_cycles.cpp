@@ -78,6 +78,9 @@ class TestCycles : public QObject {
                                    << "10,50,0 10,2,0 10,-5,0 10,20,0";
     QTest::newRow("offset and frame") << "G54 G0 X10 Z50 F1000\nTRANS X5\nCYCLE81(20,0,2,-5)"
                                       << "10,0,50 10,0,2 10,0,-5 10,0,20";
+    // Programs begin with these: nothing is to be ended.
+    QTest::newRow("no transformation, no swivelling") << "TRAFOOF\nCYCLE800()\nG0 X10"
+                                                      << "10,0,50";
     QTest::newRow("in a subprogram") << "G0 Z50 F1000\nMCALL CYCLE81(20,0,2,-5)\nHOLE\nMCALL\nX0"
                                      << "0,0,50 7,0,50 7,0,2 7,0,-5 7,0,20 0,0,20";
     QTest::newRow("modal subprogram") << "G0 Z50 F1000\nMCALL HOLE\nX5\nMCALL\nX0"

@@ -240,7 +240,8 @@ class SinumerikParser final : public BlockParser {
         std::find(kForeign.begin(), kForeign.end(), token.value) != kForeign.end()) {
       return Fault{FaultCode::UnknownGCode, wordText(token), m_place};
     }
-    if (!isNamed(token)) {
+    // There is no transformation that TRAFOOF could end.
+    if (!isNamed(token) || tokenIs(token, "TRAFOOF")) {
       return std::nullopt;
     }
     // What a query writes to its variables, and where a transformation moves the axes, only a
