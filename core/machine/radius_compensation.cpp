@@ -26,8 +26,14 @@ constexpr int kNotMade = 12550;
 
 /// A motion that moves less in the plane is none there.
 constexpr double kLengthMmMin = 1e-9;
+/// An arc of the tool's radius leaves a point. As much may lie between its radii (MD21000).
+constexpr double kPointMm = 0.01;
 /// Blocks whose directions differ by less continue each other, rad.
 constexpr double kTangentRad = 1e-4;
+/// Tangents as a CAM system writes them, with rounded coordinates: such an inner corner is passed
+/// straight, even if the paths beside it do not meet. The contour loses half of this, squared,
+/// times the radius.
+constexpr double kRoundedRad = 0.01;
 /// MD20210: corners that turn by more get a circle with G451 too.
 constexpr double kCornerRadMax = 100.0 * std::numbers::pi / 180.0;
 constexpr double kFullCircle = 2.0 * std::numbers::pi;
@@ -139,8 +145,11 @@ std::optional<RadiusCompensation::Corner> RadiusCompensation::cornerTo(const Ele
       m_active->side * angle > 0.0 && std::abs(angle) < std::numbers::pi - kTangentRad;
   if (isInner) {
     const std::optional<Point> meeting = innerCorner(next);
-    return meeting ? std::optional(Corner{*meeting, *meeting, std::nullopt, std::nullopt})
-                   : std::nullopt;
+    if (meeting) {
+      return Corner{*meeting, *meeting, std::nullopt, std::nullopt};
+    }
+    corner.waypoint = corner.start;
+    return std::abs(angle) <= kRoundedRad ? std::optional(corner) : std::nullopt;
   }
   if (!m_active->intersects || std::abs(angle) > kCornerRadMax) {
     corner.arcAbout = place;
@@ -163,11 +172,12 @@ std::optional<RadiusCompensation::Point> RadiusCompensation::innerCorner(
     Point at;
     Point direction;
     Point centre;
-    double radius = 0.0;  ///< 0: a line
+    double radius = 0.0;
+    bool isLine = true;
   };
   const auto curveOf = [this](const Element& element, Point place, Point direction) {
     return Curve{beside(place, direction), direction, element.centre,
-                 element.turn == 0.0 ? 0.0 : offsetRadiusMm(element)};
+                 std::max(0.0, offsetRadiusMm(element)), element.turn == 0.0};
   };
   Curve a = curveOf(*m_held, m_held->to, endDirection(*m_held));
   Curve b = curveOf(next, next.from, startDirection(next));
@@ -176,12 +186,12 @@ std::optional<RadiusCompensation::Point> RadiusCompensation::innerCorner(
     meetings.push_back(
         {line.at.u + length * line.direction.u, line.at.v + length * line.direction.v});
   };
-  if (a.radius == 0.0 && b.radius == 0.0) {
+  if (a.isLine && b.isLine) {
     const double sine = a.direction.u * b.direction.v - a.direction.v * b.direction.u;
     alongLine(a, ((b.at.u - a.at.u) * b.direction.v - (b.at.v - a.at.v) * b.direction.u) / sine);
-  } else if (a.radius == 0.0 || b.radius == 0.0) {
-    const Curve& line = a.radius == 0.0 ? a : b;
-    const Curve& circle = a.radius == 0.0 ? b : a;
+  } else if (a.isLine || b.isLine) {
+    const Curve& line = a.isLine ? a : b;
+    const Curve& circle = a.isLine ? b : a;
     const Point to{circle.centre.u - line.at.u, circle.centre.v - line.at.v};
     const double along = to.u * line.direction.u + to.v * line.direction.v;
     const double square =
@@ -240,7 +250,9 @@ std::optional<RadiusCompensation::Point> RadiusCompensation::innerCorner(
 void RadiusCompensation::passOn(Point end, std::deque<Prepared>& ready) {
   PreparedMotion motion = std::move(m_held->motion);
   motion.targetMm = placed(motion.targetMm, end);
-  if (motion.arc) {
+  if (motion.arc && offsetRadiusMm(*m_held) <= kPointMm) {
+    motion.arc.reset();
+  } else if (motion.arc) {
     const Point centre = m_held->centre;
     const double turns = std::floor((motion.arc->sweepRad - 1e-9) / kFullCircle);
     const auto angle = [centre](Point p) { return std::atan2(p.v - centre.v, p.u - centre.u); };
@@ -382,7 +394,7 @@ std::optional<Alarm> RadiusCompensation::select(Element element, const Compensat
 }
 
 std::optional<Alarm> RadiusCompensation::follow(Element element, std::deque<Prepared>& ready) {
-  if (element.turn != 0.0 && offsetRadiusMm(element) <= kLengthMmMin) {
+  if (element.turn != 0.0 && offsetRadiusMm(element) < -kPointMm) {
     return alarmAt(element.motion, kCollision, "the tool is too large for this arc.");
   }
   Corner corner;

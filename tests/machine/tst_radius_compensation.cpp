@@ -85,6 +85,10 @@ class TestRadiusCompensation : public QObject {
     row("arc, inside", "G41 X20 Y0\nG3 X0 Y20 CR=20\nG1 G40 X0 Y0", "15,0,0 ~0,15,0 0,0,0");
     row("arc, outside", "G42 X20 Y0\nG3 X0 Y20 CR=20\nG1 G40 X0 Y40", "25,0,0 ~0,25,0 0,40,0");
     row("full circle", "G41 X20 Y0\nG3 I-20\nG1 G40 X0", "15,0,0 ~15,0,0 0,0,0");
+    row("arc of the tool's radius", "G41 X10 Y0\nX20\nG3 X25 Y5 CR=5\nG1 Y20\nG40 X30",
+        "10,5,0 20,5,0 20,20,0 30,20,0");
+    row("rounded tangent", "G41 X10 Y0\nX20\nG3 X24.995 Y4.96 CR=5\nG1 Y20\nG40 X30",
+        "10,5,0 20,5,0 19.9952,5,0 19.995,4.96,0 19.995,20,0 30,20,0");
     row("line into arc, inner", "G41 X-20 Y5\nX0 Y5\nG3 X20 Y25 I0 J20\nG40 G1 X20 Y30",
         "-20,10,0 0,10,0 ~15,25,0 20,30,0");
     row("inner corner at an arc", "G41 X-20 Y0\nX0\nG2 X20 Y-20 I20\nG40 G1 X30",
