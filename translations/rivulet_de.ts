@@ -2627,7 +2627,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
         <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>Mit dem Verfahren Kredit fahren die Achsen weiter, während das nächste Fenster unterwegs ist. Sicher ist das nur auf einer Steuerung, die antwortet, während ihre Achsen beschäftigt sind. Dieser Test stellt es fest: ein Programm, das keine Achse bewegt, einige Sekunden lang. Der Kanal muss in Reset sein.</translation>
+        <translation>Mit dem Verfahren Kredit fahren die Achsen weiter, während das nächste Fenster unterwegs ist. Sicher ist das nur an einer Steuerung, die antwortet, während ihre Achsen beschäftigt sind. Dieser Test stellt es fest: ein Programm, das keine Achse bewegt, einige Sekunden lang. Der Kanal muss im Reset sein.</translation>
     </message>
     <message>
         <source>First R-parameter</source>
@@ -2671,7 +2671,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>3. Press cycle start at the control (a virtual machine starts by itself).</source>
-        <translation>3. An der Steuerung Zyklusstart drücken (eine virtuelle Maschine startet von selbst).</translation>
+        <translation>3. An der Steuerung NC-Start drücken (eine virtuelle Maschine startet von selbst).</translation>
     </message>
     <message>
         <source>4. Numbers are sent and must come back while the control is busy.</source>
@@ -2679,7 +2679,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Waiting for cycle start</source>
-        <translation>Wartet auf Zyklusstart</translation>
+        <translation>Wartet auf NC-Start</translation>
     </message>
     <message>
         <source>The test is in progress</source>
@@ -4804,7 +4804,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>No run is selected.</source>
-        <translation>Kein Lauf ist ausgewählt.</translation>
+        <translation>Kein Lauf ausgewählt.</translation>
     </message>
     <message>
         <source>%1, %2, version %3, %4</source>
@@ -4864,7 +4864,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Failed or wrong</source>
-        <translation>Gescheitert oder falsch</translation>
+        <translation>Fehlgeschlagen oder falsch</translation>
     </message>
     <message>
         <source>Table as CSV…</source>

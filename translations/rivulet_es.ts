@@ -1547,11 +1547,11 @@
     <name>RunsTexts</name>
     <message>
         <source>This is not the report of a run. Choose a file that this page or stream --json has written.</source>
-        <translation>No es el informe de una ejecución. Elija un archivo escrito por esta página o por stream --json.</translation>
+        <translation>No es el informe de una ejecución. Elegir un archivo escrito por esta página o por stream --json.</translation>
     </message>
     <message>
         <source>The report was written by a later version of Rivulet. Use that one to open it.</source>
-        <translation>El informe fue escrito por una versión más reciente de Rivulet. Ábralo con ella.</translation>
+        <translation>El informe es de una versión más reciente de Rivulet. Abrirlo con ella.</translation>
     </message>
     <message>
         <source>The report is damaged and cannot be shown.</source>
@@ -1563,7 +1563,7 @@
     </message>
     <message>
         <source>%1 cannot be written. Check permissions and free space.</source>
-        <translation>No se puede escribir %1. Compruebe los permisos y el espacio libre.</translation>
+        <translation>No se puede escribir %1. Comprobar los permisos y el espacio libre.</translation>
     </message>
 </context>
 <context>
@@ -1880,11 +1880,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
-        <translation>Se han tomado los ajustes de la ejecución. No indica dónde estaba su programa: abra el programa con versión %1.</translation>
+        <translation>Se han tomado los ajustes de la ejecución. No indica dónde estaba su programa: abrir el programa con versión %1.</translation>
     </message>
     <message>
         <source>%1 is not the program of that run: version %2 then, %3 now. Its settings are set. Check the path before you start.</source>
-        <translation>%1 no es el programa de esa ejecución: versión %2 entonces, %3 ahora. Se han tomado sus ajustes. Compruebe la trayectoria antes de iniciar.</translation>
+        <translation>%1 no es el programa de esa ejecución: versión %2 entonces, %3 ahora. Se han tomado sus ajustes. Comprobar la trayectoria antes de iniciar.</translation>
     </message>
     <message>
         <source>Program and settings are those of the run of %1. Nothing has started.</source>
@@ -2149,7 +2149,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>F %1 instead of %2: feasible</source>
-        <translation>F %1 en lugar de %2: factible</translation>
+        <translation>F %1 en lugar de %2: viable</translation>
     </message>
     <message>
         <source>N %1 instead of %2: largest feed %3</source>
@@ -2173,7 +2173,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Not feasible: largest feed %1</source>
-        <translation>No factible: avance máximo %1</translation>
+        <translation>No viable: avance máximo %1</translation>
     </message>
     <message>
         <source>Safe, with waiting above %1</source>
@@ -2181,7 +2181,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>By the equations feasible up to %1</source>
-        <translation>Según las ecuaciones, factible hasta %1</translation>
+        <translation>Según las ecuaciones, viable hasta %1</translation>
     </message>
     <message>
         <source>Use</source>
@@ -2627,7 +2627,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
         <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>El método Crédito deja avanzar los ejes mientras la ventana siguiente está en camino. Solo es seguro en un control que responde mientras sus ejes están ocupados. Esta prueba lo comprueba: un programa que no mueve ningún eje, durante unos segundos. El canal debe estar en reset.</translation>
+        <translation>Con el método Crédito, los ejes siguen moviéndose mientras la ventana siguiente está en camino. Solo es seguro en un control que responde mientras sus ejes están ocupados. Esta prueba lo comprueba: un programa que no mueve ningún eje, durante unos segundos. El canal debe estar en Reset.</translation>
     </message>
     <message>
         <source>First R-parameter</source>
@@ -2643,7 +2643,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>I bring the program to the control myself</source>
-        <translation>Llevo yo mismo el programa al control</translation>
+        <translation>Transfiero yo mismo el programa al control</translation>
     </message>
     <message>
         <source>Start the test</source>
@@ -2659,11 +2659,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>1. Bring the channel to reset, in AUTO.</source>
-        <translation>1. Lleve el canal a reset, en AUTO.</translation>
+        <translation>1. Poner el canal en Reset, en AUTO.</translation>
     </message>
     <message>
         <source>2. Store the text below as part program %1 and select it.</source>
-        <translation>2. Guarde el texto de abajo como programa de pieza %1 y selecciónelo.</translation>
+        <translation>2. Guardar el texto de abajo como programa de pieza %1 y seleccionarlo.</translation>
     </message>
     <message>
         <source>2. The program %1 is transferred, read back and selected.</source>
@@ -2671,7 +2671,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>3. Press cycle start at the control (a virtual machine starts by itself).</source>
-        <translation>3. Pulse Marcha CN en el control (una máquina virtual arranca sola).</translation>
+        <translation>3. Pulsar Marcha CN en el control (una máquina virtual arranca sola).</translation>
     </message>
     <message>
         <source>4. Numbers are sent and must come back while the control is busy.</source>
@@ -2691,7 +2691,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Tested with another version of the server: test it again</source>
-        <translation>Probado con otra versión del servidor: repita la prueba</translation>
+        <translation>Probado con otra versión del servidor: repetir la prueba</translation>
     </message>
     <message>
         <source>Passed: method credit may run on this control</source>
@@ -2699,7 +2699,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Not passed: method credit does not start. Use method window.</source>
-        <translation>No superada: el método Crédito no se inicia. Use el método Ventana.</translation>
+        <translation>No superada: el método Crédito no se inicia. Usar el método Ventana.</translation>
     </message>
     <message>
         <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
@@ -2707,7 +2707,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The control answers the client while blocks wait to be executed.</source>
-        <translation>El control responde al cliente mientras hay bloques esperando su ejecución.</translation>
+        <translation>El control responde al cliente mientras hay secuencias esperando su ejecución.</translation>
     </message>
     <message>
         <source>What a synchronized action writes reaches the client.</source>
@@ -2719,15 +2719,15 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>A synchronized action before a block is executed with that block.</source>
-        <translation>Una acción síncrona antes de un bloque se ejecuta con ese bloque.</translation>
+        <translation>Una acción síncrona antes de una secuencia se ejecuta con esa secuencia.</translation>
     </message>
     <message>
         <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
-        <translation>El programa sabe, sin parada, si hay bloques esperando ($AC_IPO_BUF).</translation>
+        <translation>El programa sabe, sin parada, si hay secuencias esperando ($AC_IPO_BUF).</translation>
     </message>
     <message>
         <source>Confirm the R-parameters first.</source>
-        <translation>Confirme primero los parámetros R.</translation>
+        <translation>Confirmar primero los parámetros R.</translation>
     </message>
 </context>
 <context>
@@ -3850,23 +3850,23 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Distance to go: not known, because the stream leaves no time to read the axes.</source>
-        <translation>Distancia restante: desconocida, porque el flujo no deja tiempo para leer los ejes.</translation>
+        <translation>Recorrido restante: desconocido, porque la transmisión no deja tiempo para leer los ejes.</translation>
     </message>
     <message>
         <source>Distance to go: not known. The axes are not on the path of the program, or it is being corrected.</source>
-        <translation>Distancia restante: desconocida. Los ejes no están en la trayectoria del programa, o se está corrigiendo.</translation>
+        <translation>Recorrido restante: desconocido. Los ejes no están en la trayectoria del programa, o se está corrigiendo.</translation>
     </message>
     <message>
         <source>Distance to go: the control does not report it.</source>
-        <translation>Distancia restante: el control no la comunica.</translation>
+        <translation>Recorrido restante: el control no lo comunica.</translation>
     </message>
     <message>
         <source>Distance to go to the end of the move in progress, from the position that was read and the path of the program</source>
-        <translation>Distancia restante hasta el final del movimiento en curso, según la posición leída y la trayectoria del programa</translation>
+        <translation>Recorrido restante hasta el final del movimiento en curso, según la posición leída y la trayectoria del programa</translation>
     </message>
     <message>
         <source>Distance to go to the end of the block, as the control reports it</source>
-        <translation>Distancia restante hasta el final del bloque, comunicada por el control</translation>
+        <translation>Recorrido restante hasta el final de la secuencia, comunicado por el control</translation>
     </message>
     <message>
         <source>set %1</source>
@@ -4654,7 +4654,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Points that are known to be executed</source>
-        <translation>Puntos cuya ejecución consta</translation>
+        <translation>Puntos que constan como ejecutados</translation>
     </message>
     <message>
         <source>Points that were sent to the control</source>
@@ -4698,7 +4698,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Known while points have to be brought.</source>
-        <translation>Conocido mientras haya puntos por llevar.</translation>
+        <translation>Se conoce mientras queden puntos por enviar.</translation>
     </message>
     <message>
         <source>%1 pts</source>
@@ -4706,7 +4706,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Points that the control has and that are not known to be executed</source>
-        <translation>Puntos que el control tiene y cuya ejecución no consta</translation>
+        <translation>Puntos que el control tiene y que aún no constan como ejecutados</translation>
     </message>
     <message>
         <source>No run of this window is in progress.</source>
@@ -4888,7 +4888,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Resume</source>
-        <translation>Reanudación</translation>
+        <translation>Reanudar</translation>
     </message>
     <message>
         <source>Page as PDF…</source>

@@ -1590,7 +1590,7 @@
     </message>
     <message>
         <source>Path, seen from above; rapids dashed</source>
-        <translation>Trajectoire vue de dessus&#xa0;; rapides en pointillé</translation>
+        <translation>Trajectoire vue de dessus&#xa0;; rapides en tirets</translation>
     </message>
     <message>
         <source>The path was not kept.</source>
@@ -1610,7 +1610,7 @@
     </message>
     <message>
         <source>Version (hash)</source>
-        <translation>Version (hachage)</translation>
+        <translation>Version (empreinte)</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1674,7 +1674,7 @@
     </message>
     <message>
         <source>Out of order</source>
-        <translation>Hors de l’ordre</translation>
+        <translation>Dans le désordre</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -2141,7 +2141,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::AdvicePanel</name>
     <message>
         <source>F %1 instead of %2: still without wrong points</source>
-        <translation>F %1 au lieu de %2&#xa0;: toujours sans point faux</translation>
+        <translation>F %1 au lieu de %2&#xa0;: toujours sans point erroné</translation>
     </message>
     <message>
         <source>F %1 instead of %2: without waiting</source>
@@ -2149,7 +2149,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>F %1 instead of %2: feasible</source>
-        <translation>F %1 au lieu de %2&#xa0;: faisable</translation>
+        <translation>F %1 au lieu de %2&#xa0;: réalisable</translation>
     </message>
     <message>
         <source>N %1 instead of %2: largest feed %3</source>
@@ -2173,7 +2173,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Not feasible: largest feed %1</source>
-        <translation>Non faisable&#xa0;: avance maximale %1</translation>
+        <translation>Non réalisable&#xa0;: avance maximale %1</translation>
     </message>
     <message>
         <source>Safe, with waiting above %1</source>
@@ -2181,7 +2181,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>By the equations feasible up to %1</source>
-        <translation>Selon les équations, faisable jusqu’à %1</translation>
+        <translation>Selon les équations, réalisable jusqu’à %1</translation>
     </message>
     <message>
         <source>Use</source>
@@ -2197,7 +2197,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Each was simulated with this program and made no wrong point.</source>
-        <translation>Chacun a été simulé avec ce programme, sans point faux.</translation>
+        <translation>Chacun a été simulé avec ce programme, sans point erroné.</translation>
     </message>
     <message>
         <source>Advice</source>
@@ -2627,7 +2627,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
         <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>La méthode Crédit laisse les axes avancer pendant que la fenêtre suivante est en route. Cela n’est sûr que sur une commande qui répond pendant que ses axes sont occupés. Ce test le vérifie&#xa0;: un programme qui ne déplace aucun axe, pendant quelques secondes. Le canal doit être en reset.</translation>
+        <translation>Avec la méthode Crédit, les axes continuent pendant que la fenêtre suivante est en route. Cela n’est sûr que sur une commande qui répond pendant que ses axes sont occupés. Ce test le vérifie&#xa0;: un programme qui ne déplace aucun axe, pendant quelques secondes. Le canal doit être en Reset.</translation>
     </message>
     <message>
         <source>First R-parameter</source>
@@ -2643,7 +2643,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>I bring the program to the control myself</source>
-        <translation>J’apporte moi-même le programme à la commande</translation>
+        <translation>Je transfère moi-même le programme sur la commande</translation>
     </message>
     <message>
         <source>Start the test</source>
@@ -2659,7 +2659,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>1. Bring the channel to reset, in AUTO.</source>
-        <translation>1. Mettre le canal en reset, en mode AUTO.</translation>
+        <translation>1. Mettre le canal en Reset, en mode AUTO.</translation>
     </message>
     <message>
         <source>2. Store the text below as part program %1 and select it.</source>
@@ -3850,7 +3850,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Distance to go: not known, because the stream leaves no time to read the axes.</source>
-        <translation>Distance restante&#xa0;: inconnue, car le flux ne laisse pas le temps de lire les axes.</translation>
+        <translation>Distance restante&#xa0;: inconnue, car la transmission ne laisse pas le temps de lire les axes.</translation>
     </message>
     <message>
         <source>Distance to go: not known. The axes are not on the path of the program, or it is being corrected.</source>
@@ -3874,7 +3874,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The feed override at the control is not read; it acts in addition.</source>
-        <translation>Le correcteur d’avance de la commande n’est pas lu&#xa0;; il agit en plus.</translation>
+        <translation>L’override d’avance de la commande n’est pas lu&#xa0;; il agit en plus.</translation>
     </message>
     <message>
         <source>Commanded feed: not known, because no run of this window is in progress.</source>
@@ -4654,7 +4654,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Points that are known to be executed</source>
-        <translation>Points dont l’exécution est établie</translation>
+        <translation>Points dont on sait qu’ils sont exécutés</translation>
     </message>
     <message>
         <source>Points that were sent to the control</source>
@@ -4694,11 +4694,11 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
-        <translation>Temps restant estimé, avec les avances et les pauses prévues de cette exécution. La suspension et le correcteur d’avance de la commande n’y sont pas compris.</translation>
+        <translation>Temps restant estimé, avec les avances et les pauses prévues de cette exécution. La suspension et l’override d’avance de la commande n’y sont pas compris.</translation>
     </message>
     <message>
         <source>Known while points have to be brought.</source>
-        <translation>Connue tant que des points sont à apporter.</translation>
+        <translation>Connu tant qu’il reste des points à envoyer.</translation>
     </message>
     <message>
         <source>%1 pts</source>
@@ -4706,7 +4706,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Points that the control has and that are not known to be executed</source>
-        <translation>Points que la commande possède et dont l’exécution n’est pas établie</translation>
+        <translation>Points que la commande possède et dont on ne sait pas encore s’ils sont exécutés</translation>
     </message>
     <message>
         <source>No run of this window is in progress.</source>
@@ -4856,7 +4856,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Faultless</source>
-        <translation>Sans faute</translation>
+        <translation>Sans erreur</translation>
     </message>
     <message>
         <source>Not judged</source>
@@ -4864,7 +4864,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Failed or wrong</source>
-        <translation>Échoué ou faux</translation>
+        <translation>Échec ou erreur</translation>
     </message>
     <message>
         <source>Table as CSV…</source>
@@ -4888,7 +4888,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Resume</source>
-        <translation>Reprise</translation>
+        <translation>Reprendre</translation>
     </message>
     <message>
         <source>Page as PDF…</source>

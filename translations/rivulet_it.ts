@@ -2169,7 +2169,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>No verdict</source>
-        <translation>Nessun verdetto</translation>
+        <translation>Nessun esito</translation>
     </message>
     <message>
         <source>Not feasible: largest feed %1</source>
@@ -2205,11 +2205,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Try</source>
-        <translation>Provare</translation>
+        <translation>Prova</translation>
     </message>
     <message>
         <source>Points per loop N</source>
-        <translation>Punti per ciclo N</translation>
+        <translation>Punti per loop N</translation>
     </message>
     <message>
         <source>Distance δ</source>
@@ -2627,7 +2627,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
         <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>Il metodo Credito lascia avanzare gli assi mentre la finestra successiva è in arrivo. È sicuro solo su un controllo che risponde mentre i suoi assi sono occupati. Questo test lo verifica: un programma che non muove alcun asse, per pochi secondi. Il canale deve essere in reset.</translation>
+        <translation>Con il metodo Credito gli assi proseguono mentre la finestra successiva è in arrivo. È sicuro solo su un controllo che risponde mentre i suoi assi sono occupati. Questo test lo verifica: un programma che non muove alcun asse, per pochi secondi. Il canale deve essere in Reset.</translation>
     </message>
     <message>
         <source>First R-parameter</source>
@@ -2639,11 +2639,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Nobody else uses R%1 to R%2</source>
-        <translation>Nessun altro usa da R%1 a R%2</translation>
+        <translation>Nessun altro usa R%1 … R%2</translation>
     </message>
     <message>
         <source>I bring the program to the control myself</source>
-        <translation>Porto io stesso il programma sul controllo</translation>
+        <translation>Trasferisco io il programma sul controllo</translation>
     </message>
     <message>
         <source>Start the test</source>
@@ -2659,7 +2659,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>1. Bring the channel to reset, in AUTO.</source>
-        <translation>1. Portare il canale in reset, in AUTO.</translation>
+        <translation>1. Portare il canale in Reset, in AUTO.</translation>
     </message>
     <message>
         <source>2. Store the text below as part program %1 and select it.</source>
@@ -3850,23 +3850,23 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Distance to go: not known, because the stream leaves no time to read the axes.</source>
-        <translation>Distanza residua: non nota, perché il flusso non lascia il tempo di leggere gli assi.</translation>
+        <translation>Percorso residuo: non noto, perché la trasmissione non lascia il tempo di leggere gli assi.</translation>
     </message>
     <message>
         <source>Distance to go: not known. The axes are not on the path of the program, or it is being corrected.</source>
-        <translation>Distanza residua: non nota. Gli assi non sono sul percorso del programma, o è in corso una correzione.</translation>
+        <translation>Percorso residuo: non noto. Gli assi non sono sul percorso del programma, o è in corso una correzione.</translation>
     </message>
     <message>
         <source>Distance to go: the control does not report it.</source>
-        <translation>Distanza residua: il controllo non la comunica.</translation>
+        <translation>Percorso residuo: il controllo non lo comunica.</translation>
     </message>
     <message>
         <source>Distance to go to the end of the move in progress, from the position that was read and the path of the program</source>
-        <translation>Distanza residua fino alla fine del movimento in corso, dalla posizione letta e dal percorso del programma</translation>
+        <translation>Percorso residuo fino alla fine del movimento in corso, dalla posizione letta e dal percorso del programma</translation>
     </message>
     <message>
         <source>Distance to go to the end of the block, as the control reports it</source>
-        <translation>Distanza residua fino alla fine del blocco, comunicata dal controllo</translation>
+        <translation>Percorso residuo fino alla fine del blocco, comunicato dal controllo</translation>
     </message>
     <message>
         <source>set %1</source>
@@ -4654,7 +4654,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Points that are known to be executed</source>
-        <translation>Punti la cui esecuzione è accertata</translation>
+        <translation>Punti che risultano eseguiti</translation>
     </message>
     <message>
         <source>Points that were sent to the control</source>
@@ -4698,7 +4698,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Known while points have to be brought.</source>
-        <translation>Noto finché ci sono punti da portare.</translation>
+        <translation>Noto finché restano punti da inviare.</translation>
     </message>
     <message>
         <source>%1 pts</source>
@@ -4706,7 +4706,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Points that the control has and that are not known to be executed</source>
-        <translation>Punti che il controllo ha e la cui esecuzione non è accertata</translation>
+        <translation>Punti che il controllo ha e che non risultano ancora eseguiti</translation>
     </message>
     <message>
         <source>No run of this window is in progress.</source>
@@ -4888,7 +4888,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Resume</source>
-        <translation>Ripresa</translation>
+        <translation>Riprendi</translation>
     </message>
     <message>
         <source>Page as PDF…</source>
