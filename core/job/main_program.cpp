@@ -52,6 +52,7 @@ class MainWriter {
     bool isAfterNative = false;
     for (const Part& part : m_plan.parts) {
       if (const auto* const native = std::get_if<NativeBlock>(&part)) {
+        ++m_natives;
         if (!native->text.empty()) {
           writeNative(*native, isAfterNative);
           isAfterNative = true;
@@ -87,6 +88,7 @@ class MainWriter {
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
     line("RIV_RUN=R{}", m_loop.cells.owner);
+    line("R{}=0", blockCell(m_loop));
     line("R{}={}", m_loop.cells.run, JobProtocol::goOn(0));
   }
 
@@ -98,6 +100,7 @@ class MainWriter {
     line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
+    line("R{}=0", blockCell(m_loop));
   }
 
   void writeNative(const NativeBlock& native, bool isAfterNative) {
@@ -106,6 +109,7 @@ class MainWriter {
     if (mayWaitBefore(native.reason) && native.reason != NativeReason::End) {
       writeWait();
     }
+    line("R{}={}", blockCell(m_loop), m_natives);
     const bool isForeign = m_plan.program.dialect != nc::Dialect::Sinumerik;
     if (isForeign) {
       line("G90 G94 G710 DIAMOF");
@@ -137,6 +141,7 @@ class MainWriter {
   int m_number;
   std::string m_text;
   int m_waits = 0;
+  int m_natives = 0;
 };
 
 base::Result<void> requireWhole(const Plan& plan) {
@@ -194,6 +199,10 @@ base::Result<void> requireWhole(const Plan& plan) {
 std::error_code make_error_code(JobError code) {
   static const Category category;
   return {static_cast<int>(code), category};
+}
+
+int blockCell(const templates::JobLoop& loop) {
+  return loop.cells.client;
 }
 
 std::string modalWords(const nc::ModalState& state) {

@@ -39,6 +39,10 @@ struct JobPrograms {
 [[nodiscard]] base::Result<JobPrograms> makePrograms(
     const Plan& plan, const templates::TemplateParameters& parameters);
 
+/// R number of the cell that tells which native block is due: its number in the plan, from 1; 0:
+/// none. Between two stretches, where the loop does not use it.
+[[nodiscard]] int blockCell(const templates::JobLoop& loop);
+
 /// The words that put a control into the modal state, "G1 G17 G90 G710 DIAMOF G64 G94 F500".
 [[nodiscard]] std::string modalWords(const nc::ModalState& state);
 

@@ -504,10 +504,42 @@ class WholeJob {
     if (!numbers) {
       return base::fail(numbers.error());
     }
-    if (Result<void> fine = requireNoAlarm((*numbers)[1]); !fine) {
-      return base::fail(fine.error());
+    if ((*numbers)[1] != 0.0) {
+      return base::fail(alarm(static_cast<int>((*numbers)[1]), (*numbers)[2]));
     }
     return State{(*numbers)[0] == opcua::kChannelReset, (*numbers)[2]};
+  }
+
+  /// With the block of the source program, if the control has told which one is due.
+  base::Error alarm(int number, double call) {
+    const std::array<Variable, 1> cell{opcua::rParameter(job::blockCell(m_programs.loop))};
+    const bool isNative = call < 0.0;  // a stretch has been executed
+    const auto block = opcua::readNumbers(m_link, cell, m_settings.setupDeadline);
+    const job::NativeBlock* const native = isNative && block ? nativeBlock((*block)[0]) : nullptr;
+    if (native == nullptr) {
+      return base::makeError(
+          StreamError::ControlAlarm,
+          fmt::format("The control stopped with alarm {}. Clear it at the control.", number));
+    }
+    return base::makeError(
+        StreamError::ControlAlarm,
+        fmt::format("The control stopped with alarm {} at line {} of {}: {}. Clear it at the "
+                    "control.",
+                    number, native->place.line.value,
+                    native->file.empty() ? m_plan.program.name : native->file, native->source));
+  }
+
+  /// @param number  from 1
+  [[nodiscard]] const job::NativeBlock* nativeBlock(double number) const {
+    double at = 0.0;
+    for (const job::Part& part : m_plan.parts) {
+      const auto* const native = std::get_if<job::NativeBlock>(&part);
+      at += native != nullptr ? 1.0 : 0.0;
+      if (native != nullptr && at == number) {
+        return native;
+      }
+    }
+    return nullptr;
   }
 
   [[nodiscard]] double call(int stretch) const {

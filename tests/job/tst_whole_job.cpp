@@ -341,10 +341,13 @@ class TestWholeJob : public QObject {
     machine::Machine machine(*machine::loadPreset("dmu75"), 1);
     streaming::SimulatedLink link(machine);
     Watcher watcher;
-    const streaming::WholeJobReport report = streaming::runWholeJob(
-        link, link, planOf("G0 X1 Y1 Z1\nNOT_THERE\nG0 X2\nM30\n"), settingsOf(), watcher, watcher);
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf("G0 X1 Y1 Z1\nM8\nNOT_THERE\nG0 X2\nM30\n"),
+                               settingsOf(), watcher, watcher);
     QVERIFY(report.outcome == Outcome::Failed);
     QVERIFY2(report.error.code == streaming::StreamError::ControlAlarm,
+             report.error.text().c_str());
+    QVERIFY2(report.error.text().find("line 3 of PART.MPF: NOT_THERE") != std::string::npos,
              report.error.text().c_str());
     QCOMPARE(watcher.begun, (std::vector<int>{1}));
   }
