@@ -10,6 +10,7 @@
 #include "job/main_program.h"
 #include "machine/machine.h"
 #include "plan_text.h"
+#include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
 #include "streaming/whole_job.h"
 #include "support/test_program.h"
@@ -250,6 +251,55 @@ class TestWholeJob : public QObject {
     }
     qInfo("%d jobs, %zu native blocks", jobs, natives);
     QVERIFY(jobs > 50);
+  }
+
+  /// Delayed, lost and repeated requests, broken connections: a job may fail, but what the machine
+  /// has moved is always the beginning of what the source moves.
+  void drawnFaults() {
+    int completed = 0;
+    int failed = 0;
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+      const std::string text = drawProgram(seed % 50 + 1);
+      const job::Plan plan = planOf(text);
+      streaming::RunSettings settings = settingsOf();
+      settings.feedMmPerS = 100.0;
+      const QStringList source = motionsOfSource(text);
+      if (source.isEmpty() || !job::makePrograms(plan, settings.parameters)) {
+        continue;
+      }
+      machine::Machine machine(*machine::loadPreset("dmu75"), seed);
+      streaming::LinkFaults faults;
+      faults.delayProbability = 0.1;
+      faults.delayMax = std::chrono::milliseconds{500};
+      faults.lostRequestProbability = seed % 3 == 0 ? 0.0 : 0.002;
+      faults.lostAnswerProbability = seed % 3 == 0 ? 0.0 : 0.002;
+      faults.stallProbability = 0.01;
+      faults.stallMax = std::chrono::seconds{2};
+      faults.disconnectProbability = seed % 3 == 1 ? 0.001 : 0.0;
+      faults.strayMax = std::chrono::seconds{5};
+      streaming::FaultyLink link(machine, faults, seed);
+      Watcher watcher;
+      const streaming::WholeJobReport report =
+          streaming::runWholeJob(link, link, plan, settings, watcher, watcher);
+      (report.outcome == Outcome::Completed ? completed : failed) += 1;
+      // Without a client the machine comes to its end by itself.
+      streaming::SimulatedLink observer(machine);
+      const base::Instant until = observer.now() + std::chrono::minutes{2};
+      while (machine.state().channel != machine::ChannelStatus::Reset && observer.now() < until) {
+        (void)observer.wait(observer.now() + std::chrono::milliseconds{100});
+      }
+      QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
+      const auto trace = observer.fetchTrace();
+      QVERIFY(trace.has_value());
+      const QStringList moved = motions(*trace);
+      QVERIFY2(moved == source.mid(0, moved.size()),
+               qPrintable(
+                   QStringLiteral("seed %1: %2").arg(seed).arg(moved.join(QStringLiteral(", ")))));
+      QVERIFY2(report.outcome != Outcome::Completed || moved.size() == source.size(),
+               qPrintable(QString::number(seed)));
+    }
+    qInfo("%d completed, %d failed", completed, failed);
+    QVERIFY(completed > 20 && failed > 20);
   }
 
   /// Stop in a stretch: the axes stand after the window, and no native block follows.
