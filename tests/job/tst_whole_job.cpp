@@ -7,9 +7,11 @@
 #include <QtTest>
 
 #include "base/random.h"
+#include "gcode/feeds.h"
 #include "job/main_program.h"
 #include "machine/machine.h"
 #include "plan_text.h"
+#include "streaming/feed_plan.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
 #include "streaming/whole_job.h"
@@ -92,8 +94,8 @@ QStringList motions(const trace::ControlTrace& trace) {
   return ends;
 }
 
-/// What the source program itself moves on the same machine.
-QStringList motionsOfSource(const std::string& text) {
+/// The trace of the source program itself on the same machine; nothing if it ends with an alarm.
+std::optional<trace::ControlTrace> traceOfSource(const std::string& text) {
   machine::Machine machine(*machine::loadPreset("dmu75"), 1);
   streaming::SimulatedLink link(machine);
   if (!link.uploadProgram("SOURCE.MPF", text, true) || !link.selectProgram("SOURCE.MPF") ||
@@ -104,8 +106,19 @@ QStringList motionsOfSource(const std::string& text) {
   while (machine.state().channel != machine::ChannelStatus::Reset && link.now() < until) {
     (void)link.wait(link.now() + std::chrono::milliseconds{100});
   }
-  const auto trace = link.fetchTrace();
-  return trace && machine.state().alarm == 0 ? motions(*trace) : QStringList();
+  auto trace = link.fetchTrace();
+  return trace && machine.state().alarm == 0 ? std::optional(std::move(*trace)) : std::nullopt;
+}
+
+QStringList motionsOfSource(const std::string& text) {
+  const auto trace = traceOfSource(text);
+  return trace ? motions(*trace) : QStringList();
+}
+
+/// From the first motion to the last.
+double seconds(const trace::ControlTrace& trace) {
+  return trace.blocks.empty() ? 0.0
+                              : base::toSeconds(trace.blocks.back().to - trace.blocks.front().from);
 }
 
 /// A program drawn from a seed: motion, what switches, and modal state, in any order.
@@ -300,6 +313,63 @@ class TestWholeJob : public QObject {
     }
     qInfo("%d completed, %d failed", completed, failed);
     QVERIFY(completed > 20 && failed > 20);
+  }
+
+  /// Programs of a SINUMERIK written elsewhere, as a job and as they are: each end of a block of
+  /// the source is reached, in order; what lies between are the chords of arcs.
+  void programsOfOthers() {
+    const QString corpus = QStringLiteral(RIVULET_SOURCE_DIR "/../shared/corpus/");
+    QFile index(corpus + QStringLiteral("INDEX.tsv"));
+    if (!index.open(QIODevice::ReadOnly)) {
+      QSKIP("the collection of foreign NC programs is not beside this checkout");
+    }
+    int compared = 0;
+    double sourceS = 0.0;
+    double jobS = 0.0;
+    for (const QString& line : QString::fromUtf8(index.readAll()).split(QLatin1Char('\n'))) {
+      const QString path = line.section(QLatin1Char('\t'), 0, 0);
+      QFile file(corpus + path);
+      if (!line.contains(QStringLiteral("sinumerik-8")) || !file.open(QIODevice::ReadOnly)) {
+        continue;
+      }
+      const std::string text = file.readAll().toStdString();
+      const job::Plan plan = planOf(text);
+      streaming::RunSettings settings = settingsOf();
+      settings.programFeeds = gcode::ProgramFeeds{};
+      settings.programFeeds->rapidMmPerS = 500.0;
+      settings.programFeeds->feedMmPerSMax = 500.0;
+      settings.feedMmPerS = 500.0;
+      settings.parameters.feedPerPoint = true;
+      if (plan.stretchCount() == 0 || !job::makePrograms(plan, settings.parameters) ||
+          !streaming::requireFeeds(plan.program.trajectory, settings)) {
+        continue;
+      }
+      const auto source = traceOfSource(text);
+      if (!source || source->truncated || motions(*source).isEmpty()) {
+        continue;
+      }
+      machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+      streaming::SimulatedLink link(machine);
+      Watcher watcher;
+      const streaming::WholeJobReport report =
+          streaming::runWholeJob(link, link, plan, settings, watcher, watcher);
+      QVERIFY2(
+          report.outcome == Outcome::Completed,
+          qPrintable(path + QStringLiteral(": ") + QString::fromStdString(report.error.text())));
+      const QStringList moved = motions(*report.controlTrace);
+      qsizetype at = 0;
+      for (const QString& end : motions(*source)) {
+        at = moved.indexOf(end, at) + 1;
+        QVERIFY2(at > 0, qPrintable(path + QStringLiteral(": ") + end));
+      }
+      qInfo("%-45s %8.1f s as it is, %8.1f s as a job of %zu stretches", qPrintable(path),
+            seconds(*source), seconds(*report.controlTrace), plan.stretchCount());
+      ++compared;
+      sourceS += seconds(*source);
+      jobS += seconds(*report.controlTrace);
+    }
+    qInfo("%d programs: %.1f s as they are, %.1f s as jobs", compared, sourceS, jobS);
+    QVERIFY(compared >= 5);
   }
 
   /// Stop in a stretch: the axes stand after the window, and no native block follows.
