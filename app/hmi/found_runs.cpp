@@ -4,6 +4,7 @@
 #include "hmi/found_runs.h"
 
 #include <QFileInfo>
+#include <utility>
 
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -147,7 +148,11 @@ void FoundRuns::forget() {
 }
 
 void FoundRuns::watch(bool watch) {
-  m_isWatched = watch && m_seen.onControl;
+  const bool wasWatched = std::exchange(m_isWatched, watch && m_seen.onControl);
+  if (m_isWatched && !wasWatched) {
+    m_messages.didAct(permission::Act::Watch,
+                      {{"run", std::to_string(m_seen.onControl->onControl.number)}});
+  }
   if (m_isWatched && saved() != nullptr && !isLoaded(*saved())) {
     load(*saved());
   }
@@ -214,7 +219,12 @@ void FoundRuns::resume() {
   m_resuming = *run;
   widgets::StreamSettings settings = m_document.settings();
   settings.parameters = run->settings.parameters;
-  settings.feedMmPerS = run->settings.feedMmPerS;
+  settings.programFeeds = run->settings.programFeeds.has_value();
+  if (settings.programFeeds) {
+    settings.overrideFactor = run->settings.programFeeds->overrideFactor;
+  } else {
+    settings.feedMmPerS = run->settings.feedMmPerS;
+  }
   m_document.setSettings(settings);
   if (isLoaded(*run)) {
     takeLoaded();

@@ -253,7 +253,7 @@ bool RunController::resume() {
   return !refuses(resumeBlocked()) && startRun(m_resume);
 }
 
-bool RunController::startRun(const std::optional<streaming::Resume>& resume) {
+bool RunController::startRun(std::optional<streaming::Resume> resume) {
   streaming::RunSettings settings = m_document.runSettings();
   settings.resume = resume;
   m_firstPoint = resume ? resume->point : 0;

@@ -108,7 +108,8 @@ class RunController final : public QObject {
   }
   /// @return true if something stands in the way; it has been said
   bool refuses(const std::optional<streaming::Blocked>& blocked);
-  bool startRun(const std::optional<streaming::Resume>& resume);
+  /// @param resume  by value: the start forgets the place that was found
+  bool startRun(std::optional<streaming::Resume> resume);
   void announceStart(const streaming::RunSettings& settings);
   void takeUpdate(const streaming::LiveUpdate& update);
   /// Where the run is, for when the axes cannot be read.

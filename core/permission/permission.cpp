@@ -19,12 +19,13 @@ struct Facts {
   bool worksLocked;
 };
 
-constexpr std::array<Facts, 21> kFacts{{
+constexpr std::array<Facts, 22> kFacts{{
     {Act::Stop, "stop", false, true},
     {Act::Hold, "hold", false, false},
     {Act::Continue, "continue", false, false},
     {Act::Start, "start", false, false},
     {Act::Resume, "resume", false, false},
+    {Act::Watch, "watch", false, false},
     {Act::Correct, "correct", false, false},
     {Act::OpenProgram, "open-program", false, false},
     {Act::ChangeSettings, "change-settings", true, false},

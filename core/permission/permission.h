@@ -27,6 +27,7 @@ enum class Act {
   Continue,
   Start,
   Resume,
+  Watch,    ///< a run that another window or client streams
   Correct,  ///< online correction
   OpenProgram,
   ChangeSettings,

@@ -16,6 +16,7 @@
 
 #include "base/units.h"
 #include "hmi/main_window.h"
+#include "journal/audit.h"
 #include "report/run_store.h"
 #include "streaming/run_on_control.h"
 #include "support/simulated_control.h"
@@ -76,7 +77,9 @@ class TestFoundRuns : public QObject {
   }
 
   void openWindow() {
-    m_window = std::make_unique<MainWindow>(settings(), false, [this](const std::string& endpoint) {
+    hmi::Settings settings = ::settings();
+    settings.stateFolder = m_folder.filePath(QStringLiteral("audit")).toStdString();
+    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
       return m_machine->connect(endpoint);
     });
     m_window->resize(1440, 900);
@@ -87,7 +90,8 @@ class TestFoundRuns : public QObject {
   void startRun() {
     widgets::StreamSettings stream;
     stream.parameters.pointsPerLoop = 5;
-    stream.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
+    stream.programFeeds = true;
+    stream.overrideFactor = 0.9;
     m_window->setStreamSettings(stream);
     m_window->openProgram(m_program);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
@@ -118,6 +122,17 @@ class TestFoundRuns : public QObject {
     }
     m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/%1.png").arg(QLatin1String(name)));
   }
+  /// What the audit trail says that was done, after the window is closed.
+  [[nodiscard]] QStringList closeAndReadActs() {
+    m_window.reset();
+    const auto trail = journal::readAudit(
+        journal::auditFileIn(m_folder.filePath(QStringLiteral("audit")).toStdString()));
+    QStringList acts;
+    for (const auto& line : trail->lines) {
+      acts << QString::fromStdString(line.entry.act);
+    }
+    return acts;
+  }
   /// Everything the machine has executed since its program was started last.
   [[nodiscard]] std::vector<trace::ExecutedBlock> blocks() const {
     auto connection = m_machine->connect(tests::SimulatedControl::endpoint());
@@ -139,6 +154,7 @@ class TestFoundRuns : public QObject {
   }
   void init() {
     QDir(m_folder.filePath(QStringLiteral("state"))).removeRecursively();
+    QDir(m_folder.filePath(QStringLiteral("audit"))).removeRecursively();
     writeProgram();
     m_machine = std::make_unique<tests::SimulatedControl>("dmu75", kInteractivePace);
   }
@@ -194,9 +210,13 @@ class TestFoundRuns : public QObject {
     const trace::Integrity integrity = trace::judgeIntegrity(points, all, trace::kPointToleranceMm);
     QVERIFY(integrity.isFaultless());
     QCOMPARE(integrity.executed, std::size_t{kPoints});
+    QVERIFY(report->settings.programFeeds && report->settings.programFeeds->overrideFactor == 0.9);
     // Completed: nothing is left of it.
     QVERIFY(report::RunStore().runs().empty());
     QVERIFY(!bar()->isVisible());
+    const QStringList acts = closeAndReadActs();
+    QVERIFY2(acts.contains(QStringLiteral("watch")) && acts.contains(QStringLiteral("resume")),
+             qPrintable(acts.join(QLatin1Char(' '))));
   }
 
   /// A program that was changed where points have been executed is refused; one that was changed
@@ -254,6 +274,7 @@ class TestFoundRuns : public QObject {
     picture("found-stopped");
     QTest::mouseClick(button("found-dismiss"), Qt::LeftButton);
     QVERIFY(!bar()->isVisible());
+    QVERIFY(closeAndReadActs().contains(QStringLiteral("stop")));
   }
 
   /// Closing asks, does not cover Stop, and stops only when told to; the run is kept.

@@ -11,10 +11,10 @@ using namespace rivulet::permission;
 
 namespace {
 
-constexpr std::array kActs{Act::Stop,        Act::Hold,       Act::Continue,    Act::Start,
-                           Act::Resume,      Act::Correct,    Act::OpenProgram, Act::ChangeSettings,
-                           Act::Connect,     Act::Disconnect, Act::Calibrate,   Act::Release,
-                           Act::Acknowledge, Act::Shelve,     Act::SetUpUsers};
+constexpr std::array kActs{Act::Stop,           Act::Hold,        Act::Continue,   Act::Start,
+                           Act::Resume,         Act::Watch,       Act::Correct,    Act::OpenProgram,
+                           Act::ChangeSettings, Act::Connect,     Act::Disconnect, Act::Calibrate,
+                           Act::Release,        Act::Acknowledge, Act::Shelve,     Act::SetUpUsers};
 
 }  // namespace
 

@@ -40,6 +40,8 @@ struct AuditTexts {
         return tr("Start");
       case Act::Resume:
         return tr("Resume");
+      case Act::Watch:
+        return tr("Watch");
       case Act::Correct:
         return tr("Online correction");
       case Act::OpenProgram:
