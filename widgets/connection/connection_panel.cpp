@@ -66,6 +66,7 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
 void ConnectionPanel::buildConnection() {
   m_endpoint->setText(QStringLiteral("opc.tcp://127.0.0.1:4840"));
   m_endpointLabel->setBuddy(m_endpoint);
+  m_connect->setObjectName(QStringLiteral("connect"));
   m_connectionStatus->setEmphasis(11.0, true);
   m_connectionStatus->setWordWrap(true);
   m_virtualBadge->setWordWrap(true);

@@ -31,6 +31,7 @@ int silenceS(const MachineView& machine) {
 }  // namespace
 
 MachineButton::MachineButton(QWidget* parent) : QToolButton(parent) {
+  setObjectName(QStringLiteral("machine"));
   setCheckable(true);
   setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   setIconSize(QSize(20, 20));

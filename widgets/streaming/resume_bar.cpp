@@ -14,6 +14,7 @@ ResumeBar::ResumeBar(QWidget* parent)
     : NoticeBar(parent),
       m_goOn(addHoldButton(QStringLiteral("go-on"), QStringLiteral("resume"))),
       m_dismiss(addButton(QStringLiteral("not-now"), QStringLiteral("dismiss"))) {
+  setObjectName(QStringLiteral("resume-bar"));
   connect(m_goOn, &HoldButton::held, this, &ResumeBar::goOnRequested);
   connect(m_dismiss, &QPushButton::clicked, this, [this] {
     showNothing();

@@ -117,6 +117,8 @@ RunPanel::RunPanel(QWidget* parent)
 void RunPanel::buildButtons() {
   m_start->setObjectName(QStringLiteral("start"));
   m_stop->setObjectName(QStringLiteral("stop"));
+  m_hold->setObjectName(QStringLiteral("hold"));
+  m_resume->setObjectName(QStringLiteral("resume"));
   for (QPushButton* button : {static_cast<QPushButton*>(m_start), m_stop, m_hold, m_resume}) {
     button->setFixedHeight(kRunButtonHeightPx);
     button->setIconSize(QSize(24, 24));

@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The released window and the released virtual machine, over OPC UA in real time, killed at drawn
+/// moments of a run. A new window finds the run; it is watched, stopped and resumed by the buttons
+/// an operator presses (see pilot.cpp). Each point must be executed once.
+
+#include <sys/prctl.h>
+
+#include <QDeadlineTimer>
+#include <QProcess>
+#include <QSettings>
+#include <QtTest>
+#include <array>
+#include <csignal>
+#include <memory>
+
+#include "base/random.h"
+#include "support/kill_scene.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+constexpr int kRunMs = 60'000;
+constexpr int kPollMs = 10;
+/// Of a whole run, about: kills are drawn within it.
+constexpr double kStreamMs = 5000.0;
+
+int setting(const char* name, int otherwise) {
+  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
+}
+
+/// A window as an operator starts it, and what its pilot says.
+class Window {
+ public:
+  /// @param program  file; empty: the window is not told any
+  Window(const tests::KillScene& scene, const QString& program) {
+    QProcessEnvironment environment = scene.environment();
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+    environment.insert(QStringLiteral("QT_PLUGIN_PATH"), QStringLiteral(RIVULET_PILOT_PLUGINS));
+    environment.insert(QStringLiteral("QT_QPA_GENERIC_PLUGINS"), QStringLiteral("rivulet-pilot"));
+    m_process.setProcessEnvironment(environment);
+    m_process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
+    QStringList arguments{QStringLiteral("--connect"), scene.endpoint()};
+    if (!program.isEmpty()) {
+      arguments << QStringLiteral("--open") << program;
+    }
+    m_process.start(QStringLiteral(RIVULET_PROGRAM), arguments);
+    if (!m_process.waitForStarted(kRunMs)) {
+      qFatal("rivulet does not start");
+    }
+  }
+  ~Window() {
+    m_process.kill();
+    m_process.waitForFinished();
+  }
+
+  [[nodiscard]] bool isOpen() const { return m_process.state() == QProcess::Running; }
+  /// @return the answer; empty, with a warning: there was none
+  QByteArray ask(const QByteArray& command) {
+    m_process.write(command + '\n');
+    m_history << command;
+    m_answer.clear();
+    if (!waitFor([this] { return !m_answer.isEmpty(); })) {
+      complain();
+    }
+    return m_answer;
+  }
+  /// Waits until the window shows one of these states.
+  bool awaitState(const std::vector<const char*>& states) {
+    const bool isShown = waitFor([&] {
+      return std::any_of(states.begin(), states.end(),
+                         [this](const char* state) { return m_state.startsWith(state); });
+    });
+    if (!isShown) {
+      complain();
+    }
+    return isShown;
+  }
+  [[nodiscard]] bool isIn(const char* state) const { return m_state.startsWith(state); }
+  /// Lets it work for a while. @return whether its run is still in progress
+  bool works(int ms) {
+    const QDeadlineTimer until(ms);
+    return waitFor([&] { return until.hasExpired() || isIn("Done"); }) && !isIn("Done");
+  }
+  void signal(int number) { ::kill(static_cast<pid_t>(m_process.processId()), number); }
+  /// Waits until it has ended. @return exit code; -1: killed, or it does not end
+  int exit() {
+    if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(kRunMs)) {
+      return -1;
+    }
+    return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
+  }
+
+ private:
+  /// Takes what the pilot says until the condition holds. @return false if it never did
+  template <class Condition>
+  bool waitFor(const Condition& condition) {
+    const QDeadlineTimer patience(kRunMs);
+    while (!condition()) {
+      if (patience.hasExpired() || (!isOpen() && !m_process.canReadLine())) {
+        return false;
+      }
+      if (!m_process.canReadLine()) {
+        m_process.waitForReadyRead(kPollMs);
+        continue;
+      }
+      const QByteArray line = m_process.readLine().trimmed();
+      m_history << line;
+      (line.startsWith("state: ") ? m_state : m_answer) =
+          line.startsWith("state: ") ? line.mid(7) : line;
+    }
+    return true;
+  }
+
+  void complain() {
+    qWarning("%s\n%s", m_history.join('\n').constData(),
+             m_process.readAllStandardError().constData());
+  }
+
+  QProcess m_process;
+  QByteArrayList m_history;  ///< what it was told and what it said
+  QByteArray m_state;
+  QByteArray m_answer;
+};
+
+struct Tally {
+  int kills = 0;
+  std::array<int, 3> bySignal{};
+  int machineKills = 0;
+  int reconnected = 0;  ///< of these: the same window went on
+  int runs = 0;         ///< to the end of the path
+  int watched = 0;
+  int stopped = 0;  ///< by the window that found the run
+  int resumed = 0;
+  int refused = 0;  ///< with the reason, because the place on the path is not known for certain
+};
+
+}  // namespace
+
+class TestWindowKills : public QObject {
+  Q_OBJECT
+
+  static constexpr std::array kSignals{SIGKILL, SIGHUP, SIGTERM};
+  enum class Resumed { Runs, AtTheEnd, Refused, Failed };
+
+  tests::KillScene m_scene{QStringLiteral(RIVULET_MACHINE)};
+  base::Random m_random{1};
+  Tally m_tally;
+
+  void writeSettings(bool credit) const {
+    QSettings store(m_scene.path("config") + QStringLiteral("/Rivulet/Rivulet.conf"),
+                    QSettings::IniFormat);
+    store.setValue(QStringLiteral("language"), QStringLiteral("en"));
+    store.setValue(QStringLiteral("stream/method"),
+                   credit ? QStringLiteral("credit") : QStringLiteral("window"));
+    store.setValue(QStringLiteral("stream/points"), 4);
+    store.setValue(QStringLiteral("stream/feed"), QStringLiteral("fixed"));
+    store.setValue(QStringLiteral("stream/feedMmPerMin"), 1500.0);
+  }
+
+  [[nodiscard]] std::unique_ptr<Window> openWindow(bool isNew) const {
+    return std::make_unique<Window>(m_scene, isNew ? m_scene.programFile() : QString());
+  }
+  static bool start(Window& window) {
+    return window.ask("press start") == "pressed" && window.ask("hold start") == "held" &&
+           window.awaitState({"Running", "Done"});
+  }
+
+  /// What a window does with the run that it has found, up to its resumption. Watch and Stop are
+  /// there for a run on the control only. @param button  that offers to resume it
+  Resumed resume(Window& window, const QByteArray& button, bool isOnControl) {
+    if (isOnControl && m_random.uniform() < 0.5) {
+      ++m_tally.watched;
+      if (window.ask("press found-watch") != "pressed" || !window.awaitState({"Watching"})) {
+        return Resumed::Failed;
+      }
+    }
+    if (isOnControl && m_random.uniform() < 0.5) {
+      ++m_tally.stopped;
+      // Not even the windows that were delivered are waited for.
+      if (window.ask("press found-stop") != "pressed" ||
+          window.ask("await found-dismiss").isEmpty() || !m_scene.isReset()) {
+        return Resumed::Failed;
+      }
+    }
+    m_scene.awaitStandstill();
+    if (window.ask("press " + button) != "pressed") {
+      return Resumed::Failed;
+    }
+    QByteArray answer = window.ask("await go-on not-now");
+    if (answer == "not-now") {
+      answer = window.ask("read resume-bar");
+      qInfo("refused: %s", answer.constData());
+      return answer.contains("Every point has been executed already") ? Resumed::AtTheEnd
+                                                                      : Resumed::Refused;
+    }
+    ++m_tally.resumed;
+    return window.ask("hold go-on") == "held" && window.awaitState({"Running", "Done"})
+               ? Resumed::Runs
+               : Resumed::Failed;
+  }
+
+  /// The machine loses its power. Either this window goes on when it is back, or a new one.
+  /// @return the button that offers to resume the run; empty: there is none
+  QByteArray switchOffAndOn(std::unique_ptr<Window>& window) {
+    ++m_tally.machineKills;
+    m_scene.switchOff();
+    const bool hasEnded = window->awaitState({"Failed", "Done"});
+    m_scene.switchOn();
+    if (!hasEnded || window->isIn("Done")) {
+      return {};
+    }
+    if (m_random.uniform() < 0.5) {
+      ++m_tally.reconnected;
+      if (window->ask("await connect machine") == "machine") {
+        window->ask("press machine");  // it hides the panel where there is little room
+      }
+      return window->ask("press connect") == "pressed" ? "resume" : QByteArray();
+    }
+    window->signal(SIGTERM);
+    if (window->exit() != 0) {
+      return {};
+    }
+    window = openWindow(false);
+    return "found-resume";
+  }
+
+  /// The window is ended. @return false if something was wrong
+  bool killWindow(std::unique_ptr<Window>& window) {
+    const auto kind = static_cast<std::size_t>(m_random.uniform() * 3.0);
+    ++m_tally.bySignal[kind];
+    window->signal(kSignals[kind]);
+    const int code = window->exit();
+    if (kSignals[kind] != SIGKILL && (code != 0 || !m_scene.isReset())) {
+      qWarning("exit %d after signal %d, the program on the control is %sactive", code,
+               kSignals[kind], m_scene.isReset() ? "not " : "");
+      return false;
+    }
+    return true;
+  }
+
+  /// One run to the end of the path, killed on the way. @return false if something was wrong
+  bool run(bool credit, int killsMax) {
+    const std::size_t before = m_scene.executed().size();
+    writeSettings(credit);
+    std::unique_ptr<Window> window = openWindow(true);
+    if (!start(*window)) {
+      return false;
+    }
+    bool wasSwitchedOff = false;
+    for (int kills = 0; kills < killsMax; ++kills) {
+      if (!window->works(static_cast<int>(m_random.uniform() * kStreamMs))) {
+        break;
+      }
+      ++m_tally.kills;
+      QByteArray button("found-resume");
+      if (m_random.uniform() < 0.15) {
+        wasSwitchedOff = true;
+        button = switchOffAndOn(window);
+        if (button.isEmpty()) {
+          break;  // at its end, or shown by the judge
+        }
+      } else {
+        if (!killWindow(window)) {
+          return false;
+        }
+        if (m_scene.savedRuns().isEmpty()) {
+          break;  // it was at its end
+        }
+        window = openWindow(false);
+      }
+      const Resumed resumed = resume(*window, button, !m_scene.isReset());
+      if (resumed == Resumed::Refused && wasSwitchedOff) {
+        // A loss of power on a rounded corner leaves the tool beside the path, for example.
+        ++m_tally.refused;
+        m_scene.forgetRuns();
+        return true;
+      }
+      if (resumed == Resumed::Refused || resumed == Resumed::Failed) {
+        return false;
+      }
+      if (resumed == Resumed::AtTheEnd) {
+        m_scene.forgetRuns();
+        window->signal(SIGTERM);
+        window->exit();
+        break;
+      }
+    }
+    if (window->isOpen() && !m_scene.savedRuns().isEmpty() && !window->awaitState({"Done"})) {
+      return false;
+    }
+    ++m_tally.runs;
+    m_scene.awaitStandstill();
+    return m_scene.isWhole(before);
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    m_scene.switchOn();
+    QProcess test;  // of method credit
+    test.setProcessEnvironment(m_scene.environment());
+    test.start(QStringLiteral(RIVULET_CLI), {QStringLiteral("commission"), QStringLiteral("--json"),
+                                             QStringLiteral("--endpoint"), m_scene.endpoint()});
+    QVERIFY(test.waitForFinished(kRunMs) && test.exitCode() == 0);
+  }
+  void cleanupTestCase() { m_scene.switchOff(); }
+
+  /// What ends the window stops its run first: it waits for the confirmation of the control, and
+  /// leaves a run that can be resumed.
+  void endSignalsStopTheRunFirst_data() {
+    QTest::addColumn<int>("number");
+    QTest::newRow("SIGHUP") << SIGHUP;
+    QTest::newRow("SIGTERM") << SIGTERM;
+    QTest::newRow("SIGINT") << SIGINT;
+  }
+  void endSignalsStopTheRunFirst() {
+    QFETCH(int, number);
+    const std::size_t before = m_scene.executed().size();
+    writeSettings(false);
+    Window window(m_scene, m_scene.programFile());
+    QVERIFY(start(window));
+    window.signal(number);
+    QCOMPARE(window.exit(), 0);
+    QVERIFY(m_scene.isReset());
+    QCOMPARE(m_scene.savedRuns().size(), 1);
+    QVERIFY(m_scene.isGranted());
+    const auto program = gcode::loadProgram(m_scene.programFile().toStdString());
+    const auto points = gcode::streamPoints(program->trajectory, {}).points;
+    QVERIFY(m_scene.executed(before).size() < points.size());
+    m_scene.forgetRuns();
+  }
+
+  /// RIVULET_KILLS kills from the seed RIVULET_FIRST on.
+  void everyPointOnceWhateverIsKilled() {
+    const int kills = setting("RIVULET_KILLS", 3);
+    const auto seed = static_cast<std::uint64_t>(setting("RIVULET_FIRST", 1));
+    m_random = base::Random(seed);
+    for (int number = 0; m_tally.kills < kills; ++number) {
+      const int most =
+          std::min(kills - m_tally.kills, 1 + static_cast<int>(m_random.uniform() * 4.0));
+      QVERIFY2(run(number % 2 == 1, most),
+               qPrintable(QStringLiteral("seed %1, run %2").arg(seed).arg(number)));
+    }
+    qInfo(
+        "%d kills: %d by KILL, %d by HUP, %d by TERM, %d losses of power (%d windows went on); "
+        "%d runs to the end, %d watched, %d stopped, %d resumed; %d refused after a loss of power",
+        m_tally.kills, m_tally.bySignal[0], m_tally.bySignal[1], m_tally.bySignal[2],
+        m_tally.machineKills, m_tally.reconnected, m_tally.runs, m_tally.watched, m_tally.stopped,
+        m_tally.resumed, m_tally.refused);
+  }
+};
+
+RIVULET_TEST(TestWindowKills)
+#include "tst_window_kills.moc"
