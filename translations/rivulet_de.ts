@@ -250,6 +250,18 @@
         <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
         <translation>Auf die Maschine sehen: Sie kann sich noch bewegen. Kabel und Steuerung prüfen, neu verbinden.</translation>
     </message>
+    <message>
+        <source>Wrong motion in %1 after point %2: points are repeated, or the tool has left the path.</source>
+        <translation>Falsche Bewegung in %1 nach Punkt %2: Punkte werden wiederholt, oder das Werkzeug hat die Bahn verlassen.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings, or something else moves the axes.</source>
+        <translation>Punkte kamen für diesen Vorschub mit diesen Einstellungen zu spät, oder etwas anderes bewegt die Achsen.</translation>
+    </message>
+    <message>
+        <source>Stop the run, then check workpiece and tool.</source>
+        <translation>Den Lauf stoppen, dann Werkstück und Werkzeug prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>AuditTexts</name>
@@ -344,6 +356,10 @@
     <message>
         <source>Engineer</source>
         <translation>Einrichter</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
     </message>
 </context>
 <context>
@@ -2136,6 +2152,14 @@ GPL-3.0-or-later</translation>
         <source>The run is not in the history: %1</source>
         <translation>Der Lauf ist nicht in der Liste der Läufe: %1</translation>
     </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 off the path.</source>
+        <translation>Falsche Bewegung: Nach Punkt %1 ist das Werkzeug %2 neben der Bahn.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: the control has repeated points after point %1.</source>
+        <translation>Falsche Bewegung: Die Steuerung hat nach Punkt %1 Punkte wiederholt.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -3887,6 +3911,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The feed override at the control is not read; it acts in addition.</source>
         <translation>Der Vorschub-Override an der Steuerung wird nicht gelesen; er wirkt zusätzlich.</translation>
+    </message>
+    <message>
+        <source>Up to 1 s old: no time to read more often</source>
+        <translation>Bis zu 1 s alt: keine Zeit, öfter zu lesen</translation>
     </message>
 </context>
 <context>

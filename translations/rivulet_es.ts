@@ -250,6 +250,18 @@
         <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
         <translation>Mirar la máquina: todavía puede moverse. Comprobar cable y control, y volver a conectar.</translation>
     </message>
+    <message>
+        <source>Wrong motion in %1 after point %2: points are repeated, or the tool has left the path.</source>
+        <translation>Movimiento erróneo en %1 después del punto %2: se repiten puntos, o la herramienta ha dejado la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings, or something else moves the axes.</source>
+        <translation>Los puntos llegaron demasiado tarde para este avance con estos ajustes, o algo distinto mueve los ejes.</translation>
+    </message>
+    <message>
+        <source>Stop the run, then check workpiece and tool.</source>
+        <translation>Parar la ejecución y comprobar después la pieza y la herramienta.</translation>
+    </message>
 </context>
 <context>
     <name>AuditTexts</name>
@@ -344,6 +356,10 @@
     <message>
         <source>Engineer</source>
         <translation>Preparador</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Observar</translation>
     </message>
 </context>
 <context>
@@ -2136,6 +2152,14 @@ GPL-3.0-or-later</translation>
         <source>The run is not in the history: %1</source>
         <translation>La ejecución no está en el historial: %1</translation>
     </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 off the path.</source>
+        <translation>Movimiento erróneo: después del punto %1, la herramienta está a %2 de la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: the control has repeated points after point %1.</source>
+        <translation>Movimiento erróneo: el control ha repetido puntos después del punto %1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -3887,6 +3911,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>One feed for all moves, without an override. %1</source>
         <translation>Un avance para todos los movimientos, sin override. %1</translation>
+    </message>
+    <message>
+        <source>Up to 1 s old: no time to read more often</source>
+        <translation>Hasta 1 s de antigüedad: sin tiempo para leer más</translation>
     </message>
 </context>
 <context>

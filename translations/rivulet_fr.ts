@@ -250,6 +250,18 @@
         <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
         <translation>Regarder la machine&#xa0;: elle peut encore bouger. Vérifier le câble et la commande, puis se reconnecter.</translation>
     </message>
+    <message>
+        <source>Wrong motion in %1 after point %2: points are repeated, or the tool has left the path.</source>
+        <translation>Mouvement erroné dans %1 après le point %2&#xa0;: des points sont répétés, ou l’outil a quitté la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings, or something else moves the axes.</source>
+        <translation>Des points sont arrivés trop tard pour cette avance avec ces réglages, ou autre chose déplace les axes.</translation>
+    </message>
+    <message>
+        <source>Stop the run, then check workpiece and tool.</source>
+        <translation>Arrêter l’exécution, puis vérifier la pièce et l’outil.</translation>
+    </message>
 </context>
 <context>
     <name>AuditTexts</name>
@@ -344,6 +356,10 @@
     <message>
         <source>Engineer</source>
         <translation>Régleur</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Observer</translation>
     </message>
 </context>
 <context>
@@ -2136,6 +2152,14 @@ GPL-3.0-or-later</translation>
         <source>The run is not in the history: %1</source>
         <translation>L’exécution n’est pas dans l’historique&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 off the path.</source>
+        <translation>Mouvement erroné&#xa0;: après le point %1, l’outil est à %2 de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: the control has repeated points after point %1.</source>
+        <translation>Mouvement erroné&#xa0;: la commande a répété des points après le point %1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -3887,6 +3911,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>One feed for all moves, without an override. %1</source>
         <translation>Une avance pour tous les mouvements, sans override. %1</translation>
+    </message>
+    <message>
+        <source>Up to 1 s old: no time to read more often</source>
+        <translation>Âgé de 1 s au plus&#xa0;: pas le temps de lire plus souvent</translation>
     </message>
 </context>
 <context>

@@ -250,6 +250,18 @@
         <source>Look at the machine: it may still move. Check cable and control, then connect again.</source>
         <translation>Guardare la macchina: può ancora muoversi. Controllare cavo e controllo, poi riconnettersi.</translation>
     </message>
+    <message>
+        <source>Wrong motion in %1 after point %2: points are repeated, or the tool has left the path.</source>
+        <translation>Movimento errato in %1 dopo il punto %2: dei punti vengono ripetuti, o l’utensile ha lasciato il percorso.</translation>
+    </message>
+    <message>
+        <source>Points came too late for this feed with these settings, or something else moves the axes.</source>
+        <translation>I punti sono arrivati troppo tardi per questo avanzamento con queste impostazioni, o qualcos’altro muove gli assi.</translation>
+    </message>
+    <message>
+        <source>Stop the run, then check workpiece and tool.</source>
+        <translation>Fermare l’esecuzione, poi controllare il pezzo e l’utensile.</translation>
+    </message>
 </context>
 <context>
     <name>AuditTexts</name>
@@ -344,6 +356,10 @@
     <message>
         <source>Engineer</source>
         <translation>Attrezzista</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Osserva</translation>
     </message>
 </context>
 <context>
@@ -2136,6 +2152,14 @@ GPL-3.0-or-later</translation>
         <source>The run is not in the history: %1</source>
         <translation>L’esecuzione non è nello storico: %1</translation>
     </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 off the path.</source>
+        <translation>Movimento errato: dopo il punto %1 l’utensile è a %2 dal percorso.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: the control has repeated points after point %1.</source>
+        <translation>Movimento errato: il controllo ha ripetuto dei punti dopo il punto %1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -3887,6 +3911,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>One feed for all moves, without an override. %1</source>
         <translation>Un avanzamento per tutti i movimenti, senza override. %1</translation>
+    </message>
+    <message>
+        <source>Up to 1 s old: no time to read more often</source>
+        <translation>Vecchio fino a 1 s: non c’è tempo per leggere di più</translation>
     </message>
 </context>
 <context>

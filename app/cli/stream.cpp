@@ -93,6 +93,11 @@ class ConsoleSink final : public streaming::RunSink {
           "Another client has claimed the R-parameters, but may have died. Its claim lapses after "
           "10 s.");
     }
+    if (update.wrong && !m_saysWrong) {
+      m_saysWrong = true;
+      log::logger().error("Wrong motion: {}. Stop the run, then check workpiece and tool.",
+                          streaming::describe(*update.wrong));
+    }
     if (!m_isTerminal || update.counters.total == 0) {
       return;
     }
@@ -115,6 +120,7 @@ class ConsoleSink final : public streaming::RunSink {
   bool m_drawn = false;
   bool m_isSilent = false;  ///< nothing comes from the control
   bool m_saysClaim = false;
+  bool m_saysWrong = false;
   std::size_t m_share = 0;
   streaming::RunState m_state = streaming::RunState::Idle;
 };

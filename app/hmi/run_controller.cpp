@@ -54,8 +54,8 @@ RunController::RunController(StreamSession& session, Document& document, Machine
             }
           });
   connect(&m_session, &StreamSession::noteArrived, this, [this](const trace::Note& note) {
-    if (note.text == "stop requested" || note.text == "hold requested" ||
-        note.text == "continue requested") {
+    if (note.text == streaming::kStopNote || note.text == streaming::kHoldNote ||
+        note.text == streaming::kContinueNote) {
       return;  // said when the button was pressed, in the operator's language
     }
     m_messages.log(Severity::Note, Source::Run,
@@ -263,11 +263,13 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
   }
   m_report.reset();
   m_firstMotion.reset();
+  m_wrong.reset();
   m_isRuined = false;
   Q_EMIT ruinChanged();
   m_messages.clear();
-  for (const alarm::Code code : {alarm::Code::RunFailed, alarm::Code::WrongMotion,
-                                 alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
+  for (const alarm::Code code :
+       {alarm::Code::RunFailed, alarm::Code::WrongMotion, alarm::Code::MovesWrong,
+        alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
     m_messages.settle(code);
   }
   announceStart(settings);
@@ -325,6 +327,9 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   }
   const base::Instant origin = m_firstMotion.value_or(update.at);
   showExecuted();
+  if (update.wrong && !m_wrong) {
+    takeWrong(*update.wrong);
+  }
   Q_EMIT updated(m_update);
   if (isNewState && isMoving) {
     m_machine.showRunning(
@@ -343,11 +348,27 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   }
 }
 
+void RunController::takeWrong(const streaming::WrongMotion& wrong) {
+  m_wrong = wrong;
+  m_isRuined = true;
+  m_messages.raise(alarm::Code::MovesWrong,
+                   {m_document.program()->name, std::to_string(m_firstPoint + wrong.point)});
+  m_messages.log(Severity::Error, Source::Run, [text = ruin()] { return text; });
+  Q_EMIT ruinChanged();
+}
+
 QString RunController::ruin() const {
   if (!m_isRuined) {
     return {};
   }
-  return tr("The run has executed wrong points: see the report, and check the workpiece.");
+  if (!isRunning() || !m_wrong) {
+    return tr("The run has executed wrong points: see the report, and check the workpiece.");
+  }
+  const QString point = widgets::countText(m_firstPoint + m_wrong->point);
+  return m_wrong->kind == streaming::WrongMotion::Kind::OffPath
+             ? tr("Wrong motion: after point %1 the tool is %2 off the path.")
+                   .arg(point, widgets::lengthText(m_wrong->offMm, 2))
+             : tr("Wrong motion: the control has repeated points after point %1.").arg(point);
 }
 
 void RunController::acknowledgeRuin() {
@@ -420,8 +441,9 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   m_machine.forgetExecuted();
   Q_EMIT updated(m_update);
   logOutcome(finished);
+  m_messages.settle(alarm::Code::MovesWrong);
   const trace::Integrity& integrity = m_report->integrity;
-  m_isRuined = integrity.judged && !integrity.isFaultless();
+  m_isRuined = integrity.judged ? !integrity.isFaultless() : m_report->wrong.has_value();
   m_document.setRunning(false);
   Q_EMIT permissionsChanged();
   Q_EMIT this->finished(m_report);
@@ -461,7 +483,8 @@ void RunController::raiseOutcome() {
   if (integrity.judged && !integrity.isFaultless()) {
     m_messages.raise(alarm::Code::WrongMotion,
                      {name, std::to_string(integrity.repeated), std::to_string(integrity.skipped)});
-  } else if (m_report->finding() == streaming::RunFinding::Faulty && !m_report->error.code) {
+  } else if (m_report->finding() == streaming::RunFinding::Faulty && !m_report->error.code &&
+             (integrity.judged || !m_report->wrong)) {
     m_messages.raise(alarm::Code::RunIncomplete, {name, std::to_string(integrity.executed),
                                                   std::to_string(m_report->counters.total)});
   } else if (m_report->finding() == streaming::RunFinding::NotJudged &&

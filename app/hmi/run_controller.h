@@ -120,6 +120,7 @@ class RunController final : public QObject {
       const trace::LiveSample& sample) const;
   void takeResume(const session::ResumeFound& found);
   void takeFinished(const session::RunFinished& finished);
+  void takeWrong(const streaming::WrongMotion& wrong);
   void logOutcome(const session::RunFinished& finished);
   /// The alarms of the run that has just ended.
   void raiseOutcome();
@@ -132,7 +133,8 @@ class RunController final : public QObject {
   Gate m_gate;
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_firstMotion;
-  bool m_isRuined = false;  ///< wrong points, not acknowledged
+  std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
+  bool m_isRuined = false;                        ///< and not acknowledged
   std::size_t m_firstPoint = 0;
   std::shared_ptr<const streaming::RunReport> m_report;
   std::optional<session::ResumeQuestion> m_left;  ///< the run that could be resumed

@@ -150,6 +150,9 @@ ordered_json runJson(const streaming::RunReport& report) {
       {"requests", report.access.requests},
       {"settings", settingsJson(report.settings)},
   };
+  if (report.wrong) {
+    json["wrong_motion_seen"] = streaming::describe(*report.wrong);
+  }
   if (report.transfer) {
     json["transfer"] = {{"written", report.transfer->written},
                         {"compared", report.transfer->compared},

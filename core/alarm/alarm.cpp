@@ -14,7 +14,7 @@ namespace rivulet::alarm {
 
 namespace {
 
-constexpr std::array<Facts, 15> kFacts{{
+constexpr std::array<Facts, 16> kFacts{{
     {Code::ControlAlarm, "control-alarm", Priority::High, Source::Control,
      RIVULET_SENTENCE("AlarmTexts", "The control reports alarm %1."),
      RIVULET_SENTENCE("AlarmTexts",
@@ -37,6 +37,15 @@ constexpr std::array<Facts, 15> kFacts{{
      RIVULET_SENTENCE("AlarmTexts", "Points came too late for this feed with these settings."),
      RIVULET_SENTENCE("AlarmTexts",
                       "Check workpiece and tool. Choose a smaller feed, or method window.")},
+    {Code::MovesWrong, "moves-wrong", Priority::High, Source::Run,
+     RIVULET_SENTENCE(
+         "AlarmTexts",
+         "Wrong motion in %1 after point %2: points are repeated, or the tool has left "
+         "the path."),
+     RIVULET_SENTENCE("AlarmTexts",
+                      "Points came too late for this feed with these settings, or something else "
+                      "moves the axes."),
+     RIVULET_SENTENCE("AlarmTexts", "Stop the run, then check workpiece and tool.")},
     {Code::RunFailed, "run-failed", Priority::High, Source::Run,
      RIVULET_SENTENCE("AlarmTexts", "The run of %1 was ended by a fault."), "",
      RIVULET_SENTENCE("AlarmTexts",

@@ -25,6 +25,7 @@ enum class Code {
   ConnectionLost,         ///< endpoint; error
   NotConnected,           ///< endpoint; error
   WrongMotion,            ///< program, repeated points, skipped points
+  MovesWrong,             ///< program, point; while the run is in progress
   RunFailed,              ///< program; error
   RunIncomplete,          ///< program, executed points, points
   NotJudged,              ///< program

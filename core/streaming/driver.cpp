@@ -184,7 +184,7 @@ void Driver::checkOrders() {
   if (hold != m_holding && !m_stopWantedAt) {
     m_holding = hold;
     m_method.requestHold(hold);
-    m_sink.note({m_link.now(), hold ? "hold requested" : "continue requested"});
+    m_sink.note({m_link.now(), std::string(hold ? kHoldNote : kContinueNote)});
     publish();
   }
   if (m_correction.exists() && !m_stopWantedAt && !m_abandonedAt) {
@@ -197,7 +197,7 @@ void Driver::checkOrders() {
   m_stopWantedAt = m_link.now();
   m_end.stopped = true;
   m_method.requestStop();
-  m_sink.note({m_link.now(), "stop requested"});
+  m_sink.note({m_link.now(), std::string(kStopNote)});
   publish();
 }
 
@@ -483,13 +483,42 @@ void Driver::handleMethod(const opcua::Event& event) {
   if (progress.brokenSignals > m_brokenSeen) {
     m_brokenSeen = progress.brokenSignals;
     m_sink.note({event.at, "a signal was out of sequence: a window has been executed again"});
+    noteWrong({WrongMotion::Kind::Repeated, progress.executed, 0.0});
   }
   inferPauses();
   if (const std::optional<base::Vec3> position = m_method.positionMm();
-      position && !event.readings.empty() && event.at >= m_nextDisplay) {
-    m_nextDisplay = event.at + kDisplayInterval;
-    publish(trace::LiveSample{event.at, position, std::nullopt, {}});
+      position && !event.readings.empty()) {
+    checkPlace(*position);
+    publishPosition(*position, event.at);
   }
+}
+
+void Driver::publishPosition(base::Vec3 positionMm, Instant at) {
+  // A stop is shorter than the time between two samples of the display: it is shown at once.
+  const auto standstill = m_standstill.add(at, positionMm, m_settings.feedMmPerS);
+  if (standstill || at >= m_nextSample) {
+    m_nextSample = at + kDisplayInterval;
+    publish(trace::LiveSample{at, positionMm, standstill, {}});
+  }
+}
+
+void Driver::checkPlace(base::Vec3 positionMm) {
+  if (!m_path || m_end.wrong) {
+    return;
+  }
+  const std::size_t executed = m_method.progress().executed;
+  if (const auto offMm = m_path->add(positionMm, executed, m_counters.sent)) {
+    noteWrong({WrongMotion::Kind::OffPath, executed, *offMm});
+  }
+}
+
+void Driver::noteWrong(WrongMotion wrong) {
+  if (m_end.wrong) {
+    return;  // the first is the one to look at
+  }
+  m_end.wrong = wrong;
+  m_sink.note({m_link.now(), "wrong motion: " + describe(wrong)});
+  publish();
 }
 
 void Driver::handleMonitor(const opcua::Event& event) {
@@ -520,6 +549,9 @@ void Driver::handleMonitor(const opcua::Event& event) {
         (*sample.rotaryDeg)[m_displayRotary[i]] = event.readings[base::kAxisCount + i].number;
       }
     }
+  }
+  if (sample.positionMm) {
+    checkPlace(*sample.positionMm);
   }
   if (const auto measured = m_detector.add(event.at, *sample.feedMmPerS)) {
     // The same stand-still may have been inferred from the handshake already.
@@ -553,6 +585,7 @@ void Driver::publishPause(const trace::Pause& pause) {
   update.state = state();
   update.at = m_link.now();
   update.counters = m_counters;
+  update.wrong = m_end.wrong;
   if (m_correction.exists()) {
     update.correction = m_correction.value();
   }
@@ -615,6 +648,7 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
   update.state = state();
   update.at = m_link.now();
   update.counters = m_counters;
+  update.wrong = m_end.wrong;
   if (m_correction.exists()) {
     update.correction = m_correction.value();
   }

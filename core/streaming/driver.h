@@ -16,10 +16,16 @@
 #include "base/recent_values.h"
 #include "streaming/correction.h"
 #include "streaming/method.h"
+#include "streaming/path_watch.h"
 #include "trace/analysis/pauses.h"
 #include "trace/recording.h"
 
 namespace rivulet::streaming {
+
+/// Notes that repeat what the operator has requested: a display that has said so leaves them out.
+inline constexpr std::string_view kStopNote = "stop requested";
+inline constexpr std::string_view kHoldNote = "hold requested";
+inline constexpr std::string_view kContinueNote = "continue requested";
 
 /// Receives the reports of a run in progress. @threadsafety called on the streaming thread only
 class RunSink {
@@ -54,6 +60,7 @@ struct StreamEnd {
   std::optional<base::Duration> stopConfirmedAfter;
   base::Error error;     ///< code clear: none
   std::string slowedBy;  ///< see `RunReport`
+  std::optional<WrongMotion> wrong;
 };
 
 class Driver {
@@ -64,6 +71,9 @@ class Driver {
   Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
          RunSink& sink, std::size_t total, const templates::CellMap& cells);
 
+  /// The path, so that a tool that leaves it is noticed. Without it only the method's own signs of
+  /// wrong motion are.
+  void watchPath(PathWatch path) { m_path = std::move(path); }
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
   void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
 
@@ -123,6 +133,11 @@ class Driver {
   [[nodiscard]] bool wantsDisplay() const;
   void publish(std::optional<trace::LiveSample> sample = std::nullopt);
   void publishPause(const trace::Pause& pause);
+  /// Looks whether the tool has left the path.
+  void checkPlace(base::Vec3 positionMm);
+  void noteWrong(WrongMotion wrong);
+  /// A position that the method has read, with the feed as far as the position shows it.
+  void publishPosition(base::Vec3 positionMm, base::Instant at);
   void inferPauses();
   void settleInferred(bool all);
   /// The stream cannot continue: command the control to end its program, and wait for that.
@@ -147,7 +162,8 @@ class Driver {
   std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
   std::vector<opcua::Variable> m_status;
   base::Instant m_nextDisplay{};
-  base::Instant m_shownAt{};  ///< when the axes' position was last read
+  base::Instant m_nextSample{};  ///< of the positions that the method reads
+  base::Instant m_shownAt{};     ///< when the axes' position was last read
   base::Instant m_nextStatus{};
   bool m_methodsTurn = false;  ///< the last access was not the method's
   int m_patience = 1;          ///< factor of the deadlines
@@ -160,6 +176,8 @@ class Driver {
   bool m_stopSent = false;
   bool m_holding = false;
   trace::LivePauseDetector m_detector;
+  trace::StandstillByPosition m_standstill;
+  std::optional<PathWatch> m_path;
   std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
   std::vector<trace::Pause> m_pauses;
   std::size_t m_stopsSeen = 0;

@@ -482,6 +482,10 @@ class Job {
       }
     }
     driver.watchRotary(shown.index);
+    const bool isByPosition = m_settings.parameters.method == base::MethodKind::Position;
+    driver.watchPath({m_flight.points.points, m_flight.toolMm,
+                      {m_settings.feedMmPerS, m_settings.parameters.correctionLimitMm,
+                       isByPosition ? m_settings.deltaMm : 0.0}});
     m_ledger.onGranted = [this] { keepCheckpoint(true); };
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();
@@ -494,6 +498,7 @@ class Job {
     m_report.stopConfirmedAfter = end.stopConfirmedAfter;
     m_report.error = end.error;
     m_report.slowedBy = end.slowedBy;
+    m_report.wrong = end.wrong;
     m_streamed = true;
     if (end.error.code || !end.programEnded) {
       m_report.outcome = Outcome::Failed;

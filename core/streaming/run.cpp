@@ -3,6 +3,8 @@
 
 #include "streaming/run.h"
 
+#include <fmt/format.h>
+
 namespace rivulet::streaming {
 
 std::error_code make_error_code(StreamError code) {
@@ -100,12 +102,19 @@ std::string_view runFindingName(RunFinding finding) {
   return "";
 }
 
+std::string describe(const WrongMotion& wrong) {
+  return wrong.kind == WrongMotion::Kind::OffPath
+             ? fmt::format("after point {} the tool is {:.3f} mm off the path", wrong.point,
+                           wrong.offMm)
+             : fmt::format("points were repeated after point {}", wrong.point);
+}
+
 RunFinding RunReport::finding() const {
   if (outcome == Outcome::Failed) {
     return RunFinding::Faulty;
   }
   if (!integrity.judged) {
-    return RunFinding::NotJudged;
+    return wrong ? RunFinding::Faulty : RunFinding::NotJudged;
   }
   const bool isWhole = outcome == Outcome::Stopped || integrity.executed == counters.total;
   return isWhole && integrity.isFaultless() ? RunFinding::Faultless : RunFinding::Faulty;

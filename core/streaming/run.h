@@ -202,6 +202,22 @@ struct Correction {
   friend bool operator==(const Correction&, const Correction&) = default;
 };
 
+/// Wrong motion that showed while the run was in progress.
+struct WrongMotion {
+  enum class Kind {
+    Repeated,  ///< by its signals, the control has executed points again
+    OffPath,   ///< the tool is not where the points that it may execute lead
+  };
+  Kind kind = Kind::OffPath;
+  std::size_t point = 0;  ///< points of this run that were known to be executed
+  double offMm = 0.0;     ///< OffPath: distance of the tool to the path
+
+  friend bool operator==(const WrongMotion&, const WrongMotion&) = default;
+};
+
+/// "after point 12 the tool is 3.412 mm off the path".
+[[nodiscard]] std::string describe(const WrongMotion& wrong);
+
 /// A snapshot of the run, for the display.
 struct LiveUpdate {
   RunState state = RunState::Idle;
@@ -213,6 +229,7 @@ struct LiveUpdate {
   std::string waitingFor;  ///< English key of what the run is waiting for; may be empty
   std::optional<base::Duration> stopConfirmedAfter;
   std::optional<Correction> correction;  ///< nothing: the program has none
+  std::optional<WrongMotion> wrong;      ///< the first that was seen; nothing: none so far
 };
 
 enum class Outcome { Completed, Stopped, Failed };
@@ -227,7 +244,9 @@ enum class Outcome { Completed, Stopped, Failed };
 enum class RunFinding {
   Faultless,  ///< judged by the control's trace: each point once, in order
   NotJudged,  ///< the control keeps no trace, or the run was longer than its trace
-  Faulty,     ///< the run failed, or the trace shows points repeated, skipped or foreign
+  /// The run failed, or the trace shows points repeated, skipped or foreign; without a trace: wrong
+  /// motion was seen during the run.
+  Faulty,
 };
 
 /// "faultless", "not judged", "faulty".
@@ -251,6 +270,8 @@ struct RunReport {
   std::optional<ProgramTransfer> transfer;
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it was not available
   std::string slowedBy;  ///< what slowed the accesses of the run; in English; empty: nothing did
+  /// Seen while the run was in progress. The trace of the control, if there is one, overrules it.
+  std::optional<WrongMotion> wrong;
 
   /// A stopped run is judged by the points up to the stop.
   [[nodiscard]] RunFinding finding() const;

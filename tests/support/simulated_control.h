@@ -31,7 +31,10 @@ class SimulatedControl {
   static constexpr double kUnlimited = 1e9;
 
   explicit SimulatedControl(const std::string& preset, double pace = kUnlimited)
-      : m_shared(std::make_shared<Shared>(preset, pace)) {}
+      : m_shared(std::make_shared<Shared>(preset, load(preset), pace)) {}
+  /// @param config  of a machine that differs from its preset
+  SimulatedControl(machine::MachineConfig config, double pace)
+      : m_shared(std::make_shared<Shared>("dmu75", std::move(config), pace)) {}
   ~SimulatedControl() { kill(); }
   SimulatedControl(const SimulatedControl&) = delete;
   SimulatedControl& operator=(const SimulatedControl&) = delete;
@@ -64,16 +67,17 @@ class SimulatedControl {
  private:
   using Clock = std::chrono::steady_clock;
 
+  [[nodiscard]] static machine::MachineConfig load(const std::string& preset) {
+    auto config = machine::loadPreset(preset);
+    RIVULET_ASSERT(config.has_value());
+    return std::move(*config);
+  }
+
   /// What the connections of one machine have in common.
   struct Shared {
-    Shared(const std::string& presetName, double firstPace)
-        : preset(presetName), machine(load(presetName), 1), pace(firstPace) {}
+    Shared(std::string presetName, machine::MachineConfig config, double firstPace)
+        : preset(std::move(presetName)), machine(std::move(config), 1), pace(firstPace) {}
 
-    [[nodiscard]] static machine::MachineConfig load(const std::string& preset) {
-      auto config = machine::loadPreset(preset);
-      RIVULET_ASSERT(config.has_value());
-      return std::move(*config);
-    }
     [[nodiscard]] bool isDown() {
       const std::lock_guard lock(mutex);
       return down;

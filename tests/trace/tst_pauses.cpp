@@ -136,6 +136,26 @@ class TestPauses : public QObject {
     QVERIFY(!rare.add(Instant{2800ms}, 0.0));
     const auto found = rare.add(Instant{2850ms}, 5.0);
     QVERIFY(found && found->pause.duration == 100ms);
+    // A long one may end in a gap that is a small part of it; that is its uncertainty.
+    for (int ms = 2900; ms <= 3500; ms += 50) {
+      QVERIFY(!rare.add(Instant{std::chrono::milliseconds(ms)}, 0.0));
+    }
+    const auto held = rare.add(Instant{3640ms}, 5.0);
+    QVERIFY(held && held->pause.duration == 695ms && held->uncertainty >= 95ms);
+  }
+
+  /// Positions every 10 ms at 20 mm/s with a stop of 40 ms: the feed is 0 in it, and rises after
+  /// it.
+  void positionsShowAStop() {
+    StandstillByPosition standstill;
+    double x = 0.0;
+    std::string seen;
+    for (int i = 0; i < 12; ++i) {
+      x += i >= 4 && i < 8 ? 0.0 : 0.2;
+      const auto feed = standstill.add(Instant{10ms * i}, {x, 0.0, 0.0}, 20.0);
+      seen += !feed ? '-' : *feed == 0.0 ? '0' : '+';
+    }
+    QCOMPARE(seen, std::string("----0000+---"));
   }
 
   void liveStaysWithinItsUncertainty() {

@@ -58,7 +58,8 @@ struct RunTexts {
 std::vector<int> openWrongMotion(const Alarms& alarms) {
   std::vector<int> numbers;
   for (const alarm::Alarm& item : alarms.list().alarms()) {
-    const bool isWrongMotion = item.code == alarm::Code::WrongMotion;
+    const bool isWrongMotion =
+        item.code == alarm::Code::WrongMotion || item.code == alarm::Code::MovesWrong;
     if (isWrongMotion && !item.isAcknowledged) {
       numbers.push_back(item.number);
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/instant.h"
+#include "base/vec3.h"
 #include "trace/control_trace.h"
 #include "trace/pause.h"
 
@@ -61,6 +62,25 @@ class LivePauseDetector {
   std::optional<base::Instant> m_latest;
   std::optional<base::Instant> m_lastMoving;
   std::optional<base::Instant> m_firstStanding;
+};
+
+/// The feed as positions show it, where they are read more often than the feed: 0 while the tool
+/// stands, and a feed again when it leaves.
+class StandstillByPosition {
+ public:
+  /// @param at  not before the position before it  @param feedMmPerS  that is programmed, > 0
+  /// @return feed in mm/s at a change between standing and moving, and while it stands; nothing:
+  ///         it moves on, or the positions are too close in time to tell
+  [[nodiscard]] std::optional<double> add(base::Instant at, base::Vec3 positionMm,
+                                          double feedMmPerS);
+
+ private:
+  struct Sample {
+    base::Instant at{};
+    base::Vec3 positionMm;
+  };
+  std::optional<Sample> m_before;
+  bool m_stands = false;
 };
 
 }  // namespace rivulet::trace
