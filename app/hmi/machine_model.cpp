@@ -19,8 +19,27 @@ constexpr int kChannelActive = 1;
 constexpr int kProgramRunning = 3;
 /// How often what is shown is asked for its age.
 constexpr int kAgeIntervalMs = 100;
+/// Reads that were rare are taken for frequent again after this time without a gap.
+constexpr double kRareLastsS = 3.0;
 
 }  // namespace
+
+void MachineModel::ReadTimes::take(double nowS, bool duringRun) {
+  if (!duringRun) {
+    m_rareAtS.reset();
+  } else if (m_atS && nowS - *m_atS > widgets::kFreshS) {
+    m_rareAtS = nowS;
+  }
+  m_atS = nowS;
+}
+
+std::optional<double> MachineModel::ReadTimes::ageS(double nowS) const {
+  return m_atS ? std::optional(nowS - *m_atS) : std::nullopt;
+}
+
+bool MachineModel::ReadTimes::isRare(double nowS) const {
+  return m_rareAtS && nowS - *m_rareAtS < kRareLastsS;
+}
 
 MachineModel::MachineModel(session::StreamSession& session, report::MachineStore store,
                            Messages& messages, Clock clock)
@@ -43,12 +62,11 @@ double MachineModel::steadySeconds() {
 
 void MachineModel::showAges() {
   const double nowS = m_clock();
-  const auto age = [nowS](const std::optional<double>& atS) {
-    return atS ? std::optional(nowS - *atS) : std::nullopt;
-  };
-  m_view.positionAgeS = age(m_positionAtS);
-  m_view.feedAgeS = age(m_feedAtS);
-  m_view.stateAgeS = age(m_stateAtS);
+  m_view.positionAgeS = m_positionRead.ageS(nowS);
+  m_view.isPositionRare = m_positionRead.isRare(nowS);
+  m_view.feedAgeS = m_feedRead.ageS(nowS);
+  m_view.isFeedRare = m_feedRead.isRare(nowS);
+  m_view.stateAgeS = m_stateAtS ? std::optional(nowS - *m_stateAtS) : std::nullopt;
   if (m_view.executed) {
     m_view.executed->ageS = nowS - m_executedAtS;
   }
@@ -147,7 +165,9 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
   if (seen.toGoMm) {
     m_view.toGo = widgets::MachineView::ToGo{*seen.toGoMm, seen.toGoDeg};
   }
-  m_positionAtS = m_feedAtS = m_stateAtS = m_clock();
+  m_stateAtS = m_clock();
+  m_positionRead.take(*m_stateAtS, false);
+  m_feedRead.take(*m_stateAtS, false);
   showAges();
   Q_EMIT this->seen();
 }
@@ -185,14 +205,14 @@ void MachineModel::showSample(const trace::LiveSample& sample,
   if (sample.positionMm) {
     m_view.positionMm = sample.positionMm;
     m_view.toGo = toGo;
-    m_positionAtS = nowS;
+    m_positionRead.take(nowS, true);
   }
   if (sample.rotaryDeg) {
     m_view.rotaryDeg = sample.rotaryDeg;
   }
   if (sample.feedMmPerS) {
     m_view.feedMmPerS = sample.feedMmPerS;
-    m_feedAtS = nowS;
+    m_feedRead.take(nowS, true);
   }
   showAges();
 }

@@ -88,10 +88,24 @@ class MachineModel final : public QObject {
   widgets::MachineView m_view;
   std::shared_ptr<const streaming::CalibrationRecord> m_calibration;
   bool m_isOutdated = false;
+  /// When a group of values was read.
+  class ReadTimes {
+   public:
+    /// @param duringRun  how far apart reads are says something only then
+    void take(double nowS, bool duringRun);
+    [[nodiscard]] std::optional<double> ageS(double nowS) const;
+    /// See `MachineView::isPositionRare`.
+    [[nodiscard]] bool isRare(double nowS) const;
+
+   private:
+    std::optional<double> m_atS;
+    std::optional<double> m_rareAtS;  ///< the latest read that came long after the one before it
+  };
+
   Clock m_clock;
   QTimer m_ageTimer;
-  std::optional<double> m_positionAtS;
-  std::optional<double> m_feedAtS;
+  ReadTimes m_positionRead;
+  ReadTimes m_feedRead;
   std::optional<double> m_stateAtS;
   double m_executedAtS = 0.0;
 };

@@ -101,6 +101,42 @@ class TestRunController : public QObject {
     QVERIFY(models.runs.resumeBlocked()->reason == BlockReason::NothingToResume);
   }
 
+  /// A stream without slack reads the axes every 0.9 s: that is said once, not with each read.
+  void readsThatComeRarelyAreSaidToBeRare() {
+    using widgets::Freshness;
+    Models models;
+    double nowS = 100.0;
+    hmi::MachineModel machine{models.session, models.store, models.messages,
+                              [&nowS] { return nowS; }};
+    const auto readAfter = [&](double passedS) {
+      nowS += passedS;
+      machine.showSample({base::Instant{}, base::Vec3{1.0, 2.0, 3.0}, 5.0, {}}, std::nullopt);
+    };
+    const auto lookAfter = [&](double passedS) {
+      nowS += passedS;
+      machine.showExecuted(5, {}, 8.0, std::nullopt);
+      return machine.view().positionFreshness();
+    };
+    readAfter(0.0);
+    QVERIFY(lookAfter(0.4) == Freshness::Live);
+    QVERIFY(lookAfter(0.2) == Freshness::Old);
+    for (int i = 0; i < 5; ++i) {
+      readAfter(0.1);
+      for (int look = 0; look < 4; ++look) {
+        QVERIFY(lookAfter(0.2) == Freshness::Planned);
+        QVERIFY(machine.view().feedFreshness() == Freshness::Planned);
+      }
+    }
+    QVERIFY(lookAfter(0.5) == Freshness::Old);  // a read is missing
+    QVERIFY(!machine.positionNowMm());          // that is not where the tool stands now
+    readAfter(0.0);
+    QVERIFY(lookAfter(0.1) == Freshness::Planned);
+    for (int i = 0; i < 40; ++i) {
+      readAfter(0.1);
+    }
+    QVERIFY(lookAfter(0.1) == Freshness::Live);
+  }
+
   void aRunEndsWithItsReport() {
     Models models;
     models.machine.connectTo(QStringLiteral("opc.tcp://cell"));

@@ -51,9 +51,7 @@ class TestWindowOverOpcua : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() {
-    QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
-  }
+  void initTestCase() { QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest")); }
 
   void streams() {
     const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),

@@ -25,9 +25,19 @@ enum class ConnectionState {
 /// What is older is not shown as the present state of the machine.
 inline constexpr double kFreshS = 0.5;
 
+/// A stream that leaves no time reads position and feed every 0.9 s
+/// (`feasibility::kDisplayIntervalMax`): up to this age they are no older than planned.
+inline constexpr double kPlannedS = 1.2;
+
 [[nodiscard]] inline bool isFresh(std::optional<double> ageS) {
   return ageS && *ageS <= kFreshS;
 }
+
+enum class Freshness {
+  Live,
+  Planned,  ///< read as often as the stream permits, which is not live
+  Old,
+};
 
 struct MachineView {
   std::optional<int> channelStatus;  ///< opcua::VariableKind::ChannelStatus
@@ -60,6 +70,15 @@ struct MachineView {
   std::optional<double> positionAgeS;
   std::optional<double> feedAgeS;
   std::optional<double> stateAgeS;  ///< channel, program, alarm
+  /// The latest reads have come more than `kFreshS` apart, as often as the stream permits. It lasts
+  /// from one read to the next, so that what is shown does not change with each of them.
+  bool isPositionRare = false;
+  bool isFeedRare = false;
+
+  [[nodiscard]] Freshness positionFreshness() const {
+    return freshness(positionAgeS, isPositionRare);
+  }
+  [[nodiscard]] Freshness feedFreshness() const { return freshness(feedAgeS, isFeedRare); }
 
   /// The last point of the run in progress that the stream knows to be executed.
   struct Executed {
@@ -71,7 +90,15 @@ struct MachineView {
 
   /// The position is old, but the stream says where the run is.
   [[nodiscard]] bool standsIn() const {
-    return executed && isFresh(executed->ageS) && !isFresh(positionAgeS);
+    return executed && isFresh(executed->ageS) && positionFreshness() == Freshness::Old;
+  }
+
+ private:
+  [[nodiscard]] static Freshness freshness(std::optional<double> ageS, bool isRare) {
+    if (isRare && ageS && *ageS <= kPlannedS) {
+      return Freshness::Planned;
+    }
+    return isFresh(ageS) ? Freshness::Live : Freshness::Old;
   }
 };
 

@@ -104,13 +104,15 @@ void PositionLine::restyle() {
   update();
 }
 
-void PositionLine::showValue(QLabel* label, const QString& text, bool isOld, const QColor& color) {
+void PositionLine::showValue(QLabel* label, const QString& text, Freshness freshness,
+                             const QColor& color) {
   label->setText(text);
   QFont font = label->font();
-  font.setStrikeOut(isOld && text != noValue());
+  font.setStrikeOut(freshness == Freshness::Old && text != noValue());
   label->setFont(font);
   QPalette colors = label->palette();
-  colors.setColor(QPalette::WindowText, isOld ? themeColors(palette()).mutedText : color);
+  colors.setColor(QPalette::WindowText,
+                  freshness == Freshness::Live ? color : themeColors(palette()).mutedText);
   label->setPalette(colors);
 }
 
@@ -120,16 +122,16 @@ void PositionLine::showAll() {
   const auto nan = std::numeric_limits<double>::quiet_NaN();
   const std::optional<base::Vec3>& positionMm =
       standsIn ? std::optional(m_machine.executed->positionMm) : m_machine.positionMm;
-  const bool isPositionOld = !standsIn && !isFresh(m_machine.positionAgeS);
+  const Freshness position = standsIn ? Freshness::Live : m_machine.positionFreshness();
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     showValue(m_readouts[axis].value, numberText(positionMm ? (*positionMm)[axis] : nan, 3),
-              isPositionOld, color);
+              position, color);
   }
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
     const Readout& readout = m_readouts[base::kAxisCount + axis];
     const QString text = numberText(m_machine.rotaryDeg ? (*m_machine.rotaryDeg)[axis] : nan, 3);
     showValue(readout.value, text == noValue() ? text : text + QStringLiteral("°"),
-              !isFresh(m_machine.positionAgeS), color);
+              m_machine.positionFreshness(), color);
     readout.group->setVisible(m_machine.rotaryAxes[axis]);
   }
   showValue(m_readouts[kFeed].value,
@@ -137,7 +139,7 @@ void PositionLine::showAll() {
                 ? QStringLiteral("%1\u00A0mm/min")
                       .arg(numberText(base::mmPerMinFromMmPerS(*m_machine.feedMmPerS), 0))
                 : noValue(),
-            !isFresh(m_machine.feedAgeS), color);
+            m_machine.feedFreshness(), color);
   showToGo();
   showFeedSet();
   showFreshness();
@@ -157,7 +159,8 @@ void PositionLine::showToGo() {
     }
     const Readout& readout = m_readouts[i];
     showValue(readout.detail, m_hasWords ? tr("to go %1").arg(text) : text,
-              isKnown && !isFresh(m_machine.positionAgeS), themeColors(palette()).mutedText);
+              isKnown ? m_machine.positionFreshness() : Freshness::Live,
+              themeColors(palette()).mutedText);
     readout.group->setToolTip(hint);
   }
 }
@@ -188,7 +191,7 @@ void PositionLine::showFeedSet() {
   if (m_machine.overrideFactor) {
     text += QStringLiteral(" · %1\u00A0%").arg(numberText(*m_machine.overrideFactor * kPercent, 0));
   }
-  showValue(readout.detail, text, false, themeColors(palette()).mutedText);
+  showValue(readout.detail, text, Freshness::Live, themeColors(palette()).mutedText);
   const QString dial = tr("The feed override at the control is not read; it acts in addition.");
   QString hint = tr("Commanded feed: not known, because no run of this window is in progress.");
   if (m_machine.overrideFactor) {
@@ -205,8 +208,10 @@ void PositionLine::showFreshness() {
     return;
   }
   const QString age = m_machine.positionAgeS ? ageText(*m_machine.positionAgeS) : noValue();
-  if (isFresh(m_machine.positionAgeS)) {
+  if (m_machine.positionFreshness() == Freshness::Live) {
     m_freshness->setStatus(Status::Good, tr("Live"));
+  } else if (m_machine.positionFreshness() == Freshness::Planned) {
+    m_freshness->setStatus(Status::Busy, tr("Up to 1 s old: no time to read more often"));
   } else if (m_machine.standsIn()) {
     m_freshness->setStatus(Status::Busy, tr("Last executed point, %1. The axes were read %2 ago.")
                                              .arg(countText(m_machine.executed->number), age));

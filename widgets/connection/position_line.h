@@ -49,7 +49,7 @@ class PositionLine final : public Page {
   void showFeedSet();
   /// Why the distance to go is not known, or where it is from.
   [[nodiscard]] QString toGoHint() const;
-  void showValue(QLabel* label, const QString& text, bool isOld, const QColor& color);
+  void showValue(QLabel* label, const QString& text, Freshness freshness, const QColor& color);
   void fitFonts();
 
   MachineView m_machine;

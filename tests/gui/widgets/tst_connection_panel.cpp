@@ -161,6 +161,26 @@ class TestConnectionPanel : public QObject {
     QVERIFY(hintOf(line, "to go " + noValue()).contains("not on the path"));
   }
 
+  /// Read every 0.9 s, as often as the stream permits: nothing changes with each read.
+  void whatIsReadRarelyDoesNotFlicker() {
+    test::Language language;
+    PositionLine line;
+    line.resize(1280, 52);
+    MachineView machine = test::runningMachine();
+    machine.executed = MachineView::Executed{437, {1.5, 2.5, -3.25}, 0.1};
+    machine.isPositionRare = machine.isFeedRare = true;
+    for (const double ageS : {0.0, 0.3, 0.51, 0.9, 1.1}) {
+      machine.positionAgeS = machine.feedAgeS = ageS;
+      line.setMachineState(machine);
+      const QString text = test::visibleText(line);
+      QVERIFY(text.contains("-12.346") && text.contains("Up to 1 s old") && !isStruck(line));
+    }
+    // A read that is missing altogether is said.
+    machine.positionAgeS = machine.feedAgeS = 1.3;
+    line.setMachineState(machine);
+    QVERIFY(test::visibleText(line).contains("Last executed point, 437") && isStruck(line));
+  }
+
   void speaksBothLanguages() {
     test::Language language;
     ConnectionPanel panel;
