@@ -886,8 +886,8 @@
         <translation>Der Test wurde abgebrochen. Falls sein Programm noch läuft, an der Steuerung Reset drücken.</translation>
     </message>
     <message>
-        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
-        <translation>Das Verfahren Kredit ist experimentell und startet nur an einer Steuerung, die seinen Test bestanden hat. Für diese Steuerung rivulet-cli commission ausführen oder das Verfahren Fenster wählen.</translation>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Pass it on the page Credit test, or choose method window.</source>
+        <translation>Das Verfahren Kredit ist experimentell und startet nur an einer Steuerung, die seinen Test bestanden hat. Den Test auf der Seite Kredit-Test ausführen oder das Verfahren Fenster wählen.</translation>
     </message>
     <message>
         <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
@@ -3513,8 +3513,8 @@ GPL-3.0-or-later</translation>
         <translation>Kredit (experimentell)</translation>
     </message>
     <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
-        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm meldet, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test von rivulet-cli commission bestanden hat.</translation>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm meldet, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test der Seite Kredit-Test bestanden hat.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>

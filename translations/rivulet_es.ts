@@ -886,8 +886,8 @@
         <translation>La prueba se interrumpió. Hacer un Reset del control si su programa sigue en marcha.</translation>
     </message>
     <message>
-        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
-        <translation>El método Crédito es experimental y solo se inicia en un control que ha superado su prueba. Ejecutar rivulet-cli commission para este control, o elegir el método Ventana.</translation>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Pass it on the page Credit test, or choose method window.</source>
+        <translation>El método Crédito es experimental y solo se inicia en un control que ha superado su prueba. Ejecutar la prueba en la página Prueba crédito, o elegir el método Ventana.</translation>
     </message>
     <message>
         <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
@@ -3513,8 +3513,8 @@ GPL-3.0-or-later</translation>
         <translation>Crédito (experimental)</translation>
     </message>
     <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
-        <translation>Ventana: la máquina espera si el cliente se retrasa; nunca ejecuta un punto dos veces. Posición: el cliente sigue la herramienta y sustituye los puntos ya rebasados. Señal: el cliente vigila una celda en la que el programa indica qué mitad del bucle se puede sustituir. Crédito: como Ventana, sin parada entre ventanas; solo se inicia en un control que ha superado la prueba de rivulet-cli commission.</translation>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Ventana: la máquina espera si el cliente se retrasa; nunca ejecuta un punto dos veces. Posición: el cliente sigue la herramienta y sustituye los puntos ya rebasados. Señal: el cliente vigila una celda en la que el programa indica qué mitad del bucle se puede sustituir. Crédito: como Ventana, sin parada entre ventanas; solo se inicia en un control que ha superado la prueba de la página Prueba crédito.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>

@@ -886,8 +886,8 @@
         <translation>Le test a été interrompu. Faire un Reset de la commande si son programme est encore en cours.</translation>
     </message>
     <message>
-        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
-        <translation>La méthode Crédit est expérimentale et ne démarre que sur une commande qui a réussi son test. Lancer rivulet-cli commission pour cette commande, ou choisir la méthode Fenêtre.</translation>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Pass it on the page Credit test, or choose method window.</source>
+        <translation>La méthode Crédit est expérimentale et ne démarre que sur une commande qui a réussi son test. Lancer le test à la page Test crédit, ou choisir la méthode Fenêtre.</translation>
     </message>
     <message>
         <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
@@ -3513,8 +3513,8 @@ GPL-3.0-or-later</translation>
         <translation>Crédit (expérimental)</translation>
     </message>
     <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
-        <translation>Fenêtre&#xa0;: la machine attend si le client est en retard&#xa0;; elle n’exécute jamais un point deux fois. Position&#xa0;: le client suit l’outil et remplace les points déjà passés. Signal&#xa0;: le client surveille une cellule où le programme indique quelle moitié de la boucle peut être remplacée. Crédit&#xa0;: comme Fenêtre, sans arrêt entre les fenêtres&#xa0;; ne démarre que sur une commande qui a réussi le test de rivulet-cli commission.</translation>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Fenêtre&#xa0;: la machine attend si le client est en retard&#xa0;; elle n’exécute jamais un point deux fois. Position&#xa0;: le client suit l’outil et remplace les points déjà passés. Signal&#xa0;: le client surveille une cellule où le programme indique quelle moitié de la boucle peut être remplacée. Crédit&#xa0;: comme Fenêtre, sans arrêt entre les fenêtres&#xa0;; ne démarre que sur une commande qui a réussi le test de la page Test crédit.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>

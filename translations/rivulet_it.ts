@@ -886,8 +886,8 @@
         <translation>Il test è stato interrotto. Resettare il controllo se il suo programma è ancora in corso.</translation>
     </message>
     <message>
-        <source>Method credit is experimental and starts only on a control that has passed its test. Run rivulet-cli commission for this control, or choose method window.</source>
-        <translation>Il metodo Credito è sperimentale e si avvia solo su un controllo che ne ha superato il test. Eseguire rivulet-cli commission per questo controllo, o scegliere il metodo Finestra.</translation>
+        <source>Method credit is experimental and starts only on a control that has passed its test. Pass it on the page Credit test, or choose method window.</source>
+        <translation>Il metodo Credito è sperimentale e si avvia solo su un controllo che ne ha superato il test. Eseguire il test alla pagina Test credito, o scegliere il metodo Finestra.</translation>
     </message>
     <message>
         <source>Online correction is possible with method window, for X, Y and Z, up to 1 mm.</source>
@@ -3513,8 +3513,8 @@ GPL-3.0-or-later</translation>
         <translation>Credito (sperimentale)</translation>
     </message>
     <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test of rivulet-cli commission.</source>
-        <translation>Finestra: la macchina attende se il client è in ritardo; non esegue mai un punto due volte. Posizione: il client osserva l’utensile e sostituisce i punti già superati. Segnale: il client osserva una cella in cui il programma indica quale metà del loop può essere sostituita. Credito: come Finestra, senza arresto tra le finestre; si avvia solo su un controllo che ha superato il test di rivulet-cli commission.</translation>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Finestra: la macchina attende se il client è in ritardo; non esegue mai un punto due volte. Posizione: il client osserva l’utensile e sostituisce i punti già superati. Segnale: il client osserva una cella in cui il programma indica quale metà del loop può essere sostituita. Credito: come Finestra, senza arresto tra le finestre; si avvia solo su un controllo che ha superato il test della pagina Test credito.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>

@@ -246,7 +246,7 @@ struct ErrorTexts {
       case StreamError::NotCommissioned:
         return tr(
             "Method credit is experimental and starts only on a control that has passed its test. "
-            "Run rivulet-cli commission for this control, or choose method window.");
+            "Pass it on the page Credit test, or choose method window.");
       case StreamError::CannotResume:
         return tr("It is not known for certain where the run was left. Start from the beginning.");
       case StreamError::AxesNotChosen:

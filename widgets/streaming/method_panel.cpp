@@ -351,7 +351,7 @@ void MethodPanel::retranslate() {
          "Position: the client watches the tool and replaces points it has passed. Signal: the "
          "client watches a cell in which the program says which half of the loop may be replaced. "
          "Credit: like window, without a stop between windows; it starts only on a control that "
-         "has passed the test of rivulet-cli commission."));
+         "has passed the test on the page Credit test."));
   m_deltaLabel->setText(tr("δ (point reached)"));
   m_feedSourceLabel->setText(tr("Feed"));
   m_feedSource->setItemText(kFeedOfProgram, tr("Of the program"));
