@@ -43,6 +43,9 @@ class RegionChart final : public QChartView {
  public:
   explicit RegionChart(feasibility::SweepAxis axis, QWidget* parent = nullptr);
 
+  /// The base class wants what the chart has had: a page would never become lower again.
+  [[nodiscard]] QSize sizeHint() const override { return minimumSize(); }
+
   void setModel(const FeasibilityModel& model);
   /// Simulated points and the band of the extended model; none removes them.
   void setRegion(const std::optional<SimulatedRegion>& region);

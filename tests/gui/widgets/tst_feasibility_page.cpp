@@ -47,6 +47,17 @@ class TestFeasibilityPage : public QObject {
     QVERIFY(equations.contains(static_cast<int>(feasibility::Equation::RealWindow)));
   }
 
+  /// At 1024x768 both axes of the chart and what stands below it are in sight without scrolling,
+  /// also if the window was larger before.
+  void fitsASmallWindow() {
+    test::Language language;
+    FeasibilityPage page;
+    page.setModel(test::feasibilityModel(base::MethodKind::Signal, 300.0));
+    static_cast<void>(test::picture(page, {1400, 900}));
+    QVERIFY2(page.heightForWidth(880) <= 540,
+             qPrintable(QString::number(page.heightForWidth(880))));
+  }
+
   void draggingChangesFeedAndAbscissa_data() {
     QTest::addColumn<int>("axis");
     QTest::addColumn<bool>("position");
