@@ -388,6 +388,9 @@ void readEquipment(Reader& reader, MachineConfig& config) {
   if (reader.has("coolant")) {
     config.coolantTime = milliseconds(reader, "coolant.switchMs", 0.0, 60000.0);
   }
+  if (reader.has("control.programStop")) {
+    config.programStop = reader.flag("control.programStop");
+  }
   if (reader.has("control.optionalStop")) {
     config.optionalStop = reader.flag("control.optionalStop");
   }

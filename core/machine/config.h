@@ -152,7 +152,8 @@ struct MachineConfig {
   std::optional<base::Duration> coolantTime;  ///< until the next block may begin
   std::map<int, base::Vec3> workOffsetsMm;    ///< by key of G54 to G599 (nc/modal/vocabulary)
   std::map<int, base::Vec3> fixedPointsMm;    ///< MD30600, of G75, by number; machine coordinates
-  bool optionalStop = false;                  ///< M1 waits for cycle start, as M0 does
+  bool programStop = false;                   ///< M0 waits for cycle start; else it does nothing
+  bool optionalStop = false;                  ///< M1 waits as well
 
   [[nodiscard]] base::RotarySet rotarySet() const {
     return {rotaryAxes[0].has_value(), rotaryAxes[1].has_value(), rotaryAxes[2].has_value()};

@@ -122,8 +122,8 @@ void MachineWords::applySpindle(const BlockMachineWords& words, nc::ModalState& 
 }
 
 void MachineWords::applyFunction(int number) {
-  const bool stops =
-      number == 0 || (number == 1 && m_machine != nullptr && m_machine->optionalStop);
+  const bool stops = m_machine != nullptr && ((number == 0 && m_machine->programStop) ||
+                                              (number == 1 && m_machine->optionalStop));
   if (stops) {
     m_actions.after.push_back({Kind::Stop, static_cast<double>(number), {}});
   } else if (number >= 7 && number <= 9 && m_machine != nullptr && m_machine->coolantTime) {

@@ -30,7 +30,7 @@ struct BlockMachineWords {
 
 class MachineWords {
  public:
-  /// @param machine  null: only M0 does something @param tool  in the spindle
+  /// @param machine  null: such words do nothing @param tool  in the spindle
   MachineWords(const MachineConfig* machine, Tool tool, AlarmSink& alarms)
       : m_machine(machine), m_inSpindle(tool), m_next(std::move(tool)), m_alarms(alarms) {}
 

@@ -314,8 +314,10 @@ class TestEquipment : public QObject {
   }
 
   void stopWaitsForCycleStart() {
-    for (const char* preset : {"dmu75-mill", "dmu75"}) {
-      Bench bench("G1 X1 F6000\nM0\nX2\nM1 X3\nM30\n", preset);
+    for (const bool optionally : {true, false}) {
+      machine::MachineConfig config = *machine::loadPreset("dmu75-mill");
+      config.optionalStop = optionally;
+      Bench bench("G1 X1 F6000\nM0\nX2\nM1 X3\nM30\n", config);
       bench.finish();
       bench.runS(5.0);
       QVERIFY(bench->state().channel == ChannelStatus::Interrupted);
@@ -328,9 +330,8 @@ class TestEquipment : public QObject {
       bench.finish();
       QVERIFY(isAt(bench->state().commandMm, {3, 0, 50}));
       // M1 stops, after the motion of its block, if the operator has said so.
-      const bool stopsOptionally = preset == std::string_view("dmu75-mill");
-      QCOMPARE(bench->state().waitsForStart, stopsOptionally);
-      QCOMPARE(bench.events(Kind::Stop).size(), stopsOptionally ? std::size_t{2} : std::size_t{1});
+      QCOMPARE(bench->state().waitsForStart, optionally);
+      QCOMPARE(bench.events(Kind::Stop).size(), optionally ? std::size_t{2} : std::size_t{1});
       QVERIFY(secondsOf(bench.events(Kind::Stop).front()) > 4.9);
     }
   }
@@ -356,7 +357,8 @@ class TestEquipment : public QObject {
       return trace::printControlTrace(bench->trace());
     };
     QCOMPARE(
-        traceOf("T3 M6 D2 S1000 M3\nG64 G1 X1 F6000 M8\nG54\nG55 X2 Y3 M1\nD0\nX3 M5\nM9\nM30\n"),
+        traceOf(
+            "T3 M6 D2 S1000 M3\nG64 G1 X1 F6000 M8\nG54\nG55 X2 Y3 M1\nD0 M0\nX3 M5\nM9\nM30\n"),
         traceOf("\nG64 G1 X1 F6000\n\nX2 Y3\n\nX3\n\nM30\n"));
   }
 
