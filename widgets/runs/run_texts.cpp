@@ -4,6 +4,7 @@
 #include "widgets/runs/run_texts.h"
 
 #include <QCoreApplication>
+#include <optional>
 
 #include "widgets/common/number_format.h"
 
@@ -21,6 +22,14 @@ struct RunTexts {
   static QString programFeeds(const QString& percent) { return tr("program, %1 %").arg(percent); }
 };
 
+/// @param overrideFactor  on the feeds of the program; nothing: all moves had one feed
+QString feeds(std::optional<double> overrideFactor, double feedMmPerS) {
+  constexpr double kPercent = 100.0;
+  return overrideFactor
+             ? RunTexts::programFeeds(QString::number(qRound(*overrideFactor * kPercent)))
+             : feedText(feedMmPerS);
+}
+
 }  // namespace
 
 QDateTime startOf(const streaming::RunSummary& run) {
@@ -34,10 +43,13 @@ QString startText(const streaming::RunSummary& run) {
 }
 
 QString feedsText(const streaming::RunSummary& run) {
-  constexpr double kPercent = 100.0;
-  return run.overrideFactor
-             ? RunTexts::programFeeds(QString::number(qRound(*run.overrideFactor * kPercent)))
-             : feedText(run.feedMmPerS);
+  return feeds(run.overrideFactor, run.feedMmPerS);
+}
+
+QString feedsText(const streaming::RunSettings& settings) {
+  return feeds(
+      settings.programFeeds ? std::optional(settings.programFeeds->overrideFactor) : std::nullopt,
+      settings.feedMmPerS);
 }
 
 QString machineText(const streaming::RunSummary& run) {

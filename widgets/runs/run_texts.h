@@ -8,6 +8,7 @@
 #include <QDateTime>
 #include <QString>
 
+#include "streaming/run.h"
 #include "streaming/run_summary.h"
 
 namespace rivulet::widgets {
@@ -20,6 +21,7 @@ namespace rivulet::widgets {
 [[nodiscard]] QString machineText(const streaming::RunSummary& run);
 /// The feed of the run, or "program, 80 %".
 [[nodiscard]] QString feedsText(const streaming::RunSummary& run);
+[[nodiscard]] QString feedsText(const streaming::RunSettings& settings);
 /// "anna on cell-pc-3".
 [[nodiscard]] QString originText(const streaming::RunOrigin& origin);
 

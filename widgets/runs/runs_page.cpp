@@ -90,7 +90,7 @@ RunsModel::RunsModel(QObject* parent)
            column([] { return tr("N"); },
                   [](const RunSummary& run) { return QString::number(run.pointsPerLoop); },
                   [](const RunSummary& run) { return run.pointsPerLoop; }, true),
-           column([] { return tr("Feed"); }, feedsText,
+           column([] { return tr("Feed"); }, [](const RunSummary& run) { return feedsText(run); },
                   [](const RunSummary& run) { return run.feedMmPerS; }, true),
            column([] { return tr("Executed"); },
                   [](const RunSummary& run) {

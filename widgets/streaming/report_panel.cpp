@@ -12,6 +12,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
+#include "widgets/runs/run_texts.h"
 
 namespace rivulet::widgets {
 
@@ -205,7 +206,7 @@ void ReportPanel::showRun(const streaming::RunReport& report) {
   show(Method, QStringLiteral("%1, N = %2")
                    .arg(methodText(report.settings.parameters.method),
                         QString::number(report.settings.parameters.pointsPerLoop)));
-  show(Feed, feedText(report.settings.feedMmPerS));
+  show(Feed, feedsText(report.settings));
   show(Delta, position ? lengthText(report.settings.deltaMm) : noValue());
   show(Duration, secondsText(base::toSeconds(report.duration), 2));
 }

@@ -74,6 +74,10 @@ class TestRunsPage : public QObject {
     runs.front().overrideFactor = 0.8;
     m_page->setRuns(runs, {});
     QCOMPARE(column(*m_page, RunsModel::Feed), QStringList{QStringLiteral("program, 80 %")});
+    streaming::RunReport report = test::report();
+    report.settings.programFeeds = gcode::ProgramFeeds{0.8, 500.0, 500.0};
+    m_page->setDetail(runs.front().id, report);
+    QCOMPARE(test::visibleText(*m_page).count(QStringLiteral("program, 80 %")), 1);
   }
 
   void showsTheNewestAndAsksForItsReport() {
