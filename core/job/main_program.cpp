@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "base/hash.h"
 #include "base/text.h"
@@ -28,6 +30,8 @@ class Category final : public std::error_category {
         return "a native block reads variables";
       case JobError::IncrementInFrame:
         return "a native block moves by an increment in a frame";
+      case JobError::PlaneChanges:
+        return "the plane changes";
       case JobError::TooManyStretches:
         return "too many stretches";
       case JobError::PositionDiffers:
@@ -96,7 +100,7 @@ class MainWriter {
     line("; STRETCH {}: lines {} to {}, {} points", stretch.number,
          stretch.blocks.front().line.value, stretch.blocks.back().line.value, stretch.pointCount);
     line("G710 DIAMOF G40");
-    line("TRANS");
+    cancelFrame();
     line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
@@ -115,13 +119,24 @@ class MainWriter {
       line("G90 G94 G710 DIAMOF");
     } else if (!isAfterNative) {
       line("G710 DIAMOF");
-      line("TRANS");
+      cancelFrame();
       for (const std::string& frame : native.frame) {
         line("{}", frame);
       }
       line("{}", modalWords(native.before));
+      m_hasFrame = !native.frame.empty();
     }
     line("{}", native.text);
+    m_hasFrame = m_hasFrame || native.setsFrame || native.reason == NativeReason::Subprogram;
+  }
+
+  /// Only if there is one: after TRANS an increment counts from the coordinates before it, even if
+  /// nothing has changed but the tool.
+  void cancelFrame() {
+    if (m_hasFrame) {
+      line("TRANS");
+      m_hasFrame = false;
+    }
   }
 
   /// Stop and hold between two native blocks. The axes stand.
@@ -142,6 +157,7 @@ class MainWriter {
   std::string m_text;
   int m_waits = 0;
   int m_natives = 0;
+  bool m_hasFrame = false;  ///< the control may have one
 };
 
 base::Result<void> requireWhole(const Plan& plan) {
@@ -158,10 +174,18 @@ base::Result<void> requireWhole(const Plan& plan) {
                      JobError::NotWhole, describe(plan.refusals.front()),
                      fmt::format("{}:{}", plan.program.name, plan.refusals.front().line.value));
   }
+  // An increment also passes the shift of a tool, offset or frame, unless the axis has been placed
+  // since: which streaming does with every axis.
+  std::array<bool, base::kAxisCount> losesShift{};
   bool isAfterNative = false;
   for (const Part& part : plan.parts) {
     const auto* const native = std::get_if<NativeBlock>(&part);
     if (native == nullptr) {
+      const auto& stretch = std::get<Stretch>(part);
+      for (std::size_t axis = 0; axis < base::kAxisCount && stretch.number > 0; ++axis) {
+        const std::size_t last = stretch.firstPoint + stretch.pointCount - 1;
+        losesShift[axis] = std::isnan(plan.program.trajectory.points[last].positionMm[axis]);
+      }
       isAfterNative = false;
       continue;
     }
@@ -174,15 +198,19 @@ base::Result<void> requireWhole(const Plan& plan) {
                     "A block for the control reads variables, whose values only Rivulet has "
                     "computed. Write the values into it: ");
     }
-    // The frame is set again before the block, and an increment would pass that shift as well.
-    const auto& from = native->before.incrementFrom;
-    const bool isShifted =
-        !native->frame.empty() ||
-        std::any_of(from.begin(), from.end(), [](const auto& each) { return each.has_value(); });
-    if (native->increments && isShifted && !isAfterNative) {
-      return refuse(JobError::IncrementInFrame,
-                    "A block for the control moves by an increment while TRANS, ROT or the like is "
-                    "in force. Write it with G90: ");
+    if (native->changesPlane) {
+      return refuse(JobError::PlaneChanges,
+                    "The plane changes, and with it the axis on which the tool length acts: the "
+                    "position after it is not known for certain. Split the program there: ");
+    }
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const bool isShifted = !native->frame.empty() || native->before.incrementFrom[axis];
+      if (native->increments[axis] && (losesShift[axis] || (isShifted && !isAfterNative))) {
+        return refuse(JobError::IncrementInFrame,
+                      "A block for the control moves by an increment after a tool, an offset or a "
+                      "frame has shifted the axis. Write it with G90: ");
+      }
+      losesShift[axis] = losesShift[axis] && !native->places[axis];
     }
     isAfterNative = true;
   }

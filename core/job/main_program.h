@@ -19,7 +19,8 @@ namespace rivulet::job {
 enum class JobError {
   NotWhole = 1,      ///< a finding or refusal stops it
   ReadsVariables,    ///< a native block reads variables that only Rivulet has computed
-  IncrementInFrame,  ///< a native block moves by an increment, and the frame changes before it
+  IncrementInFrame,  ///< a native block moves by an increment that would pass another shift
+  PlaneChanges,      ///< the tool length would act on another axis
   TooManyStretches,  ///< more than `templates::JobProtocol::kStretchesMax`
   PositionDiffers,   ///< the tool is not where the program says
 };

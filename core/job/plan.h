@@ -6,6 +6,7 @@
 /// order of the program. Every block is in exactly one part. @threadsafety plain values.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -46,8 +47,12 @@ struct NativeBlock {
   nc::ModalState before;  ///< in force when the program reaches it
   /// TRANS, ROT and the like in force, one line each, mm; empty: none.
   std::vector<std::string> frame;
-  bool moves = false;       ///< it names an axis
-  bool increments = false;  ///< it names an axis with an increment
+  bool moves = false;         ///< it names an axis
+  bool changesPlane = false;  ///< G17, G18, G19: the tool length acts on another axis
+  bool setsFrame = false;     ///< TRANS, ROT and the like
+  /// Of X, Y, Z: it names the axis with an absolute value, or with an increment.
+  std::array<bool, base::kAxisCount> places{};
+  std::array<bool, base::kAxisCount> increments{};
   bool calculates = false;  ///< its text still reads variables
   /// The same block also moves, and is streamed for that (not SINUMERIK).
   bool isHalf = false;

@@ -90,7 +90,9 @@ struct BlockNotes {
   bool isMissing = false;     ///< the subprogram it calls is not at hand
   bool calls = false;
   bool moves = false;
-  bool increments = false;
+  bool setsFrame = false;
+  bool changesPlane = false;
+  std::array<bool, base::kAxisCount> increments{};
   std::array<bool, nc::kProgrammedAxisCount> given{};
   std::vector<ForeignWord> words;
   std::optional<HomeMove> home;
@@ -140,13 +142,17 @@ class Splitter final : public gcode::BlockObserver,
     block.calls = words.rare && (words.rare->call || words.rare->call98 || words.rare->macroCall);
     block.moves = words.moves() || words.hasAnyCentre();
     block.given = words.axes.given;
-    for (std::size_t axis = 0; axis < words.axes.given.size(); ++axis) {
-      block.increments =
-          block.increments || (words.axes.given[axis] && words.axes.isIncrement[axis]);
+    block.setsFrame = words.rare && !words.rare->frame.empty();
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      block.increments[axis] = words.axes.given[axis] && words.axes.isIncrement[axis];
     }
     if ((words.ends || (words.rare && words.rare->returns)) && !block.isInSubprogram) {
       add(NativeReason::End);
       block.words.push_back({ForeignWord::Kind::M, 30.0, "M30"});
+    }
+    if (!isForeign() && executor.state().planeFirstAxis != block.before.planeFirstAxis) {
+      add(NativeReason::Tool);  // its length now acts on another axis
+      block.changesPlane = true;
     }
     noteFrame(words, executor.state());
     if (block.reason == NativeReason::Retract) {
@@ -532,7 +538,12 @@ class Splitter final : public gcode::BlockObserver,
     native.before = before;
     native.frame = block.frame;
     native.moves = block.moves;
+    native.setsFrame = block.setsFrame;
+    native.changesPlane = block.changesPlane;
     native.increments = block.increments;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      native.places[axis] = block.given[axis] && !block.increments[axis];
+    }
     native.isHalf = isForeign() && m_points > block.firstPoint;
     native.calculates =
         !isForeign() &&

@@ -193,7 +193,8 @@ class TestSplitter : public QObject {
   /// Each native block knows what the source program has in force there.
   void modalStateBefore() {
     const job::Plan plan = planOf(
-        "G18 G70 G91\n"
+        "G18\n"
+        "G70 G91\n"
         "G95 DIAMON\n"
         "TRANS X10\n"
         "AROT RPL=30\n"
@@ -201,7 +202,7 @@ class TestSplitter : public QObject {
         "TRANS\n"
         "G17 G90 DIAMOF\n"
         "M9\n");
-    const job::NativeBlock& on = std::get<job::NativeBlock>(plan.parts.at(1));
+    const job::NativeBlock& on = std::get<job::NativeBlock>(plan.parts.at(2));
     QCOMPARE(on.text, std::string("M8"));
     QCOMPARE(on.before.planeFirstAxis, std::size_t{2});
     QCOMPARE(on.before.lengthFactor, 25.4);
@@ -209,7 +210,7 @@ class TestSplitter : public QObject {
     QVERIFY(on.before.diameter);
     QCOMPARE(on.before.feedMode, nc::FeedMode::PerRevolution);
     QCOMPARE(on.frame, (std::vector<std::string>{"TRANS X254", "G18", "AROT RPL=30"}));
-    const job::NativeBlock& off = std::get<job::NativeBlock>(plan.parts.at(3));
+    const job::NativeBlock& off = std::get<job::NativeBlock>(plan.parts.back());
     QCOMPARE(off.before.planeFirstAxis, std::size_t{0});
     QVERIFY(!off.before.relative);
     QVERIFY(off.frame.empty());
