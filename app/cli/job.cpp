@@ -31,7 +31,9 @@ namespace {
 /// Stops at Ctrl-C, or after a time; says what the control does.
 class JobConsole final : public streaming::WholeJobSink, public streaming::RunOrders {
  public:
-  JobConsole(double stopAfterS, bool isQuiet) : m_stopAfterS(stopAfterS), m_isQuiet(isQuiet) {}
+  /// @param isAlone  nobody is at the control: it is simulated
+  JobConsole(double stopAfterS, bool isQuiet, bool isAlone)
+      : m_stopAfterS(stopAfterS), m_isQuiet(isQuiet), m_isAlone(isAlone) {}
 
   bool stopRequested(base::Instant now) override {
     m_first = m_first.value_or(now);
@@ -54,10 +56,18 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
                  startMm.z);
     }
   }
+  bool waitsForCycleStart() override {
+    if (!m_isQuiet) {
+      fmt::print("the program waits for cycle start (M0, M1){}\n",
+                 m_isAlone ? ": pressed" : ": press it at the control");
+    }
+    return m_isAlone;
+  }
 
  private:
   double m_stopAfterS;
   bool m_isQuiet;
+  bool m_isAlone;
   std::optional<base::Instant> m_first;
 };
 
@@ -205,7 +215,7 @@ base::Result<void> JobCommand::connect() {
 }
 
 Exit JobCommand::run() {
-  JobConsole console(m_options.stopAfterS, m_options.json);
+  JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
   const streaming::WholeJobReport done = streaming::runWholeJob(
       *m_connection.link, *m_connection.control, m_plan, m_settings, console, console);
   std::size_t executed = 0;

@@ -34,6 +34,8 @@ using templates::WindowProtocol;
 /// Where the axes stand and where they should are this close: servo and exact stop.
 constexpr double kStartToleranceMm = 0.05;
 constexpr Duration kPollInterval = std::chrono::milliseconds{20};
+/// `VariableKind::ChannelStatus` while the program waits for cycle start, at M0.
+constexpr double kChannelInterrupted = 2.0;
 
 /// Presents one stretch as if it were a program of its own: the channel is in reset before and
 /// after it, and what prepares a program has been done. Everything else goes to the control.
@@ -353,6 +355,9 @@ class WholeJob {
       if (state->isReset) {
         return judgeEnd(next);
       }
+      if (Result<void> done = passStop(state->isInterrupted); !done) {
+        return done;
+      }
       const bool isCalled =
           next < m_stretches.size() && state->call == call(m_stretches[next]->number);
       if (!isCalled) {
@@ -384,6 +389,22 @@ class WholeJob {
     }
     m_report.outcome = Outcome::Completed;
     return {};
+  }
+
+  /// The program stands at M0 or M1, where no command of the client reaches it.
+  Result<void> passStop(bool isInterrupted) {
+    const bool wasInterrupted = std::exchange(m_isInterrupted, isInterrupted);
+    if (!isInterrupted) {
+      return {};
+    }
+    if (m_isStopped) {
+      return m_control.abilities().startsOnRequest
+                 ? m_control.reset()
+                 : base::fail(StreamError::StopNotConfirmed,
+                              "The program waits for cycle start. Press reset at the control.");
+    }
+    const bool presses = !wasInterrupted && m_sink.waitsForCycleStart();
+    return presses ? m_control.cycleStart() : Result<void>();
   }
 
   /// Stop and hold while native blocks are executed: they take effect at the next one.
@@ -493,6 +514,7 @@ class WholeJob {
 
   struct State {
     bool isReset = false;
+    bool isInterrupted = false;
     double call = 0.0;
   };
 
@@ -507,7 +529,8 @@ class WholeJob {
     if ((*numbers)[1] != 0.0) {
       return base::fail(alarm(static_cast<int>((*numbers)[1]), (*numbers)[2]));
     }
-    return State{(*numbers)[0] == opcua::kChannelReset, (*numbers)[2]};
+    return State{(*numbers)[0] == opcua::kChannelReset, (*numbers)[0] == kChannelInterrupted,
+                 (*numbers)[2]};
   }
 
   /// With the block of the source program, if the control has told which one is due.
@@ -576,6 +599,7 @@ class WholeJob {
   bool m_isStarted = false;
   bool m_isStopped = false;
   bool m_isHeld = false;
+  bool m_isInterrupted = false;
   bool m_isOver = false;
   WholeJobReport m_report;
 };

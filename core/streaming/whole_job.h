@@ -28,6 +28,9 @@ class WholeJobSink : public RunSink {
   virtual void nativeBlocks(int next) = 0;
   /// A stretch is about to begin. @param startMm  where the tool is, as the control says
   virtual void stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) = 0;
+  /// The program waits for cycle start, at M0 or M1; told once. @return true: the control is
+  ///        commanded to go on; false: somebody presses it at the control
+  [[nodiscard]] virtual bool waitsForCycleStart() = 0;
 };
 
 struct StretchReport {

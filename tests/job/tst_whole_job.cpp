@@ -53,6 +53,10 @@ class Watcher final : public streaming::WholeJobSink, public streaming::RunOrder
     starts.push_back(startMm);
     inNative = false;
   }
+  bool waitsForCycleStart() override {
+    ++programStops;
+    return pressesCycleStart;
+  }
   bool stopRequested(base::Instant now) override { return stopWhen && stopWhen(now); }
   bool holdRequested(base::Instant now) override { return holdWhen && holdWhen(now); }
 
@@ -63,7 +67,9 @@ class Watcher final : public streaming::WholeJobSink, public streaming::RunOrder
   std::vector<int> begun;
   std::vector<base::Vec3> starts;
   int nativeBefore = 0;
+  int programStops = 0;
   bool inNative = false;
+  bool pressesCycleStart = true;
 };
 
 streaming::RunSettings settingsOf(base::MethodKind method = base::MethodKind::Window) {
@@ -209,6 +215,14 @@ const char* const kPart =
     "M5 M9\n"
     "M30\n";
 
+const char* const kStops =
+    "G17 G90 G71 G94\n"
+    "G0 X1 Y1 Z5\n"
+    "G1 X5 F1000\n"
+    "M0\n"
+    "G1 X9\n"
+    "M30\n";
+
 }  // namespace
 
 class TestWholeJob : public QObject {
@@ -232,6 +246,31 @@ class TestWholeJob : public QObject {
     const auto findings = templates::lintProgram(programs->loop.text, settingsOf().parameters);
     QVERIFY(findings.has_value());
     QVERIFY2(findings->empty(), findings->empty() ? "" : findings->front().message.c_str());
+  }
+
+  void aStopOfTheProgramIsPassed() {
+    machine::Machine machine(*machine::loadPreset("dmu75-mill"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    const auto report =
+        streaming::runWholeJob(link, link, planOf(kStops), settingsOf(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QCOMPARE(watcher.programStops, 1);
+    QCOMPARE(watcher.begun, (std::vector<int>{1, 2}));
+  }
+
+  /// The control listens to nobody there, but the job ends.
+  void aStopOfTheProgramEndsWithStop() {
+    machine::Machine machine(*machine::loadPreset("dmu75-mill"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    watcher.pressesCycleStart = false;
+    watcher.stopWhen = [&watcher](base::Instant) { return watcher.programStops > 0; };
+    const auto report =
+        streaming::runWholeJob(link, link, planOf(kStops), settingsOf(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Stopped, report.error.text().c_str());
+    QCOMPARE(watcher.begun, std::vector<int>{1});
+    QVERIFY(machine.state().channel == machine::ChannelStatus::Reset);
   }
 
   void whole_data() {
