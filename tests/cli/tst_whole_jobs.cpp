@@ -30,7 +30,7 @@ const char* const kPart =
     "Y10\n"
     "SUPA G0 Z20\n"
     "T2 M6\n"
-    "G0 X1 Y1\n"
+    "G0 X1 Y1 Z17\n"
     "G91 G0 Z-3 M8\n"
     "G90 G1 X3 Y3 F1000\n"
     "M5 M9\n"
