@@ -4,7 +4,9 @@
 #include "widgets/common/icons.h"
 
 #include <QFile>
+#include <QGuiApplication>
 #include <QPainter>
+#include <QPalette>
 #include <QSvgRenderer>
 
 #include "base/contract.h"
@@ -29,9 +31,13 @@ QPixmap iconPixmap(const QString& name, const QColor& color, int sizePx, qreal d
 }
 
 QIcon themedIcon(const QString& name, const QColor& color) {
+  const QColor selected = QGuiApplication::palette().color(QPalette::HighlightedText);
   QIcon icon;
   for (const int size : {16, 20, 24, 32, 48, 64}) {
     icon.addPixmap(iconPixmap(name, color, size));
+  }
+  for (const int size : {16, 24}) {
+    icon.addPixmap(iconPixmap(name, selected, size), QIcon::Selected);
   }
   return icon;
 }

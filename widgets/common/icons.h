@@ -18,7 +18,8 @@ namespace rivulet::widgets {
 [[nodiscard]] QPixmap iconPixmap(const QString& name, const QColor& color, int sizePx,
                                  qreal devicePixelRatio = 1.0);
 
-/// As `iconPixmap`, in 16 to 64 px; greyed out for disabled buttons by the style.
+/// As `iconPixmap`, in 16 to 64 px; greyed out for disabled buttons by the style. In a selected row it
+/// has the colour of the text there.
 [[nodiscard]] QIcon themedIcon(const QString& name, const QColor& color);
 
 }  // namespace rivulet::widgets

@@ -25,6 +25,7 @@
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/common/diagnostic_text.h"
 #include "widgets/common/error_text.h"
+#include "widgets/common/icons.h"
 #include "widgets/common/log_view.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -157,6 +158,18 @@ class TestCommon : public QObject {
 
   /// States, kinds of move and borders of the region: told apart by everybody, also by those who
   /// see two of the three primary colours only. (The states have a shape and a word as well.)
+  /// The colour of a state would be hard to see on that of the selection.
+  void anIconInASelectedRowHasTheColourOfItsText() {
+    applyTheme(Theme::Contrast);
+    const QColor text = QGuiApplication::palette().color(QPalette::HighlightedText);
+    const QIcon icon = themedIcon(QStringLiteral("play"), Qt::magenta);
+    const QImage image = icon.pixmap(QSize(16, 16), QIcon::Selected).toImage();
+    QCOMPARE(image.pixelColor(8, 8).name(), text.name());
+    QCOMPARE(icon.pixmap(QSize(32, 32)).toImage().pixelColor(16, 16).name(),
+             QColor(Qt::magenta).name());
+    applyTheme(Theme::Light);
+  }
+
   void coloursAreToldApart_data() {
     QTest::addColumn<int>("theme");
     QTest::addColumn<int>("vision");
