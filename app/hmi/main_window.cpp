@@ -18,7 +18,6 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <initializer_list>
 
 #include "hmi/input_guard.h"
@@ -43,6 +42,13 @@ namespace rivulet::hmi {
 namespace {
 
 constexpr int kHeaderHeightPx = 48;
+
+/// The key that opens a page: digits in their order on the keyboard, then none.
+QKeySequence pageKey(int page) {
+  constexpr int kKeys = 10;
+  return page < kKeys ? QKeySequence(QStringLiteral("Alt+%1").arg((page + 1) % kKeys))
+                      : QKeySequence();
+}
 
 }  // namespace
 
@@ -143,8 +149,8 @@ void MainWindow::buildPages() {
   // The page takes what header, notices and strip leave.
   m_columns->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   rows->addWidget(m_columns, 1);
-  for (int i = 0; i < std::min(m_tabs->count(), 9); ++i) {
-    auto* key = new QShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(i + 1)), this);
+  for (int i = 0; i < m_tabs->count(); ++i) {
+    auto* key = new QShortcut(pageKey(i), this);
     connect(key, &QShortcut::activated, this, [this, i] {
       if (m_users.isLocked()) {
         return;
@@ -281,7 +287,7 @@ void MainWindow::retranslate() {
                          : tr("Rivulet"));
   for (int i = 0; i < m_tabs->count(); ++i) {
     m_tabs->setTabText(i, pageTitle(pageEntries()[static_cast<std::size_t>(i)]));
-    m_tabs->setTabToolTip(i, QStringLiteral("Alt+%1").arg(i + 1));
+    m_tabs->setTabToolTip(i, pageKey(i).toString());
   }
   m_setUpButton->setText(tr("&Set-up"));
   m_setUpButton->setToolTip(tr("Method, feed and verdict"));
