@@ -11,6 +11,7 @@
 
 #include "base/contract.h"
 #include "opcua/await.h"
+#include "streaming/control_alarm.h"
 #include "streaming/program_transfer.h"
 #include "streaming/run.h"
 
@@ -118,7 +119,7 @@ class Test {
                         "A program is running on the control. Wait until it has ended, or reset "
                         "the control, then start again.");
     }
-    if (Result<void> fine = refuseAlarm((*state)[1]); !fine) {
+    if (Result<void> fine = requireNoAlarm((*state)[1]); !fine) {
       return fine;
     }
     const std::string name = commissioningFileName();
@@ -128,15 +129,6 @@ class Test {
     }
     // A number left from an earlier test must not pass for the program's own.
     return set(Layout, 0.0);
-  }
-
-  static Result<void> refuseAlarm(double alarm) {
-    if (alarm == 0.0) {
-      return {};
-    }
-    return base::fail(
-        StreamError::ControlAlarm,
-        fmt::format("The control reports alarm {:.0f}. Clear it at the control.", alarm));
   }
 
   Result<void> awaitStart() {
@@ -156,7 +148,7 @@ class Test {
       if (!state) {
         return base::fail(state.error());
       }
-      if (Result<void> fine = refuseAlarm((*state)[1]); !fine) {
+      if (Result<void> fine = requireNoAlarm((*state)[1]); !fine) {
         return fine;
       }
       if ((*state)[0] != opcua::kChannelReset && (*state)[2] != 0.0) {
@@ -236,7 +228,7 @@ class Test {
       if (!state) {
         return base::fail(state.error());
       }
-      if (Result<void> fine = refuseAlarm((*state)[1]); !fine) {
+      if (Result<void> fine = requireNoAlarm((*state)[1]); !fine) {
         return fine;
       }
       if ((*state)[0] == opcua::kChannelReset) {

@@ -17,6 +17,7 @@
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
 #include "streaming/cell_claim.h"
+#include "streaming/control_alarm.h"
 #include "streaming/feed_plan.h"
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
@@ -410,10 +411,8 @@ class Job {
         return base::fail(numbers.error());
       }
       const int layout = static_cast<int>((*numbers)[1]);
-      if (const int alarm = static_cast<int>((*numbers)[2]); alarm != 0) {
-        return base::fail(
-            StreamError::ControlAlarm,
-            fmt::format("The control reports alarm {}. Clear it at the control.", alarm));
+      if (Result<void> fine = requireNoAlarm((*numbers)[2]); !fine) {
+        return fine;
       }
       // The layout cell was cleared: the number in it is of the program that was started now.
       if (m_cells.corrects() && layout == expected) {
@@ -483,7 +482,8 @@ class Job {
     }
     driver.watchRotary(shown.index);
     const bool isByPosition = m_settings.parameters.method == base::MethodKind::Position;
-    driver.watchPath({m_flight.points.points, m_flight.toolMm,
+    driver.watchPath({m_flight.points.points,
+                      m_flight.toolMm,
                       {m_settings.feedMmPerS, m_settings.parameters.correctionLimitMm,
                        isByPosition ? m_settings.deltaMm : 0.0}});
     m_ledger.onGranted = [this] { keepCheckpoint(true); };
@@ -667,9 +667,8 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   if ((*numbers)[0] != opcua::kChannelReset) {
     return base::fail(channelBusy());
   }
-  if (const int alarm = static_cast<int>((*numbers)[4]); alarm != 0) {
-    return base::fail(StreamError::ControlAlarm,
-                      fmt::format("The control reports alarm {}. Clear it at the control.", alarm));
+  if (Result<void> fine = requireNoAlarm((*numbers)[4]); !fine) {
+    return base::fail(fine.error());
   }
   Preflight flight;
   flight.toolMm = {(*numbers)[1], (*numbers)[2], (*numbers)[3]};

@@ -79,8 +79,8 @@ Result<bool> select(opcua::Control& control, const std::string& name) {
 
 }  // namespace
 
-Result<ProgramTransfer> transferProgram(opcua::Control& control, const std::string& name,
-                                        const std::string& text, TransferWay way) {
+Result<ProgramTransfer> storeProgram(opcua::Control& control, const std::string& name,
+                                     const std::string& text, TransferWay way) {
   ProgramTransfer transfer;
   Result<void> written;
   Result<bool> compared = false;
@@ -112,12 +112,18 @@ Result<ProgramTransfer> transferProgram(opcua::Control& control, const std::stri
     return base::fail(refused(base::makeError(LinkError::Rejected, "It may not be read.", name)));
   }
   transfer.compared = *compared;
-  if (way == TransferWay::Link) {
+  return transfer;
+}
+
+Result<ProgramTransfer> transferProgram(opcua::Control& control, const std::string& name,
+                                        const std::string& text, TransferWay way) {
+  Result<ProgramTransfer> transfer = storeProgram(control, name, text, way);
+  if (transfer && way == TransferWay::Link) {
     const Result<bool> selected = select(control, name);
     if (!selected) {
       return base::fail(selected.error());
     }
-    transfer.selected = *selected;
+    transfer->selected = *selected;
   }
   return transfer;
 }

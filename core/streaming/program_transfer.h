@@ -38,5 +38,9 @@ struct ProgramTransfer {
                                                             const std::string& name,
                                                             const std::string& text,
                                                             TransferWay way);
+/// The same without selecting it: for a subprogram.
+[[nodiscard]] base::Result<ProgramTransfer> storeProgram(opcua::Control& control,
+                                                         const std::string& name,
+                                                         const std::string& text, TransferWay way);
 
 }  // namespace rivulet::streaming

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "opcua/error.h"
 #include "opcua/variable.h"
+#include "streaming/control_alarm.h"
 #include "streaming/run.h"
 
 namespace rivulet::streaming {
@@ -208,7 +209,7 @@ std::string sentence(const Blocked& blocked) {
       return "Method credit is experimental and starts only on a control that has passed its "
              "test. Run rivulet-cli commission, or choose method window.";
     case BlockReason::AlarmActive:
-      return fmt::format("The control reports alarm {}. Clear it at the control.", argument(0));
+      return describeControlAlarm(argument(0));
     case BlockReason::ChannelBusy:
       return "A program is running on the control. Wait until it has ended, or reset the control, "
              "then start again.";

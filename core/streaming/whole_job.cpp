@@ -14,6 +14,7 @@
 #include "base/hash.h"
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
+#include "streaming/control_alarm.h"
 #include "streaming/job.h"
 #include "streaming/program_transfer.h"
 #include "templates/generator.h"
@@ -213,35 +214,15 @@ class WholeJob {
     return requireNoAlarm((*numbers)[1]);
   }
 
-  static Result<void> requireNoAlarm(double alarm) {
-    return alarm == 0.0
-               ? Result<void>()
-               : base::fail(StreamError::ControlAlarm,
-                            fmt::format("The control reports alarm {}. Clear it at the control.",
-                                        static_cast<int>(alarm)));
-  }
-
   Result<void> transfer() {
     publish(RunState::Armed, "transfer");
     if (Result<void> access = chooseAccess(); !access) {
       return access;
     }
-    if (Result<void> written =
-            m_control.uploadProgram(m_programs.loopFileName, m_programs.loop.text, true);
-        !written) {
-      return written;
-    }
-    const Result<std::string> there = m_control.downloadProgram(m_programs.loopFileName);
-    if (!there) {
-      return base::fail(there.error());
-    }
-    std::string plain = *there;
-    std::erase(plain, '\r');
-    if (plain != m_programs.loop.text) {
-      return base::fail(StreamError::WrongProgram,
-                        "The subprogram on the control differs from the one for these settings. "
-                        "Delete it there and start again.",
-                        m_programs.loopFileName);
+    if (const auto loop = storeProgram(m_control, m_programs.loopFileName, m_programs.loop.text,
+                                       TransferWay::Link);
+        !loop) {
+      return base::fail(loop.error());
     }
     const Result<ProgramTransfer> main =
         transferProgram(m_control, m_programs.mainName, m_programs.mainText, m_settings.transfer);
