@@ -28,6 +28,10 @@ void startLog(const std::string& level, int argc, const char* const* argv);
 
 Exit reportError(const base::Error& error, bool asJson);
 
+/// Said while a run waits for the cells (`StartClaim`).
+inline constexpr const char* kClaimMayLapse =
+    "Another client has claimed the R-parameters, but may have died. Its claim lapses after 10 s.";
+
 /// The exit code for a failure: connection trouble is 3, everything else that was given 2.
 [[nodiscard]] Exit exitFor(const base::Error& error);
 

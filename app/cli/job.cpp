@@ -19,6 +19,7 @@
 #include "report/operating_point.h"
 #include "report/plan_json.h"
 #include "report/report_json.h"
+#include "report/run_store.h"
 #include "streaming/access_policy.h"
 #include "streaming/control_axes.h"
 #include "streaming/feed_plan.h"
@@ -40,7 +41,12 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
     return wasInterrupted() ||
            (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
   }
-  void update(const streaming::LiveUpdate&) override {}
+  void update(const streaming::LiveUpdate& update) override {
+    if (update.waitingFor == "claim" && !m_saysClaim) {
+      m_saysClaim = true;
+      log::logger().warn(kClaimMayLapse);
+    }
+  }
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
   void nativeBlocks(int next) override {
@@ -68,6 +74,7 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
   double m_stopAfterS;
   bool m_isQuiet;
   bool m_isAlone;
+  bool m_saysClaim = false;
   std::optional<base::Instant> m_first;
 };
 
@@ -211,6 +218,9 @@ base::Result<void> JobCommand::connect() {
   }
   // Wrong motion of a virtual machine does no harm.
   m_settings.isCommissioned = true;
+  if (!m_options.simulate) {
+    m_settings.origin = report::thisUser();
+  }
   return {};
 }
 
@@ -232,6 +242,7 @@ Exit JobCommand::run() {
   if (m_options.json) {
     nlohmann::ordered_json json{{"outcome", streaming::outcomeName(done.outcome)},
                                 {"job", m_programs.number},
+                                {"run_number", done.runNumber},
                                 {"stretches", m_plan.stretchCount()},
                                 {"native_blocks", m_plan.nativeCount()},
                                 {"executed_points", executed},
@@ -249,7 +260,10 @@ Exit JobCommand::run() {
   if (!m_options.json) {
     log::logger().error(done.error.text());
   }
-  return exitFor(done.error) == Exit::Connection ? Exit::Connection : Exit::Wrong;
+  using streaming::StreamError;
+  const bool isAnothers =
+      done.error.code == StreamError::Claimed || done.error.code == StreamError::ChannelBusy;
+  return isAnothers || exitFor(done.error) == Exit::Connection ? exitFor(done.error) : Exit::Wrong;
 }
 
 }  // namespace

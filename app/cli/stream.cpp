@@ -89,9 +89,7 @@ class ConsoleSink final : public streaming::RunSink {
     }
     if (update.waitingFor == "claim" && !m_saysClaim) {
       m_saysClaim = true;
-      log::logger().warn(
-          "Another client has claimed the R-parameters, but may have died. Its claim lapses after "
-          "10 s.");
+      log::logger().warn(kClaimMayLapse);
     }
     if (update.wrong && !m_saysWrong) {
       m_saysWrong = true;

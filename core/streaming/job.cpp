@@ -16,13 +16,12 @@
 #include "base/units.h"
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
-#include "streaming/cell_claim.h"
 #include "streaming/control_alarm.h"
 #include "streaming/feed_plan.h"
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
 #include "streaming/resume.h"
-#include "streaming/run_on_control.h"
+#include "streaming/start_claim.h"
 #include "streaming/start_policy.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
@@ -159,7 +158,7 @@ class Job {
     m_cells = *cells;
     Result<Preflight> flight = preflight(m_link, m_program, m_settings);
     if (!flight) {
-      return base::fail(withName(flight.error()));
+      return base::fail(m_claim.withName(flight.error()));
     }
     m_flight = std::move(*flight);
     m_report.counters.total = m_flight.points.points.size();
@@ -175,82 +174,23 @@ class Job {
 
   /// Before anything is written: another client may be about to start, too.
   Result<void> claim() {
-    if (m_settings.origin.user.empty()) {
-      return {};
+    const int number = m_settings.runNumber != 0 ? m_settings.runNumber : runNumberFrom(entropy());
+    return unlessCancelled(m_claim.take(number,
+                                        {[this] { return m_orders.stopRequested(m_link.now()); },
+                                         [this] { publish(RunState::Armed, "claim"); }},
+                                        m_ledger));
+  }
+
+  Result<void> renewClaim() { return unlessCancelled(m_claim.renew()); }
+
+  /// A start that was cancelled is no failure.
+  Result<void> unlessCancelled(Result<void> claimed) {
+    m_cancelled = !claimed && claimed.error().code == StreamError::Cancelled;
+    if (!m_cancelled) {
+      return claimed;
     }
-    m_number = m_settings.runNumber != 0 ? m_settings.runNumber : runNumberFrom(entropy());
-    m_claim.emplace(m_link, m_cells.heartbeat, m_number, m_settings.setupDeadline);
-    if (Result<void> done = holdClaim(m_claim->take(hooks())); !done || m_cancelled) {
-      return done;
-    }
-    storeLabel();
+    m_report.outcome = Outcome::Stopped;
     return {};
-  }
-
-  /// The answer of the claim as a step of the job.
-  Result<void> holdClaim(const Result<std::optional<int>>& holder) {
-    if (!holder && holder.error().code == StreamError::Cancelled) {
-      m_cancelled = true;
-      m_report.outcome = Outcome::Stopped;
-      return {};
-    }
-    if (!holder) {
-      return base::fail(withName(holder.error()));
-    }
-    return *holder ? Result<void>(base::fail(claimedBy(**holder))) : Result<void>();
-  }
-
-  Result<void> renewClaim() {
-    return m_claim ? holdClaim(m_claim->renew(hooks())) : Result<void>();
-  }
-
-  [[nodiscard]] CellClaim::Hooks hooks() {
-    return {[this] { return m_orders.stopRequested(m_link.now()); },
-            [this] { publish(RunState::Armed, "claim"); }};
-  }
-
-  /// For what is done before the run: while it waits, the claim is repeated.
-  [[nodiscard]] opcua::Link& setupLink() {
-    return m_claim ? static_cast<opcua::Link&>(*m_claim) : m_link;
-  }
-
-  [[nodiscard]] int labelCell() const {
-    return m_cells.heartbeat - templates::WindowProtocol::Heartbeat;
-  }
-
-  /// @return nothing: the control does not tell
-  std::optional<RunOrigin> originOf(int number) {
-    const Result<std::string> label = m_control.downloadProgram(runLabelName(labelCell()));
-    return label ? runLabelOf(*label, number) : std::nullopt;
-  }
-
-  base::Error claimedBy(int number) {
-    // The other client stores its name after it has got the cells.
-    const Instant until = m_link.now() + 2 * CellClaim::kSettle;
-    std::optional<RunOrigin> origin = originOf(number);
-    while (!origin && m_link.now() < until) {
-      pause(CellClaim::kBeatInterval);
-      origin = originOf(number);
-    }
-    return base::makeError(StreamError::Claimed,
-                           "Another client has claimed the cells on the control and is about to "
-                           "start. Nothing was changed. Wait until its run has ended.",
-                           describeOrigin(number, origin));
-  }
-
-  /// Adds whose program it is that runs on the control.
-  base::Error withName(base::Error error) {
-    if (error.code != StreamError::ChannelBusy || m_settings.origin.user.empty()) {
-      return error;
-    }
-    const std::array<Variable, 2> cells{opcua::rParameter(m_cells.heartbeat),
-                                        opcua::rParameter(m_cells.owner)};
-    const auto numbers = opcua::readNumbers(m_link, cells, m_settings.setupDeadline);
-    const int number = numbers ? claimantOf((*numbers)[0]).value_or(runNumberOf((*numbers)[1])) : 0;
-    if (const auto origin = number != 0 ? originOf(number) : std::nullopt) {
-      error.context = describeOrigin(number, origin);
-    }
-    return error;
   }
 
   /// Tries the forms of access on cells that the run will overwrite anyway.
@@ -263,8 +203,9 @@ class Job {
                         "Arrays need consecutive cells, and Rivulet may not use the cells between "
                         "the points. Choose the contiguous layout, or lists.");
     }
-    Result<AccessForms> forms = probeAccess(
-        setupLink(), {m_cells.scratch->first, m_cells.scratch->last}, m_settings.requestDeadline);
+    Result<AccessForms> forms =
+        probeAccess(m_claim.link(), {m_cells.scratch->first, m_cells.scratch->last},
+                    m_settings.requestDeadline);
     if (!forms) {
       return base::fail(forms.error());
     }
@@ -339,7 +280,8 @@ class Job {
     for (const int cell : m_cells.cleared) {
       clear.push_back({opcua::rParameter(cell), 0.0});
     }
-    if (Result<void> done = opcua::writeNow(setupLink(), clear, m_settings.setupDeadline); !done) {
+    if (Result<void> done = opcua::writeNow(m_claim.link(), clear, m_settings.setupDeadline);
+        !done) {
       return done;
     }
     publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
@@ -378,19 +320,6 @@ class Job {
     }
   }
 
-  /// Says on the control who started the run, where it lets Rivulet store programs.
-  void storeLabel() {
-    if (m_settings.transfer != TransferWay::Link) {
-      return;
-    }
-    if (const Result<void> stored =
-            storeRunLabel(m_control, labelCell(), m_number, m_settings.origin);
-        !stored) {
-      m_ledger.note(
-          {m_link.now(), "the name of the run could not be stored: " + stored.error().text()});
-    }
-  }
-
   /// Until the program on the control has written its layout number: it is the right program,
   /// and it waits for the run cell.
   Result<void> awaitStart() {
@@ -406,7 +335,7 @@ class Job {
       if (m_orders.stopRequested(m_link.now())) {
         return cancel();
       }
-      const auto numbers = opcua::readNumbers(setupLink(), watched, m_settings.setupDeadline);
+      const auto numbers = opcua::readNumbers(m_claim.link(), watched, m_settings.setupDeadline);
       if (!numbers) {
         return base::fail(numbers.error());
       }
@@ -560,8 +489,8 @@ class Job {
         m_report.integrity.executed < m_report.counters.total) {
       fail(endedEarly());
     }
-    if (m_claim && m_report.error.code != opcua::LinkError::ConnectionLost) {
-      m_claim->release();
+    if (m_report.error.code != opcua::LinkError::ConnectionLost) {
+      m_claim.release();
     }
     m_report.access = m_ledger.statistics();
     if (m_recorder.writer != nullptr) {
@@ -605,7 +534,7 @@ class Job {
   void pause(Duration duration) {
     const Instant until = m_link.now() + duration;
     while (m_link.now() < until) {
-      if (!setupLink().wait(until)) {
+      if (!m_claim.link().wait(until)) {
         return;
       }
     }
@@ -630,8 +559,7 @@ class Job {
   JobRecorder m_recorder;
   const MethodType& m_type;
   templates::CellMap m_cells;
-  int m_number = 0;                  ///< of the run; set by `claim`
-  std::optional<CellClaim> m_claim;  ///< nothing: the cells are not claimed
+  StartClaim m_claim{m_link, m_control, m_cells, m_settings};
   Preflight m_flight;
   RunReport m_report;
   bool m_cancelled = false;

@@ -17,6 +17,7 @@
 #include "streaming/control_alarm.h"
 #include "streaming/job.h"
 #include "streaming/program_transfer.h"
+#include "streaming/start_claim.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
 
@@ -162,8 +163,8 @@ class WholeJob {
 
   WholeJobReport run() {
     Result<void> result;
-    for (const auto step : {&WholeJob::prepare, &WholeJob::transfer, &WholeJob::start,
-                            &WholeJob::greet, &WholeJob::goThrough}) {
+    for (const auto step : {&WholeJob::prepare, &WholeJob::claim, &WholeJob::transfer,
+                            &WholeJob::start, &WholeJob::greet, &WholeJob::goThrough}) {
       if (result && !m_isOver) {
         result = (this->*step)();
       }
@@ -180,6 +181,9 @@ class WholeJob {
       if (Result<trace::ControlTrace> trace = m_control.fetchTrace()) {
         m_report.controlTrace = std::make_shared<const trace::ControlTrace>(std::move(*trace));
       }
+    }
+    if (m_report.error.code != opcua::LinkError::ConnectionLost) {
+      m_claim.release();
     }
     publish(endState(m_report.outcome), "");
     return std::move(m_report);
@@ -202,6 +206,7 @@ class WholeJob {
             ? m_settings.runNumber
             : runNumberFrom(base::hashOf(m_plan.program.hash) ^ (entropy * base::kHashPrime));
     m_firstRun = 1 + (m_firstRun - 1) % (kRunNumberMax - JobProtocol::kStretchesMax);
+    m_report.runNumber = m_firstRun;
     const std::array<Variable, 2> watched{
         {{VariableKind::ChannelStatus, 0}, {VariableKind::Alarm, 0}}};
     const auto numbers = opcua::readNumbers(m_link, watched, m_settings.setupDeadline);
@@ -209,15 +214,38 @@ class WholeJob {
       return base::fail(numbers.error());
     }
     if ((*numbers)[0] != opcua::kChannelReset) {
-      return base::fail(channelBusy());
+      return base::fail(m_claim.withName(channelBusy()));
     }
     return requireNoAlarm((*numbers)[1]);
+  }
+
+  /// Before anything is written: another client may be about to start, too.
+  Result<void> claim() {
+    return unlessCancelled(m_claim.take(m_firstRun,
+                                        {[this] { return m_orders.stopRequested(m_link.now()); },
+                                         [this] { publish(RunState::Armed, "claim"); }},
+                                        m_sink));
+  }
+
+  Result<void> renewClaim() { return unlessCancelled(m_claim.renew()); }
+
+  /// A start that was cancelled is no failure.
+  Result<void> unlessCancelled(Result<void> claimed) {
+    m_isOver = !claimed && claimed.error().code == StreamError::Cancelled;
+    if (!m_isOver) {
+      return claimed;
+    }
+    m_report.outcome = Outcome::Stopped;
+    return {};
   }
 
   Result<void> transfer() {
     publish(RunState::Armed, "transfer");
     if (Result<void> access = chooseAccess(); !access) {
       return access;
+    }
+    if (Result<void> done = renewClaim(); !done || m_isOver) {
+      return done;
     }
     if (const auto loop = storeProgram(m_control, m_programs.loopFileName, m_programs.loop.text,
                                        TransferWay::Link);
@@ -226,7 +254,8 @@ class WholeJob {
     }
     const Result<ProgramTransfer> main =
         transferProgram(m_control, m_programs.mainName, m_programs.mainText, m_settings.transfer);
-    return main ? Result<void>() : base::fail(main.error());
+    // Programs take a while to be transferred, and nothing can be repeated meanwhile.
+    return main ? renewClaim() : base::fail(main.error());
   }
 
   Result<void> chooseAccess() {
@@ -236,7 +265,7 @@ class WholeJob {
     }
     const templates::CellRange cells = *m_programs.loop.cells.scratch;
     Result<AccessForms> forms =
-        probeAccess(m_link, {cells.first, cells.last}, m_settings.requestDeadline);
+        probeAccess(m_claim.link(), {cells.first, cells.last}, m_settings.requestDeadline);
     if (!forms) {
       return base::fail(forms.error());
     }
@@ -251,7 +280,8 @@ class WholeJob {
         {{opcua::rParameter(m_programs.loop.callCell), 0.0},
          {opcua::rParameter(m_programs.loop.cells.layout), 0.0},
          {opcua::rParameter(m_programs.loop.cells.run), 0.0}}};
-    if (Result<void> done = opcua::writeNow(m_link, clear, m_settings.setupDeadline); !done) {
+    if (Result<void> done = opcua::writeNow(m_claim.link(), clear, m_settings.setupDeadline);
+        !done) {
       return done;
     }
     publish(RunState::Armed, "cycle-start");
@@ -301,11 +331,12 @@ class WholeJob {
                                static_cast<double>(WindowProtocol::kRun)};
     const std::array<Variable, 1> owner{opcua::rParameter(cells.owner)};
     const Instant until = m_link.now() + m_settings.stallDeadline;
-    if (Result<void> done = opcua::writeNow(m_link, {&claim, 1}, m_settings.setupDeadline); !done) {
+    if (Result<void> done = opcua::writeNow(m_claim.link(), {&claim, 1}, m_settings.setupDeadline);
+        !done) {
       return done;
     }
     for (;;) {
-      const auto numbers = opcua::readNumbers(m_link, owner, m_settings.setupDeadline);
+      const auto numbers = opcua::readNumbers(m_claim.link(), owner, m_settings.setupDeadline);
       if (!numbers) {
         return base::fail(numbers.error());
       }
@@ -320,6 +351,7 @@ class WholeJob {
       }
       pause();
     }
+    m_claim.release();
     m_lastGoOn = JobProtocol::goOn(0);
     return opcua::writeNow(m_link, {&go, 1}, m_settings.setupDeadline);
   }
@@ -503,7 +535,7 @@ class WholeJob {
     const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
                                            {VariableKind::Alarm, 0},
                                            opcua::rParameter(m_programs.loop.callCell)}};
-    const auto numbers = opcua::readNumbers(m_link, watched, m_settings.setupDeadline);
+    const auto numbers = opcua::readNumbers(m_claim.link(), watched, m_settings.setupDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
     }
@@ -553,7 +585,7 @@ class WholeJob {
   void pause() {
     const Instant until = m_link.now() + kPollInterval;
     while (m_link.now() < until) {
-      if (!m_link.wait(until)) {
+      if (!m_claim.link().wait(until)) {
         return;
       }
     }
@@ -575,6 +607,7 @@ class WholeJob {
   WholeJobSink& m_sink;
   std::vector<const job::Stretch*> m_stretches;
   job::JobPrograms m_programs;
+  StartClaim m_claim{m_link, m_control, m_programs.loop.cells, m_settings};
   int m_firstRun = 0;
   int m_lastGoOn = 0;
   bool m_isStarted = false;

@@ -43,12 +43,13 @@ struct StretchReport {
 struct WholeJobReport {
   Outcome outcome = Outcome::Failed;
   base::Error error;                                        ///< why, for Failed
+  int runNumber = 0;                                        ///< of the job; stretch k has this + k
   std::vector<StretchReport> stretches;                     ///< those that were begun
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< of the whole job; null: none
 };
 
 /// Runs a job. Nothing moves before every check has passed. A stop ends it at the next window or
-/// native block; a hold waits there.
+/// native block; a hold waits there. With an origin in the settings the cells are claimed first.
 /// @param settings  method window or credit; the access is tested before the start
 [[nodiscard]] WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control,
                                          const job::Plan& plan, const RunSettings& settings,

@@ -6,6 +6,7 @@
 /// from the program of its method in its beginning and its end only. @threadsafety pure.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "base/result.h"
@@ -29,6 +30,10 @@ struct JobProtocol {
   /// @param job  from 1 to 2^24  @param stretch  from 0
   [[nodiscard]] static constexpr double callNumber(int job, int stretch) {
     return static_cast<double>(job) * (kStretchesMax + 1) + stretch;
+  }
+  /// Stretch of a number in the call cell.
+  [[nodiscard]] static int stretchOf(double callNumber) {
+    return static_cast<int>(std::fmod(std::abs(callNumber), kStretchesMax + 1));
   }
   /// Of the run of a stretch. @param first  of the beginning
   [[nodiscard]] static constexpr int runNumber(int first, int stretch) { return first + stretch; }

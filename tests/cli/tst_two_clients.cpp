@@ -80,6 +80,14 @@ class Client {
                ? m_json["error"].value("message", "")
                : std::string();
   }
+  /// Its job came to its end, each point once.
+  [[nodiscard]] bool isWholeJob(int points) const {
+    return m_json.is_object() && m_json.value("outcome", "") == "completed" &&
+           m_json.value("executed_points", 0) == points;
+  }
+  [[nodiscard]] std::string jobNumber() const {
+    return m_json.is_object() ? std::to_string(m_json.value("run_number", 0)) : "-";
+  }
   [[nodiscard]] std::string runNumber() const {
     return m_json.is_object() && m_json.contains("checkpoint")
                ? std::to_string(m_json["checkpoint"].value("run_number", 0))
@@ -164,6 +172,55 @@ class TestTwoClients : public QObject {
         const std::string wrong = judge(pair);
         QVERIFY2(wrong.empty(), wrong.c_str());
       }
+    }
+  }
+
+  /// A whole job, and within two seconds another one or a single run: the second is told whose it
+  /// is, and the first is not disturbed.
+  void aJobIsNotDisturbed() {
+    constexpr int kPoints = 21;
+    const QString part = m_folder.filePath(QStringLiteral("part.mpf"));
+    QFile program(part);
+    QVERIFY(program.open(QIODevice::WriteOnly));
+    QByteArray text("G1 X0 Y0 Z40 F1500\n");
+    for (int i = 1; i < kPoints; ++i) {
+      text += (i % 7 == 0 ? "G4 F0.5\nG1 X" : "X") + QByteArray::number(2 * i) + '\n';
+    }
+    QVERIFY(program.write(text + "M30\n") > 0);
+    program.close();
+    std::vector<Pair> running;
+    for (const int offsetMs : {0, 700, 1900, 4000}) {
+      const tests::MachineProcess* const machine =
+          running
+              .emplace_back(Pair{std::make_unique<tests::MachineProcess>(
+                                     QStringLiteral(RIVULET_MACHINE), words("--seed 1")),
+                                 {},
+                                 {},
+                                 offsetMs})
+              .machine.get();
+      const QString folder = m_folder.filePath(QStringLiteral("job%1").arg(offsetMs));
+      const QStringList job = QStringList{QStringLiteral("job"), part, QStringLiteral("--endpoint"),
+                                          machine->endpoint()} +
+                              words("--json");
+      running.back().first = std::make_unique<Client>(folder, job);
+      QThread::msleep(static_cast<unsigned long>(offsetMs));
+      running.back().second = std::make_unique<Client>(
+          folder + QLatin1Char('b'), offsetMs == 700 ? streamed(machine->endpoint()) : job);
+    }
+    for (const Pair& pair : running) {
+      const int exits[] = {pair.first->finish(), pair.second->finish()};
+      const bool firstWins = exits[0] == 0;
+      const Client& winner = firstWins ? *pair.first : *pair.second;
+      const Client& loser = firstWins ? *pair.second : *pair.first;
+      const std::string all = std::to_string(pair.offsetMs) + " ms: exits " +
+                              std::to_string(exits[0]) + " and " + std::to_string(exits[1]) + "\n" +
+                              pair.first->said() + "\n" + pair.second->said();
+      const bool isRun = firstWins || pair.offsetMs != 700;
+      QVERIFY2(exits[firstWins ? 0 : 1] == 0 && exits[firstWins ? 1 : 0] == 2, all.c_str());
+      QVERIFY2(isRun ? winner.isWholeJob(kPoints) : winner.isFaultless(), all.c_str());
+      QVERIFY2(
+          loser.error().find(isRun ? winner.jobNumber() : winner.runNumber()) != std::string::npos,
+          all.c_str());
     }
   }
 
