@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "live/line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/text.h"
+#include "live/error.h"
+
+namespace rivulet::live {
+
+namespace {
+
+using base::Result;
+
+constexpr std::string_view kNumberLetters = "0123456789+-.eE";
+
+Result<Line> notALine() {
+  return base::fail(LiveError::NotALine,
+                    "This is no point. Send X1.5 Y2 Z-0.3 F500, the same as JSON, hold, end or "
+                    "comment.");
+}
+
+Result<Line> notFinite(char letter) {
+  return base::fail(LiveError::NotFinite, fmt::format("{} has no finite number.", letter));
+}
+
+/// The place of a word's value; null: no such word.
+std::optional<double>* place(Line& line, char letter) {
+  if (const std::size_t axis = std::string_view("XYZ").find(letter);
+      axis != std::string_view::npos) {
+    return &line.mm[axis];
+  }
+  if (const std::size_t axis = std::string_view("ABC").find(letter);
+      axis != std::string_view::npos) {
+    return &line.deg[axis];
+  }
+  return letter == 'F' ? &line.feedMmPerMin : letter == 'N' ? &line.number : nullptr;
+}
+
+char upper(char letter) {
+  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
+/// A line that names only F or N says where the tool stays: that is no point.
+Result<Line> asPoint(Line line) {
+  const auto isNamed = [](const std::optional<double>& value) { return value.has_value(); };
+  line.kind = std::any_of(line.mm.begin(), line.mm.end(), isNamed) ||
+                      std::any_of(line.deg.begin(), line.deg.end(), isNamed)
+                  ? Line::Kind::Point
+                  : Line::Kind::Nothing;
+  return line.kind == Line::Kind::Point ? Result<Line>(line) : notALine();
+}
+
+Result<Line> parseWords(std::string_view text) {
+  Line line;
+  while (!text.empty() && text.front() != ';' && text.front() != '#') {
+    const char letter = upper(text.front());
+    std::optional<double>* const value = place(line, letter);
+    if (value == nullptr || *value) {
+      return notALine();
+    }
+    text.remove_prefix(1);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t="), text.size()));
+    const std::size_t end = std::min(text.find_first_not_of(kNumberLetters), text.size());
+    *value = base::parseNumber(text.substr(0, end));
+    if (!*value || !std::isfinite(**value)) {
+      return notFinite(letter);
+    }
+    text.remove_prefix(end);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t,"), text.size()));
+  }
+  return asPoint(line);
+}
+
+/// One flat object; each key once.
+class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  [[nodiscard]] Result<Line> read(std::string_view text) {
+    if (!nlohmann::json::sax_parse(text, this)) {
+      return m_badNumber != 0 ? notFinite(m_badNumber) : notALine();
+    }
+    return m_line.kind == Line::Kind::Nothing && !m_isComment ? asPoint(m_line)
+                                                              : Result<Line>(m_line);
+  }
+
+  bool start_object(std::size_t) override { return !std::exchange(m_isOpen, true); }
+  bool end_object() override { return true; }
+  bool key(std::string& name) override {
+    m_key = name;
+    return true;
+  }
+  bool number_integer(number_integer_t value) override { return take(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) override {
+    return take(static_cast<double>(value));
+  }
+  bool number_float(number_float_t value, const std::string&) override { return take(value); }
+  bool boolean(bool value) override {
+    if (!value || (m_key != "end" && m_key != "hold")) {
+      return false;
+    }
+    m_line.kind = m_key == "end" ? Line::Kind::End : Line::Kind::Hold;
+    return true;
+  }
+  bool string(std::string&) override { return m_isComment = m_key == "comment"; }
+  bool null() override {
+    m_badNumber = m_key.size() == 1 ? upper(m_key.front()) : '\0';
+    return false;
+  }
+  bool binary(nlohmann::json::binary_t&) override { return false; }
+  bool start_array(std::size_t) override { return false; }
+  bool end_array() override { return false; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  bool take(double number) {
+    std::optional<double>* const value =
+        m_key.size() == 1 ? place(m_line, upper(m_key.front())) : nullptr;
+    if (value == nullptr || *value) {
+      return false;
+    }
+    if (!std::isfinite(number)) {
+      m_badNumber = upper(m_key.front());
+      return false;
+    }
+    *value = number;
+    return true;
+  }
+
+  Line m_line;
+  std::string m_key;
+  char m_badNumber = 0;
+  bool m_isOpen = false;
+  bool m_isComment = false;
+};
+
+}  // namespace
+
+Result<Line> parseLine(std::string_view text) {
+  text = base::trim(text);
+  if (text.empty() || text.front() == '#' || text.front() == ';' || text.front() == '(') {
+    return Line{};
+  }
+  if (text.front() == '{') {
+    return ObjectReader().read(text);
+  }
+  const std::string word = base::toUpper(text.substr(0, text.find_first_of(" \t:")));
+  if (word == "COMMENT") {
+    return Line{};
+  }
+  if (text.size() == word.size() && (word == "END" || word == "HOLD")) {
+    Line line;
+    line.kind = word == "END" ? Line::Kind::End : Line::Kind::Hold;
+    return line;
+  }
+  return parseWords(text);
+}
+
+}  // namespace rivulet::live

@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "live/point_stream.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/contract.h"
+#include "live/error.h"
+
+namespace rivulet::live {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+
+constexpr std::size_t kReadBytes = 4096;
+/// Of a source that cannot wait, this much is read in a turn.
+constexpr int kReadsMax = 64;
+/// Points that such a source may be ahead of the machine.
+constexpr std::size_t kAheadMax = 100'000;
+/// The source is told how far the run is this often at most.
+constexpr Duration kReportInterval = std::chrono::milliseconds{10};
+
+base::Error tooLong() {
+  return base::makeError(LiveError::TooLong,
+                         fmt::format("The line has more than {} characters.", kLineBytesMax));
+}
+
+}  // namespace
+
+PointStream::PointStream(Source& source, const Agreement& agreement, const Limits& limits)
+    : m_source(source), m_agreement(agreement), m_limits(limits) {
+  m_summary.source = source.name();
+}
+
+void PointStream::begin(Gate gate, const base::AxisPosition& tool, const WindowPlan& plan,
+                        Instant now) {
+  RIVULET_ASSERT(!m_gate && plan.pointsMax >= 1);
+  m_gate.emplace(std::move(gate));
+  m_tool = tool;
+  m_plan = plan;
+  m_limits.queuedMax = std::max(m_limits.queuedMax, plan.pointsMax);
+  m_heardAt = now;
+}
+
+bool PointStream::hasRoom() const {
+  return m_queue.size() < (m_source.canWait() ? m_limits.queuedMax : kAheadMax);
+}
+
+void PointStream::turn(Instant now) {
+  if (!m_gate) {
+    return;
+  }
+  for (int reads = 0; !m_summary.hasEnded;) {
+    if (!hasRoom() && m_source.canWait()) {
+      m_heardAt = now;  // it was not asked
+      break;
+    }
+    if (const auto line = m_reader.next()) {
+      takeLine(*line);
+      continue;
+    }
+    if (m_reader.isTooLong()) {
+      refuse(tooLong(), m_summary.lines + 1);
+      break;
+    }
+    if (++reads > kReadsMax || !readBytes(now)) {
+      break;
+    }
+  }
+  checkSilence(now);
+  report(now);
+}
+
+bool PointStream::readBytes(Instant now) {
+  std::array<char, kReadBytes> bytes;
+  const std::size_t count = m_source.read(bytes);
+  if (count > 0) {
+    m_reader.add({bytes.data(), count});
+    m_readAt = m_heardAt = now;
+  } else if (m_source.isClosed()) {
+    closed();
+  }
+  return count > 0;
+}
+
+void PointStream::closed() {
+  if (!m_reader.rest().empty()) {
+    refuse(base::makeError(LiveError::Incomplete,
+                           "The source was closed in the middle of the line, so it is not used."),
+           m_summary.lines + 1);
+  } else if (!m_source.endsByClosing()) {
+    refuse(base::makeError(LiveError::SourceClosed, "The source was closed without `end`."),
+           m_summary.lines);
+  } else {
+    m_summary.hasEnded = true;
+  }
+}
+
+void PointStream::checkSilence(Instant now) {
+  if (!m_summary.hasEnded && now - m_heardAt >= m_limits.endAfter) {
+    refuse(base::makeError(LiveError::SourceSilent,
+                           fmt::format("Nothing has come from the source for {:.0f} s.",
+                                       base::toSeconds(m_limits.endAfter))),
+           m_summary.lines);
+  }
+}
+
+void PointStream::refuse(const base::Error& error, std::size_t line) {
+  m_summary.hasEnded = true;
+  m_summary.refusal = error;
+  m_summary.refusal.context = fmt::format("{}, line {}", m_summary.source, line);
+  m_summary.refusal.message += " Nothing after that is executed.";
+}
+
+void PointStream::takeLine(std::string_view text) {
+  const base::Result<Line> line =
+      text.size() > kLineBytesMax ? base::fail(tooLong()) : parseLine(text);
+  if (!line) {
+    refuse(line.error(), m_summary.lines + 1);
+    return;
+  }
+  ++m_summary.lines;
+  switch (line->kind) {
+    case Line::Kind::Nothing:
+      break;
+    case Line::Kind::Hold:
+      m_holdAsked = true;
+      break;
+    case Line::Kind::End:
+      m_summary.hasEnded = true;
+      break;
+    case Line::Kind::Point:
+      takePoint(*line);
+      break;
+  }
+}
+
+base::Result<void> PointStream::requireNumber(const Line& line) {
+  if (!line.number && !m_source.canWait()) {
+    return base::fail(LiveError::NumberMissing,
+                      "This source can lose points, so each needs a number: N1 X0.5, then N2.");
+  }
+  if (line.number && m_number && *line.number != *m_number + 1.0) {
+    return base::fail(LiveError::NumberWrong,
+                      fmt::format("N{} was expected after N{}, but N{} came: a point is missing, "
+                                  "or came twice.",
+                                  *m_number + 1.0, *m_number, *line.number));
+  }
+  m_number = line.number ? line.number : m_number;
+  return {};
+}
+
+void PointStream::takePoint(const Line& line) {
+  if (const base::Result<void> numbered = requireNumber(line); !numbered) {
+    refuse(numbered.error(), m_summary.lines);
+    return;
+  }
+  if (!hasRoom()) {
+    refuse(base::makeError(LiveError::Overrun,
+                           "The source is faster than the machine and cannot wait. Send fewer "
+                           "points, or use a pipe, unix: or tcp:."),
+           m_summary.lines);
+    return;
+  }
+  const auto point =
+      m_gate->take(line, base::LineNumber{static_cast<std::uint32_t>(m_summary.lines)});
+  if (!point) {
+    refuse(point.error(), m_summary.lines);
+    return;
+  }
+  if (!*point) {
+    ++m_summary.merged;
+    m_summary.firstMerged = m_summary.firstMerged == 0 ? m_summary.lines : m_summary.firstMerged;
+    return;
+  }
+  ++m_summary.accepted;
+  m_queue.push_back({**point, m_readAt, std::exchange(m_holdAsked, false)});
+}
+
+bool PointStream::isBeforeHold() const {
+  return !m_queue.empty() && m_queue.front().isAfterHold && m_executed < m_points.size();
+}
+
+bool PointStream::beginsWindow(const Queued& queued) const {
+  return queued.isAfterHold ||
+         (!m_plan.feedPerPoint &&
+          queued.point.feedMmPerS != m_queue.front().point.feedMmPerS);
+}
+
+std::optional<std::size_t> PointStream::takeWindow(Instant now) {
+  if (m_queue.empty() || isBeforeHold()) {
+    return std::nullopt;
+  }
+  const std::size_t most = std::min(m_queue.size(), m_plan.pointsMax);
+  std::size_t count = 1;
+  while (count < most && !beginsWindow(m_queue[count])) {
+    ++count;
+  }
+  const bool isWhole = count == m_plan.pointsMax || count < m_queue.size() ||
+                       m_summary.hasEnded || m_holdAsked;
+  if (!isWhole && now - m_queue.front().arrived < m_limits.fullWithin) {
+    return std::nullopt;
+  }
+  m_summary.shortWindows += isWhole ? 0 : 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    m_points.push_back(m_queue.front().point);
+    m_arrivals.push_back(m_queue.front().arrived);
+    m_queue.pop_front();
+  }
+  ++m_summary.windows;
+  m_begins.push_back(m_points.size());
+  return count;
+}
+
+bool PointStream::wantsHold(Instant now) const {
+  const bool isIdle = m_queue.empty() && !m_summary.hasEnded && m_executed == m_points.size();
+  return isIdle && m_gate && (m_holdAsked || now - m_heardAt >= m_limits.holdAfter);
+}
+
+void PointStream::windowBegins(Instant now) {
+  RIVULET_ASSERT(m_begun + 1 < m_begins.size());
+  const std::size_t end = m_begins[m_begun + 1];
+  Instant begins = now;
+  for (std::size_t i = m_begins[m_begun]; i < end; ++i) {
+    m_delays.add(begins - m_arrivals.front());
+    m_arrivals.pop_front();
+    const base::AxisPosition from =
+        i == 0 ? m_tool : base::AxisPosition{m_points[i - 1].positionMm, m_points[i - 1].rotaryDeg};
+    begins += base::fromSeconds(
+        base::wayAlongFeed(base::distance(from.mm, m_points[i].positionMm),
+                           base::turnDeg(from.deg, m_points[i].rotaryDeg)) /
+        m_points[i].feedMmPerS);
+  }
+  ++m_begun;
+  m_firstBegun = m_firstBegun.value_or(now);
+  m_lastBegun = now;
+}
+
+void PointStream::executed(std::size_t points) {
+  m_executed = std::min(points, m_points.size());
+}
+
+void PointStream::report(Instant now) {
+  const bool isNew = m_summary.accepted != m_reportedAccepted || m_executed != m_reportedExecuted;
+  if (!m_source.takesReplies() || !isNew || now - m_reportedAt < kReportInterval) {
+    return;
+  }
+  m_reportedAt = now;
+  m_reportedAccepted = m_summary.accepted;
+  m_reportedExecuted = m_executed;
+  const base::Vec3 at = m_executed == 0 ? m_tool.mm : m_points[m_executed - 1].positionMm;
+  const std::size_t line = m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
+  m_source.reply(fmt::format("{{\"accepted\":{},\"executed\":{},\"line\":{},\"merged\":{},"
+                             "\"x\":{:.6f},\"y\":{:.6f},\"z\":{:.6f}}}\n",
+                             m_summary.accepted, m_executed, line, m_summary.merged, at.x, at.y,
+                             at.z));
+}
+
+void PointStream::finish(std::string_view outcome, const std::string& error) {
+  if (!m_source.takesReplies()) {
+    return;
+  }
+  nlohmann::ordered_json json{{"end", outcome},
+                              {"accepted", m_summary.accepted},
+                              {"executed", m_executed},
+                              {"line", summary().lastLine}};
+  if (!error.empty()) {
+    json["error"] = error;
+  }
+  m_source.reply(json.dump() + "\n");
+}
+
+Summary PointStream::summary() const {
+  Summary summary = m_summary;
+  summary.lastLine = m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
+  summary.delay = m_delays.statistics();
+  if (m_begun > 1) {
+    summary.windowTime = (m_lastBegun - *m_firstBegun) / static_cast<Duration::rep>(m_begun - 1);
+    const std::size_t queued = m_limits.queuedMax / m_plan.pointsMax;
+    summary.leastDelay = summary.windowTime;
+    summary.mostDelay =
+        summary.windowTime * static_cast<Duration::rep>(1 + m_plan.windowsMax + queued);
+  }
+  return summary;
+}
+
+Level PointStream::level() const {
+  return {m_summary.lines, m_summary.accepted,
+          m_queue.size() + m_points.size() - m_executed,
+          m_limits.queuedMax + m_plan.windowsMax * m_plan.pointsMax};
+}
+
+}  // namespace rivulet::live

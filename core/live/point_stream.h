@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The growing list of points of a live source: reads lines while there is room, lets pass what has
+/// been agreed, and gives a method window after window. Nothing here knows the control.
+///
+/// The source is read only as fast as windows are taken, so a source that can wait is slowed down.
+/// A window that is not full is given out when its oldest point has waited for a short time.
+/// @threadsafety one object, on the thread of the run.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/instant.h"
+#include "live/agreement.h"
+#include "live/line_reader.h"
+#include "live/source.h"
+#include "live/summary.h"
+
+namespace rivulet::live {
+
+struct Limits {
+  base::Duration fullWithin = std::chrono::milliseconds{100};  ///< else a window goes as it is
+  base::Duration holdAfter = std::chrono::seconds{5};          ///< of silence the run holds
+  base::Duration endAfter = std::chrono::seconds{60};          ///< of silence it ends
+  std::size_t queuedMax = 28;  ///< points that wait for a window, >= those of a window
+};
+
+/// What a method makes windows of.
+struct WindowPlan {
+  std::size_t pointsMax = 1;   ///< >= 1
+  std::size_t windowsMax = 1;  ///< that may wait or move on the control, for the theory
+  bool feedPerPoint = false;   ///< else a window ends where the feed changes
+};
+
+class PointStream {
+ public:
+  /// @param source  outlives this object
+  PointStream(Source& source, const Agreement& agreement, const Limits& limits);
+
+  /// From now on the source is read. @param gate  made with the place of the tool
+  void begin(Gate gate, const base::AxisPosition& tool, const WindowPlan& plan, base::Instant now);
+  [[nodiscard]] const Agreement& agreement() const { return m_agreement; }
+
+  /// Reads what there is room for, and tells the source how far the run is.
+  void turn(base::Instant now);
+
+  /// The next window, if it is time for it: its points are at the end of `points` then.
+  /// @return number of points; nothing: not now
+  [[nodiscard]] std::optional<std::size_t> takeWindow(base::Instant now);
+
+  /// All points of the windows that were taken.
+  [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const { return m_points; }
+  /// First point of each window, and the number of points at the end.
+  [[nodiscard]] const std::vector<std::size_t>& windowBegins() const { return m_begins; }
+  /// The source has ended and every point has been taken.
+  [[nodiscard]] bool isDry() const { return m_summary.hasEnded && m_queue.empty(); }
+  /// Everything has been executed, and the source has asked for a hold or is silent.
+  [[nodiscard]] bool wantsHold(base::Instant now) const;
+
+  /// The window after those that have begun begins to move.
+  void windowBegins(base::Instant now);
+  /// @param points  executed so far
+  void executed(std::size_t points);
+  /// The last reply. @param outcome  of the run, "completed" @param error  may be empty
+  void finish(std::string_view outcome, const std::string& error);
+
+  [[nodiscard]] Summary summary() const;
+  [[nodiscard]] Level level() const;
+
+ private:
+  struct Queued {
+    gcode::StreamPoint point;
+    base::Instant arrived{};
+    bool isAfterHold = false;
+  };
+
+  /// @return false: nothing has come
+  bool readBytes(base::Instant now);
+  void takeLine(std::string_view text);
+  void takePoint(const Line& line);
+  [[nodiscard]] base::Result<void> requireNumber(const Line& line);
+  [[nodiscard]] bool hasRoom() const;
+  /// The machine has not yet come to where the source wants it to wait.
+  [[nodiscard]] bool isBeforeHold() const;
+  /// It cannot be in the window that the first point in the queue begins.
+  [[nodiscard]] bool beginsWindow(const Queued& queued) const;
+  void refuse(const base::Error& error, std::size_t line);
+  void checkSilence(base::Instant now);
+  void closed();
+  void report(base::Instant now);
+
+  Source& m_source;
+  Agreement m_agreement;
+  Limits m_limits;
+  std::optional<Gate> m_gate;
+  WindowPlan m_plan;
+  base::AxisPosition m_tool;
+  LineReader m_reader;
+  base::Instant m_readAt{};   ///< of the newest bytes
+  base::Instant m_heardAt{};  ///< the source was last seen to live, or was not asked
+  std::deque<Queued> m_queue;
+  std::vector<gcode::StreamPoint> m_points;
+  std::vector<std::size_t> m_begins{0};
+  std::deque<base::Instant> m_arrivals;  ///< of points that have been taken but do not move yet
+  std::size_t m_begun = 0;               ///< windows in motion or executed
+  std::optional<base::Instant> m_firstBegun;
+  base::Instant m_lastBegun{};
+  std::size_t m_executed = 0;
+  bool m_holdAsked = false;  ///< and no point has come since
+  std::optional<double> m_number;
+  trace::DurationCounter m_delays;
+  Summary m_summary;
+  base::Instant m_reportedAt{};
+  std::size_t m_reportedAccepted = 0;
+  std::size_t m_reportedExecuted = 0;
+};
+
+}  // namespace rivulet::live

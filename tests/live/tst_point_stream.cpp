@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// A live source becomes windows: when they are given out, when the run holds, what ends it.
+
+#include <QtTest>
+
+#include "live/error.h"
+#include "live/point_stream.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using namespace std::chrono_literals;
+using base::Instant;
+using live::LiveError;
+
+namespace {
+
+class TextSource final : public live::Source {
+ public:
+  std::string name() const override { return "test"; }
+  std::size_t read(std::span<char> into) override {
+    const std::size_t count = std::min(into.size(), text.size());
+    std::copy_n(text.begin(), count, into.begin());
+    text.erase(0, count);
+    return count;
+  }
+  bool isClosed() const override { return isOver && text.empty(); }
+  bool endsByClosing() const override { return isPipe; }
+  bool canWait() const override { return waits; }
+  bool takesReplies() const override { return true; }
+  void reply(std::string_view line) override { replies.emplace_back(line); }
+
+  std::string text;
+  std::vector<std::string> replies;
+  bool isOver = false;
+  bool isPipe = true;
+  bool waits = true;
+};
+
+struct Bench {
+  explicit Bench(std::size_t pointsPerWindow = 4) : stream(source, agreement(), limits()) {
+    stream.begin({agreement(), {}, 600.0, {true, true, true}, {}}, {},
+                 {pointsPerWindow, 3, false}, at);
+  }
+  static live::Agreement agreement() {
+    live::Agreement agreed;
+    agreed.highestMm = {1e6, 10.0, 10.0};
+    return agreed;
+  }
+  static live::Limits limits() {
+    live::Limits limits;
+    limits.queuedMax = 8;
+    return limits;
+  }
+  void send(const std::string& text) {
+    source.text += text;
+    stream.turn(at);
+  }
+  void sendPoints(int count) {
+    for (int i = 0; i < count; ++i) {
+      source.text += "X" + std::to_string(++x) + "\n";
+    }
+    stream.turn(at);
+  }
+  void wait(base::Duration time) {
+    at += time;
+    stream.turn(at);
+  }
+  std::size_t window() { return stream.takeWindow(at).value_or(0); }
+  std::error_code refusal() const { return stream.summary().refusal.code; }
+
+  Instant at{1000s};
+  TextSource source;
+  live::PointStream stream;
+  int x = 0;
+};
+
+}  // namespace
+
+class TestPointStream : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void fullWindowsGoAtOnce() {
+    Bench bench;
+    bench.sendPoints(5);
+    QCOMPARE(bench.window(), 4U);
+    QCOMPARE(bench.window(), 0U);
+    QCOMPARE(bench.stream.points().size(), 4U);
+  }
+
+  void theLastPointsDoNotWaitForOthers() {
+    Bench bench;
+    bench.sendPoints(2);
+    bench.wait(90ms);
+    QCOMPARE(bench.window(), 0U);
+    bench.wait(10ms);
+    QCOMPARE(bench.window(), 2U);
+    QCOMPARE(bench.stream.summary().shortWindows, 1U);
+    bench.send("X3\nend\nX999\n");
+    QCOMPARE(bench.window(), 1U);
+    QVERIFY(bench.stream.isDry());
+    QCOMPARE(bench.stream.summary().shortWindows, 1U);
+    QVERIFY(!bench.refusal());
+  }
+
+  void aWindowEndsWhereTheFeedChanges() {
+    Bench bench;
+    bench.send("X1\nX2\nX3 F500\nX4\n");
+    QCOMPARE(bench.window(), 2U);
+    bench.wait(100ms);
+    QCOMPARE(bench.window(), 2U);
+  }
+
+  void theSourceIsReadOnlyAsFastAsWindowsGo() {
+    Bench bench;
+    bench.sendPoints(100000);
+    QCOMPARE(bench.stream.level().waiting, 8U);
+    QVERIFY(bench.source.text.size() > 500000);
+    QCOMPARE(bench.window(), 4U);
+    bench.wait(1ms);
+    QCOMPARE(bench.stream.summary().accepted, 12U);
+    // A source that is not asked is not silent.
+    for (int i = 0; i < 100; ++i) {
+      bench.wait(1s);
+    }
+    QVERIFY(!bench.refusal());
+    QVERIFY(!bench.stream.wantsHold(bench.at));
+  }
+
+  void holdIsWhereTheSourceSaysIt() {
+    Bench bench;
+    bench.send("X1\nX2\nhold\n");
+    QCOMPARE(bench.window(), 2U);
+    QVERIFY(!bench.stream.wantsHold(bench.at));
+    bench.stream.executed(2);
+    QVERIFY(bench.stream.wantsHold(bench.at));
+    bench.send("X3\nX4\nX5\nX6\nhold\nX7\n");
+    QVERIFY(!bench.stream.wantsHold(bench.at));
+    QCOMPARE(bench.window(), 4U);
+    QCOMPARE(bench.window(), 0U);  // it would not wait there
+    bench.stream.executed(6);
+    bench.wait(100ms);
+    QCOMPARE(bench.window(), 1U);
+  }
+
+  void aSilentSourceHoldsAndEndsTheRun() {
+    Bench bench;
+    bench.sendPoints(4);
+    QCOMPARE(bench.window(), 4U);
+    bench.stream.executed(4);
+    bench.wait(4s);
+    QVERIFY(!bench.stream.wantsHold(bench.at));
+    bench.wait(1s);
+    QVERIFY(bench.stream.wantsHold(bench.at));
+    bench.send("comment alive\n");
+    QVERIFY(!bench.stream.wantsHold(bench.at));
+    bench.wait(60s);
+    QVERIFY(bench.refusal() == LiveError::SourceSilent);
+    QVERIFY(bench.stream.isDry());
+  }
+
+  void badInputEndsBehindTheLastGoodPoint_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("code");
+    QTest::newRow("nan") << "Xnan\n" << static_cast<int>(LiveError::NotFinite);
+    QTest::newRow("text") << "hello\n" << static_cast<int>(LiveError::NotALine);
+    QTest::newRow("step") << "X99\n" << static_cast<int>(LiveError::StepTooLong);
+    QTest::newRow("huge") << QString(5000, u'1') << static_cast<int>(LiveError::TooLong);
+    QTest::newRow("huge line") << QString(3000, u'1') + "\n" << static_cast<int>(LiveError::TooLong);
+    QTest::newRow("number") << "N1 X3.1\nN3 X3.2\n" << static_cast<int>(LiveError::NumberWrong);
+  }
+
+  void badInputEndsBehindTheLastGoodPoint() {
+    QFETCH(QString, text);
+    QFETCH(int, code);
+    Bench bench(20);
+    bench.sendPoints(3);
+    bench.send(text.toStdString() + "X4\nX5\n");
+    bench.wait(1ms);
+    QCOMPARE(bench.refusal().value(), code);
+    const std::string said = bench.stream.summary().refusal.text();
+    QVERIFY2(said.starts_with("test, line "), said.c_str());
+    const bool isNumbered = code == static_cast<int>(LiveError::NumberWrong);
+    QCOMPARE(bench.window(), isNumbered ? 4U : 3U);
+    QVERIFY(bench.stream.isDry());
+  }
+
+  void closingASource() {
+    for (const bool isPipe : {true, false}) {
+      for (const char* rest : {"", "X4"}) {
+        Bench bench;
+        bench.source.isPipe = isPipe;
+        bench.sendPoints(3);
+        bench.source.isOver = true;
+        bench.send(rest);
+        const std::error_code said = bench.refusal();
+        QVERIFY(*rest != '\0' ? said == LiveError::Incomplete
+                : isPipe      ? !said
+                              : said == LiveError::SourceClosed);
+        QCOMPARE(bench.window(), 3U);
+        QVERIFY(bench.stream.isDry());
+      }
+    }
+  }
+
+  void aSourceThatCannotWait() {
+    Bench bench;
+    bench.source.waits = false;
+    bench.send("X1\n");
+    QVERIFY(bench.refusal() == LiveError::NumberMissing);
+    Bench fast;
+    fast.source.waits = false;
+    for (int i = 1; i <= 200'000; ++i) {
+      fast.source.text += "N" + std::to_string(i) + " X" + std::to_string(i) + "\n";
+    }
+    for (int i = 0; i < 100; ++i) {
+      fast.wait(1ms);
+    }
+    QVERIFY(fast.refusal() == LiveError::Overrun);
+    QCOMPARE(fast.stream.summary().accepted, 100'000U);
+  }
+
+  void theDelayIsThatOfEachPoint() {
+    Bench bench;
+    bench.sendPoints(2);
+    bench.wait(50ms);
+    bench.sendPoints(2);
+    QCOMPARE(bench.window(), 4U);
+    bench.wait(50ms);
+    bench.stream.windowBegins(bench.at);
+    // 600 mm/min: each point begins 0.1 s after the one before it.
+    const trace::DurationStatistics delay = bench.stream.summary().delay;
+    QCOMPARE(delay.count, 4U);
+    QVERIFY(delay.max == 350ms);
+    QVERIFY(delay.mean == (100ms + 200ms + 250ms + 350ms) / 4);
+  }
+
+  void theSourceIsToldHowFarTheRunIs() {
+    Bench bench;
+    bench.sendPoints(4);
+    QCOMPARE(bench.source.replies.size(), 1U);
+    QCOMPARE(bench.window(), 4U);
+    bench.stream.executed(4);
+    bench.wait(10ms);
+    QCOMPARE(bench.source.replies.back(),
+             std::string("{\"accepted\":4,\"executed\":4,\"line\":4,\"merged\":0,\"x\":4.000000,"
+                         "\"y\":0.000000,\"z\":0.000000}\n"));
+    bench.stream.finish("completed", {});
+    QCOMPARE(bench.source.replies.back(),
+             std::string("{\"end\":\"completed\",\"accepted\":4,\"executed\":4,\"line\":4}\n"));
+  }
+};
+
+RIVULET_TEST(TestPointStream)
+#include "tst_point_stream.moc"
