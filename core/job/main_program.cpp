@@ -36,6 +36,8 @@ class Category final : public std::error_category {
         return "too many stretches";
       case JobError::PositionDiffers:
         return "the tool is not where the program says";
+      case JobError::BeyondMachine:
+        return "beyond what the machine can do";
     }
     return "unknown error";
   }
@@ -46,13 +48,22 @@ bool mayWaitBefore(NativeReason reason) {
   return reason >= NativeReason::Tool;
 }
 
-class MainWriter {
+/// Goes through a plan: what stands before a native block, so that it runs in the modal state of
+/// the source program, and the frame that a stretch must not have.
+class PlanWriter {
  public:
-  MainWriter(const Plan& plan, const templates::JobLoop& loop, int number)
-      : m_plan(plan), m_loop(loop), m_number(number) {}
+  explicit PlanWriter(const Plan& plan) : m_plan(plan) {}
+  virtual ~PlanWriter() = default;
 
-  std::string write() {
-    writeHead();
+ protected:
+  /// What stands in place of a stretch.
+  virtual void writeStreamed(const Stretch& stretch) = 0;
+  /// Before a native block. @param number  of it, from 1
+  virtual void writeDue(const NativeBlock& native, int number) = 0;
+  /// The text of a native block has just been written.
+  virtual void written(const NativeBlock& /*native*/, int /*number*/) {}
+
+  void writeParts() {
     bool isAfterNative = false;
     for (const Part& part : m_plan.parts) {
       if (const auto* const native = std::get_if<NativeBlock>(&part)) {
@@ -65,55 +76,38 @@ class MainWriter {
       }
       isAfterNative = false;
       if (const auto& stretch = std::get<Stretch>(part); stretch.number > 0) {
-        writeStretch(stretch);
+        line("; STRETCH {}: lines {} to {}, {} points", stretch.number,
+             stretch.blocks.front().line.value, stretch.blocks.back().line.value,
+             stretch.pointCount);
+        line("G710 DIAMOF G40");
+        cancelFrame();
+        writeStreamed(stretch);
       }
     }
-    line("RIV_END:");
-    line("M30");
-    return std::move(m_text);
   }
 
- private:
   template <class... Arguments>
   void line(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     fmt::format_to(std::back_inserter(m_text), text, std::forward<Arguments>(arguments)...);
     m_text += '\n';
+    ++m_lines;
+  }
+  /// @param text  one line or several
+  void lines(const std::string& text) {
+    m_text += text;
+    m_text += '\n';
+    m_lines += 1 + static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
   }
 
-  void writeHead() {
-    line("; RIVULET JOB {}: {} OF {}", m_number, m_plan.program.hash, m_plan.program.name);
-    line("; {} stretches are streamed by the client, {} blocks are executed here.",
-         m_plan.stretchCount(), m_plan.nativeCount());
-    line("; Do not edit: the client relies on every line. Needs {}.SPF.", m_loop.name);
-    line("; Nothing moves before the client has connected.");
-    line("EXTERN {}(REAL,REAL,REAL)", m_loop.name);
-    line("DEF REAL RIV_RUN");
-    line("{}({},0,0)", m_loop.name, m_number);
-    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
-         static_cast<int>(templates::WindowState::Done));
-    line("RIV_RUN=R{}", m_loop.cells.owner);
-    line("R{}=0", blockCell(m_loop));
-    line("R{}={}", m_loop.cells.run, JobProtocol::goOn(0));
-  }
+  [[nodiscard]] const Plan& plan() const { return m_plan; }
+  [[nodiscard]] unsigned lineCount() const { return m_lines; }
+  [[nodiscard]] std::string take() { return std::move(m_text); }
 
-  void writeStretch(const Stretch& stretch) {
-    line("; STRETCH {}: lines {} to {}, {} points", stretch.number,
-         stretch.blocks.front().line.value, stretch.blocks.back().line.value, stretch.pointCount);
-    line("G710 DIAMOF G40");
-    cancelFrame();
-    line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
-    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
-         static_cast<int>(templates::WindowState::Done));
-    line("R{}=0", blockCell(m_loop));
-  }
-
+ private:
   void writeNative(const NativeBlock& native, bool isAfterNative) {
     line("; LINE {}{}: {}", native.file.empty() ? std::string() : native.file + " ",
          native.place.line.value, nativeReasonName(native.reason));
-    if (mayWaitBefore(native.reason) && native.reason != NativeReason::End) {
-      writeWait();
-    }
-    line("R{}={}", blockCell(m_loop), m_natives);
+    writeDue(native, m_natives);
     const bool isForeign = m_plan.program.dialect != nc::Dialect::Sinumerik;
     if (isForeign) {
       line("G90 G94 G710 DIAMOF");
@@ -126,7 +120,8 @@ class MainWriter {
       line("{}", modalWords(native.before));
       m_hasFrame = !native.frame.empty();
     }
-    line("{}", native.text);
+    lines(native.text);
+    written(native, m_natives);
     m_hasFrame = m_hasFrame || native.setsFrame || native.reason == NativeReason::Subprogram;
   }
 
@@ -137,6 +132,57 @@ class MainWriter {
       line("TRANS");
       m_hasFrame = false;
     }
+  }
+
+  const Plan& m_plan;
+  std::string m_text;
+  unsigned m_lines = 0;
+  int m_natives = 0;
+  bool m_hasFrame = false;  ///< the control may have one
+};
+
+class MainWriter final : public PlanWriter {
+ public:
+  MainWriter(const Plan& plan, const templates::JobLoop& loop, int number)
+      : PlanWriter(plan), m_loop(loop), m_number(number) {}
+
+  std::string write() {
+    writeHead();
+    writeParts();
+    line("RIV_END:");
+    line("M30");
+    return take();
+  }
+
+ private:
+  void writeHead() {
+    line("; RIVULET JOB {}: {} OF {}", m_number, plan().program.hash, plan().program.name);
+    line("; {} stretches are streamed by the client, {} blocks are executed here.",
+         plan().stretchCount(), plan().nativeCount());
+    line("; Do not edit: the client relies on every line. Needs {}.SPF.", m_loop.name);
+    line("; Nothing moves before the client has connected.");
+    line("EXTERN {}(REAL,REAL,REAL)", m_loop.name);
+    line("DEF REAL RIV_RUN");
+    line("{}({},0,0)", m_loop.name, m_number);
+    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
+         static_cast<int>(templates::WindowState::Done));
+    line("RIV_RUN=R{}", m_loop.cells.owner);
+    line("R{}=0", blockCell(m_loop));
+    line("R{}={}", m_loop.cells.run, JobProtocol::goOn(0));
+  }
+
+  void writeStreamed(const Stretch& stretch) override {
+    line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
+    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
+         static_cast<int>(templates::WindowState::Done));
+    line("R{}=0", blockCell(m_loop));
+  }
+
+  void writeDue(const NativeBlock& native, int number) override {
+    if (mayWaitBefore(native.reason) && native.reason != NativeReason::End) {
+      writeWait();
+    }
+    line("R{}={}", blockCell(m_loop), number);
   }
 
   /// Stop and hold between two native blocks. The axes stand.
@@ -151,13 +197,86 @@ class MainWriter {
     line("RIV_G{}:", m_waits);
   }
 
-  const Plan& m_plan;
   const templates::JobLoop& m_loop;
   int m_number;
-  std::string m_text;
   int m_waits = 0;
-  int m_natives = 0;
-  bool m_hasFrame = false;  ///< the control may have one
+};
+
+/// The words of a point, "X1 Y2 C90", as far as the program has named the axes.
+std::string pointWords(const gcode::Trajectory& trajectory, std::size_t point) {
+  std::string words;
+  const auto add = [&words](char axis, double value) {
+    if (!std::isnan(value)) {
+      words += fmt::format("{}{} ", axis, base::formatFixed(value, 6));
+    }
+  };
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    add(base::kAxisNames[axis], trajectory.points[point].positionMm[axis]);
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount && !trajectory.rotary.empty(); ++axis) {
+    add(base::kRotaryAxisNames[axis], trajectory.rotary[point].degrees[axis]);
+  }
+  return words;
+}
+
+class OutlineWriter final : public PlanWriter {
+ public:
+  using PlanWriter::PlanWriter;
+
+  Outline write() {
+    writeParts();
+    line("M30");
+    m_outline.text = take();
+    m_outline.lines.resize(lineCount());
+    return std::move(m_outline);
+  }
+
+ private:
+  void writeStreamed(const Stretch& stretch) override {
+    const gcode::Trajectory& trajectory = plan().program.trajectory;
+    for (const std::size_t point : extremes(stretch)) {
+      line("G0 G90 {}", pointWords(trajectory, point));
+      place({0, stretch.number, trajectory.points[point].line});
+    }
+  }
+  void writeDue(const NativeBlock& native, int number) override {
+    place({number, 0, native.place.line});
+  }
+  void written(const NativeBlock& native, int number) override {
+    place({number, 0, native.place.line});
+  }
+
+  /// All lines since the last call stand for this.
+  void place(const OutlineLine& what) { m_outline.lines.resize(lineCount(), what); }
+
+  /// In each axis the farthest points either way, and the last one, in their order.
+  [[nodiscard]] std::vector<std::size_t> extremes(const Stretch& stretch) const {
+    const gcode::Trajectory& trajectory = plan().program.trajectory;
+    const std::size_t last = stretch.firstPoint + stretch.pointCount - 1;
+    std::vector<std::size_t> points{last};
+    const auto search = [&](const auto& valueAt) {
+      std::size_t low = last;
+      std::size_t high = last;
+      for (std::size_t point = stretch.firstPoint; point < last; ++point) {
+        // Not known at the end: not known before it either.
+        low = valueAt(point) < valueAt(low) ? point : low;
+        high = valueAt(point) > valueAt(high) ? point : high;
+      }
+      points.insert(points.end(), {low, high});
+    };
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      search([&](std::size_t point) { return trajectory.points[point].positionMm[axis]; });
+    }
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount && !trajectory.rotary.empty();
+         ++axis) {
+      search([&](std::size_t point) { return trajectory.rotary[point].degrees[axis]; });
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+  }
+
+  Outline m_outline;
 };
 
 base::Result<void> requireWhole(const Plan& plan) {
@@ -259,6 +378,10 @@ std::string modalWords(const nc::ModalState& state) {
     }
   }
   return words;
+}
+
+Outline outlineOf(const Plan& plan) {
+  return OutlineWriter(plan).write();
 }
 
 base::Result<JobPrograms> makePrograms(const Plan& plan,

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "base/result.h"
 #include "job/plan.h"
@@ -23,6 +24,7 @@ enum class JobError {
   PlaneChanges,      ///< the tool length would act on another axis
   TooManyStretches,  ///< more than `templates::JobProtocol::kStretchesMax`
   PositionDiffers,   ///< the tool is not where the program says
+  BeyondMachine,     ///< travel, tools or what the machine refuses
 };
 [[nodiscard]] std::error_code make_error_code(JobError code);
 
@@ -39,6 +41,23 @@ struct JobPrograms {
 /// `generateJobLoop`
 [[nodiscard]] base::Result<JobPrograms> makePrograms(
     const Plan& plan, const templates::TemplateParameters& parameters);
+
+/// What a line of an outline stands for: a native block or a point of a stretch; all 0: neither.
+struct OutlineLine {
+  int native = 0;         ///< number in the plan, from 1
+  int stretch = 0;        ///< its number
+  base::LineNumber line;  ///< of the source program
+};
+
+/// A job in short, as one NC program without client and cells: the native blocks as the main
+/// program has them, and of each stretch the farthest points along each axis and the last one. For
+/// checks of what the job would do; not for a control.
+struct Outline {
+  std::string text;
+  std::vector<OutlineLine> lines;  ///< one for each line of the text
+};
+/// @pre plan.isWhole()
+[[nodiscard]] Outline outlineOf(const Plan& plan);
 
 /// R number of the cell that tells which native block is due: its number in the plan, from 1; 0:
 /// none. Between two stretches, where the loop does not use it.

@@ -200,6 +200,7 @@ Prepared Interpreter::nextBlock() {
 }
 
 Prepared Interpreter::execute(const nc::Statement& statement) {
+  m_line = statement.place.line;
   return std::visit(
       Overload{
           [&](const nc::Words& s) { return executeWords(s, statement.place.line); },

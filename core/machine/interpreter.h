@@ -57,6 +57,9 @@ class Interpreter {
   /// To be called when a STOPRE has been waited for: values are read afresh from here on.
   void refresh();
 
+  /// Of the block interpreted last, in the program that it stands in.
+  [[nodiscard]] base::LineNumber line() const { return m_line; }
+
  private:
   /// The variables of the program, with the R-parameters and the main run of the machine.
   class Values final : public nc::Variables {
@@ -100,6 +103,7 @@ class Interpreter {
 
   Values m_values;
   nc::Flow m_flow;
+  base::LineNumber m_line;
   bool m_hasStopped = false;  ///< the stop that the next statement needs has been made
   AlarmSink m_alarms;
   MotionSink m_motions;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "machine/travel.h"
+
 namespace rivulet::machine {
 
 void Prerun::start(std::unique_ptr<Interpreter> interpreter, base::Instant now) {
@@ -129,27 +131,15 @@ bool Prerun::takeStandstill() {
 }
 
 std::optional<Alarm> Prerun::limitAlarm(const PreparedMotion& motion) const {
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const AxisLimits& limits = m_config.axes[axis];
-    const double target = motion.targetMm[axis];
-    if (target < limits.positionMmMin || target > limits.positionMmMax) {
-      return Alarm{10720, fmt::format("Line {}: axis {} is to go to {} mm, beyond its software "
-                                      "limit ({} to {} mm).",
-                                      motion.line.value, base::kAxisNames[axis], target,
-                                      limits.positionMmMin, limits.positionMmMax)};
-    }
+  const std::optional<BeyondTravel> beyond = beyondTravel(m_config, motion);
+  if (!beyond) {
+    return std::nullopt;
   }
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    const std::optional<RotaryLimits>& limits = m_config.rotaryAxes[axis];
-    const double target = motion.targetDeg[axis];
-    if (limits && (target < limits->positionDegMin || target > limits->positionDegMax)) {
-      return Alarm{10720, fmt::format("Line {}: axis {} is to go to {} deg, beyond its software "
-                                      "limit ({} to {} deg).",
-                                      motion.line.value, base::kRotaryAxisNames[axis], target,
-                                      limits->positionDegMin, limits->positionDegMax)};
-    }
-  }
-  return std::nullopt;
+  const char* const unit = beyond->isRotary() ? "deg" : "mm";
+  return Alarm{10720, fmt::format("Line {}: axis {} is to go to {} {}, beyond its software limit "
+                                  "({} to {} {}).",
+                                  motion.line.value, beyond->axis, beyond->target, unit,
+                                  beyond->min, beyond->max, unit)};
 }
 
 }  // namespace rivulet::machine

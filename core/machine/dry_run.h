@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Reads an NC program as the pre-run of a machine does, without moving anything: what would be
+/// beyond the machine's limits, and how long each block takes. @threadsafety pure.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/axes.h"
+#include "base/id.h"
+#include "base/instant.h"
+#include "machine/alarm.h"
+#include "machine/config.h"
+#include "machine/travel.h"
+
+namespace rivulet::machine {
+
+/// What a block does that the machine cannot, or the alarm that ends the program.
+struct DryFinding {
+  base::LineNumber line;
+  std::optional<BeyondTravel> travel;
+  double speedPerMin = 0.0;  ///< S beyond the greatest speed; 0: it is not that
+  std::string tool;  ///< "T5" or its name, if the tool table lacks it; empty: it is not that
+  Alarm alarm;       ///< the program is not read any further; number 0: it is not that
+};
+
+/// Time of the motions, dwells and actions of a line, each from standstill to standstill.
+struct DryTime {
+  base::LineNumber line;
+  base::Duration duration{};
+};
+
+struct DryRun {
+  std::vector<DryFinding> findings;  ///< in the order of the program
+  std::vector<DryTime> times;        ///< of the lines that were asked for, in their order
+};
+
+struct DryRunOptions {
+  base::AxisPosition start;  ///< of the axes, machine coordinates
+  /// Lines whose time is wanted; null: none.
+  std::function<bool(base::LineNumber)> isTimed{};
+};
+
+/// Reads to the end, past motions beyond a limit and tools that are missing: only an alarm of
+/// another kind ends it. Values of the main run are not known, nor programs on the control.
+/// @param text  SINUMERIK
+[[nodiscard]] DryRun dryRun(const MachineConfig& config, const std::string& text,
+                            const DryRunOptions& options);
+
+}  // namespace rivulet::machine
