@@ -7,6 +7,7 @@
 #include <QGuiApplication>
 #include <QPainter>
 #include <QPalette>
+#include <QPixmapCache>
 #include <QSvgRenderer>
 
 #include "base/contract.h"
@@ -14,6 +15,13 @@
 namespace rivulet::widgets {
 
 QPixmap iconPixmap(const QString& name, const QColor& color, int sizePx, qreal devicePixelRatio) {
+  // Drawing takes about a millisecond, and the strip asks for its icons at each update of a run.
+  const QString key =
+      QStringLiteral("rivulet-icon/%1/%2/%3/%4")
+          .arg(name, color.name(), QString::number(sizePx), QString::number(devicePixelRatio));
+  if (QPixmap kept; QPixmapCache::find(key, &kept)) {
+    return kept;
+  }
   QFile file(QStringLiteral(":/rivulet/icons/%1.svg").arg(name));
   const bool found = file.open(QIODevice::ReadOnly);
   RIVULET_ASSERT(found);
@@ -27,6 +35,7 @@ QPixmap iconPixmap(const QString& name, const QColor& color, int sizePx, qreal d
   renderer.render(&painter);
   painter.end();
   pixmap.setDevicePixelRatio(devicePixelRatio);
+  QPixmapCache::insert(key, pixmap);
   return pixmap;
 }
 
