@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The GUI thread is never busy for long: a tour of the window with a watchdog on its event loop.
+/// It counts what the thread works, not what the clock says, so other programs on the computer do
+/// not matter; how fast the computer is does, and is measured as well.
+
+#include <QAbstractEventDispatcher>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <ctime>
+#include <optional>
+#include <vector>
+
+#include "base/random.h"
+#include "hmi/main_window.h"
+#include "support/simulated_control.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using hmi::MainWindow;
+
+namespace {
+
+constexpr int kSoonMs = 20000;
+constexpr int kRunMs = 300000;
+constexpr double kPace = 8.0;
+
+/// A user notices a window that does not answer for longer.
+constexpr double kBusyMsMax = 50.0;
+/// What `referenceWork` takes on the computer that the limit was set on. A slower one gets more
+/// time.
+constexpr double kReferenceMs = 14.0;
+
+const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
+
+/// Time that the calling thread has worked, in ms.
+double workedMs() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+/// Sorting: branches and memory, as in a program.
+double referenceWork() {
+  base::Random random(1);
+  std::vector<std::uint64_t> values(200'000);
+  for (std::uint64_t& value : values) {
+    value = random.bits();
+  }
+  const double before = workedMs();
+  std::sort(values.begin(), values.end());
+  return workedMs() - before;
+}
+
+/// Listens to the event loop: how long the thread works between two moments in which it could take
+/// an event of the user.
+class Watchdog {
+ public:
+  Watchdog() {
+    auto* loop = QAbstractEventDispatcher::instance();
+    m_woken = QObject::connect(loop, &QAbstractEventDispatcher::awake, loop, [this] { mark(); });
+    m_slept = QObject::connect(loop, &QAbstractEventDispatcher::aboutToBlock, loop, [this] {
+      if (m_since) {
+        end();
+      }
+    });
+  }
+  ~Watchdog() {
+    QObject::disconnect(m_woken);
+    QObject::disconnect(m_slept);
+  }
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+  /// What the test itself does is not counted; what the window does from now on belongs to `what`.
+  void name(const QString& what) {
+    m_what = what;
+    m_since.reset();
+  }
+  /// Does something that a user does, as one event.
+  template <typename Action>
+  void measure(const QString& what, Action action) {
+    name(what);
+    m_since = workedMs();
+    action();
+    end();
+  }
+  struct Longest {
+    double ms = 0.0;
+    QString what;
+  };
+  /// Descending, one of each kind.
+  [[nodiscard]] std::vector<Longest> longest() const {
+    std::vector<Longest> sorted = m_longest;
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Longest& a, const Longest& b) { return a.ms > b.ms; });
+    return sorted;
+  }
+
+ private:
+  void mark() {
+    if (m_since) {
+      end();  // a nested loop, or one that does not sleep
+    }
+    m_since = workedMs();
+  }
+  void end() {
+    const double ms = workedMs() - *m_since;
+    m_since.reset();
+    auto found = std::find_if(m_longest.begin(), m_longest.end(),
+                              [this](const Longest& one) { return one.what == m_what; });
+    if (found == m_longest.end()) {
+      m_longest.push_back({ms, m_what});
+    } else {
+      found->ms = std::max(found->ms, ms);
+    }
+  }
+
+  QMetaObject::Connection m_woken;
+  QMetaObject::Connection m_slept;
+  std::optional<double> m_since;
+  QString m_what;
+  std::vector<Longest> m_longest;
+};
+
+}  // namespace
+
+class TestResponsiveness : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    qputenv("XDG_DATA_HOME", m_folder.path().toUtf8());
+    qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());
+    QCoreApplication::setOrganizationName(QStringLiteral("RivuletTest"));
+  }
+
+  void guiThreadIsNeverBusyForLong() {
+    tests::SimulatedControl machine("dmu75", kPace);
+    hmi::Settings settings;
+    settings.language = QStringLiteral("en");
+    settings.theme = widgets::Theme::Light;
+    const double beforeMs = workedMs();
+    MainWindow window(settings, false, [&machine](const std::string& endpoint) {
+      return machine.connect(endpoint);
+    });
+    window.resize(1440, 900);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const double startMs = workedMs() - beforeMs;
+
+    Watchdog dog;
+    visitPages(window, dog, QStringLiteral("empty"));
+    widgets::StreamSettings stream;
+    stream.parameters.method = base::MethodKind::Window;
+    stream.parameters.pointsPerLoop = 7;
+    stream.programFeeds = true;
+    dog.name(QStringLiteral("open and connect"));
+    window.setStreamSettings(stream);
+    window.openProgram(kScorpion);
+    window.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_COMPARE_WITH_TIMEOUT(window.startBlockedReason(), QString(), kSoonMs);
+    visitPages(window, dog, QStringLiteral("ready"));
+    dog.measure(QStringLiteral("preflight"), [&window] {
+      window.showPreflight();
+      QCoreApplication::processEvents();
+    });
+
+    QSignalSpy finished(&window, &MainWindow::runFinished);
+    dog.measure(QStringLiteral("start"), [&window] { window.start(); });
+    dog.name(QStringLiteral("running"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.lastUpdate().counters.executed >= 14, kRunMs);
+    visitPages(window, dog, QStringLiteral("running"));
+    dog.name(QStringLiteral("stop"));
+    window.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty(), kRunMs);
+    visitPages(window, dog, QStringLiteral("stopped"));
+    for (const widgets::Theme theme : {widgets::Theme::Dark, widgets::Theme::Light}) {
+      dog.measure(QStringLiteral("theme"), [&] { window.setTheme(theme); });
+      dog.measure(QStringLiteral("theme, turn"), [] { QCoreApplication::processEvents(); });
+    }
+    for (const char* language : {"de", "en"}) {
+      dog.measure(QStringLiteral("language"),
+                  [&] { window.setLanguage(QString::fromLatin1(language)); });
+      dog.measure(QStringLiteral("language, turn"), [] { QCoreApplication::processEvents(); });
+    }
+
+    // The fastest of several: the first ones warm the caches.
+    double referenceMs = referenceWork();
+    for (int i = 0; i < 4; ++i) {
+      referenceMs = std::min(referenceMs, referenceWork());
+    }
+    const double allowedMs = kBusyMsMax * std::max(1.0, referenceMs / kReferenceMs);
+    const auto longest = dog.longest();
+    QVERIFY(longest.size() > 10);
+    qInfo("start %.0f ms of work, reference %.1f ms, allowed %.0f ms", startMs, referenceMs,
+          allowedMs);
+    for (std::size_t i = 0; i < 8; ++i) {
+      qInfo("%6.1f ms %s", longest[i].ms, qPrintable(longest[i].what));
+    }
+    QVERIFY2(
+        longest.front().ms <= allowedMs,
+        qPrintable(
+            QStringLiteral("%1 ms of work: %2").arg(longest.front().ms).arg(longest.front().what)));
+  }
+
+ private:
+  static void visitPages(MainWindow& window, Watchdog& dog, const QString& scene) {
+    for (int page = 0; page < window.pages()->count(); ++page) {
+      const QString what = scene + QLatin1String(", page ") + QString::number(page);
+      dog.measure(what, [&window, page] { window.pages()->setCurrentIndex(page); });
+      for (int turn = 0; turn < 5; ++turn) {  // it lays out, draws, and takes what has arrived
+        dog.measure(what + QStringLiteral(", turn %1").arg(turn),
+                    [] { QCoreApplication::processEvents(); });
+      }
+    }
+    window.pages()->setCurrentIndex(0);
+  }
+};
+
+RIVULET_TEST(TestResponsiveness)
+#include "tst_responsiveness.moc"
