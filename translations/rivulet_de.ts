@@ -2243,6 +2243,30 @@ GPL-3.0-or-later</translation>
         <source>Feed F</source>
         <translation>Vorschub F</translation>
     </message>
+    <message>
+        <source>Override %1 instead of %2: still without wrong points</source>
+        <translation>Override %1 statt %2: noch ohne falsche Punkte</translation>
+    </message>
+    <message>
+        <source>Override %1 instead of %2: without waiting</source>
+        <translation>Override %1 statt %2: ohne Warten</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest override %3</source>
+        <translation>N %1 statt %2: größter Override %3</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above an override of %1</source>
+        <translation>Sicher, mit Warten über einem Override von %1</translation>
+    </message>
+    <message>
+        <source>By the equations without waiting up to %1</source>
+        <translation>Nach den Gleichungen ohne Warten bis %1</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AlarmHistoryModel</name>
@@ -3059,6 +3083,34 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Runs failed in the simulation</source>
         <translation>In der Simulation scheiterten Läufe</translation>
+    </message>
+    <message>
+        <source>Override over t_min</source>
+        <translation>Override über t_min</translation>
+    </message>
+    <message>
+        <source>Override over N</source>
+        <translation>Override über N</translation>
+    </message>
+    <message>
+        <source>Override over δ</source>
+        <translation>Override über δ</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the override on the feeds of the program.</source>
+        <translation>Den Ring ziehen, um den Override auf die Vorschübe des Programms zu ändern.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the override.</source>
+        <translation>Den Ring ziehen, um N und den Override zu ändern.</translation>
+    </message>
+    <message>
+        <source>Largest override: %1.</source>
+        <translation>Größter Override: %1.</translation>
+    </message>
+    <message>
+        <source>Shortest moves of the program</source>
+        <translation>Kürzeste Bewegungen des Programms</translation>
     </message>
 </context>
 <context>
@@ -4250,6 +4302,18 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>reach</source>
         <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>Override %1</source>
+        <translation>Override %1</translation>
+    </message>
+    <message>
+        <source>Override, %</source>
+        <translation>Override, %</translation>
+    </message>
+    <message>
+        <source>t_min, ms: shortest move at 100 %</source>
+        <translation>t_min, ms: kürzeste Bewegung bei 100&#xa0;%</translation>
     </message>
 </context>
 <context>

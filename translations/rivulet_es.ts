@@ -2243,6 +2243,30 @@ GPL-3.0-or-later</translation>
         <source>Feed F</source>
         <translation>Avance F</translation>
     </message>
+    <message>
+        <source>Override %1 instead of %2: still without wrong points</source>
+        <translation>Override %1 en lugar de %2: aún sin puntos erróneos</translation>
+    </message>
+    <message>
+        <source>Override %1 instead of %2: without waiting</source>
+        <translation>Override %1 en lugar de %2: sin esperas</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest override %3</source>
+        <translation>N %1 en lugar de %2: override máximo %3</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above an override of %1</source>
+        <translation>Seguro, con esperas por encima de un override de %1</translation>
+    </message>
+    <message>
+        <source>By the equations without waiting up to %1</source>
+        <translation>Según las ecuaciones, sin esperas hasta %1</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AlarmHistoryModel</name>
@@ -3059,6 +3083,34 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Runs failed in the simulation</source>
         <translation>Fallos en la simulación</translation>
+    </message>
+    <message>
+        <source>Override over t_min</source>
+        <translation>Override según t_min</translation>
+    </message>
+    <message>
+        <source>Override over N</source>
+        <translation>Override según N</translation>
+    </message>
+    <message>
+        <source>Override over δ</source>
+        <translation>Override según δ</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the override on the feeds of the program.</source>
+        <translation>Arrastrar el anillo para cambiar el override sobre los avances del programa.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the override.</source>
+        <translation>Arrastrar el anillo para cambiar N y el override.</translation>
+    </message>
+    <message>
+        <source>Largest override: %1.</source>
+        <translation>Override máximo: %1.</translation>
+    </message>
+    <message>
+        <source>Shortest moves of the program</source>
+        <translation>Movimientos más cortos del programa</translation>
     </message>
 </context>
 <context>
@@ -4250,6 +4302,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>reach</source>
         <translation>alcance</translation>
+    </message>
+    <message>
+        <source>Override %1</source>
+        <translation>Override %1</translation>
+    </message>
+    <message>
+        <source>Override, %</source>
+        <translation>Override, %</translation>
+    </message>
+    <message>
+        <source>t_min, ms: shortest move at 100 %</source>
+        <translation>t_min, ms: movimiento más corto al 100&#xa0;%</translation>
     </message>
 </context>
 <context>

@@ -2243,6 +2243,30 @@ GPL-3.0-or-later</translation>
         <source>Feed F</source>
         <translation>Avance F</translation>
     </message>
+    <message>
+        <source>Override %1 instead of %2: still without wrong points</source>
+        <translation>Override %1 au lieu de %2&#xa0;: encore sans point faux</translation>
+    </message>
+    <message>
+        <source>Override %1 instead of %2: without waiting</source>
+        <translation>Override %1 au lieu de %2&#xa0;: sans attente</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest override %3</source>
+        <translation>N %1 au lieu de %2&#xa0;: override maximal %3</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above an override of %1</source>
+        <translation>Sûr, avec attente au-delà d’un override de %1</translation>
+    </message>
+    <message>
+        <source>By the equations without waiting up to %1</source>
+        <translation>Selon les équations, sans attente jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AlarmHistoryModel</name>
@@ -3059,6 +3083,34 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Runs failed in the simulation</source>
         <translation>Échecs dans la simulation</translation>
+    </message>
+    <message>
+        <source>Override over t_min</source>
+        <translation>Override selon t_min</translation>
+    </message>
+    <message>
+        <source>Override over N</source>
+        <translation>Override selon N</translation>
+    </message>
+    <message>
+        <source>Override over δ</source>
+        <translation>Override selon δ</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the override on the feeds of the program.</source>
+        <translation>Tirer l’anneau pour changer l’override sur les avances du programme.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the override.</source>
+        <translation>Tirer l’anneau pour changer N et l’override.</translation>
+    </message>
+    <message>
+        <source>Largest override: %1.</source>
+        <translation>Override maximal&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Shortest moves of the program</source>
+        <translation>Mouvements les plus courts du programme</translation>
     </message>
 </context>
 <context>
@@ -4250,6 +4302,18 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>reach</source>
         <translation>portée</translation>
+    </message>
+    <message>
+        <source>Override %1</source>
+        <translation>Override %1</translation>
+    </message>
+    <message>
+        <source>Override, %</source>
+        <translation>Override, %</translation>
+    </message>
+    <message>
+        <source>t_min, ms: shortest move at 100 %</source>
+        <translation>t_min, ms&#xa0;: mouvement le plus court à 100&#xa0;%</translation>
     </message>
 </context>
 <context>

@@ -2243,6 +2243,30 @@ GPL-3.0-or-later</translation>
         <source>Feed F</source>
         <translation>Avanzamento F</translation>
     </message>
+    <message>
+        <source>Override %1 instead of %2: still without wrong points</source>
+        <translation>Override %1 invece di %2: ancora senza punti errati</translation>
+    </message>
+    <message>
+        <source>Override %1 instead of %2: without waiting</source>
+        <translation>Override %1 invece di %2: senza attese</translation>
+    </message>
+    <message>
+        <source>N %1 instead of %2: largest override %3</source>
+        <translation>N %1 invece di %2: override massimo %3</translation>
+    </message>
+    <message>
+        <source>Safe, with waiting above an override of %1</source>
+        <translation>Sicuro, con attese oltre un override di %1</translation>
+    </message>
+    <message>
+        <source>By the equations without waiting up to %1</source>
+        <translation>Secondo le equazioni senza attese fino a %1</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AlarmHistoryModel</name>
@@ -3059,6 +3083,34 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Runs failed in the simulation</source>
         <translation>Errori nella simulazione</translation>
+    </message>
+    <message>
+        <source>Override over t_min</source>
+        <translation>Override rispetto a t_min</translation>
+    </message>
+    <message>
+        <source>Override over N</source>
+        <translation>Override rispetto a N</translation>
+    </message>
+    <message>
+        <source>Override over δ</source>
+        <translation>Override rispetto a δ</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change the override on the feeds of the program.</source>
+        <translation>Trascinare l’anello per cambiare l’override sugli avanzamenti del programma.</translation>
+    </message>
+    <message>
+        <source>Drag the ring to change N and the override.</source>
+        <translation>Trascinare l’anello per cambiare N e l’override.</translation>
+    </message>
+    <message>
+        <source>Largest override: %1.</source>
+        <translation>Override massimo: %1.</translation>
+    </message>
+    <message>
+        <source>Shortest moves of the program</source>
+        <translation>Movimenti più brevi del programma</translation>
     </message>
 </context>
 <context>
@@ -4250,6 +4302,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>reach</source>
         <translation>portata</translation>
+    </message>
+    <message>
+        <source>Override %1</source>
+        <translation>Override %1</translation>
+    </message>
+    <message>
+        <source>Override, %</source>
+        <translation>Override, %</translation>
+    </message>
+    <message>
+        <source>t_min, ms: shortest move at 100 %</source>
+        <translation>t_min, ms: movimento più breve al 100&#xa0;%</translation>
     </message>
 </context>
 <context>

@@ -6,12 +6,59 @@
 #include <QCoreApplication>
 #include <QPointer>
 #include <QThreadPool>
+#include <algorithm>
 
 #include "experiments/region.h"
+#include "report/operating_point.h"
+#include "streaming/feed_plan.h"
 
 namespace rivulet::session {
 
 namespace {
+
+/// The settings of the job with what is advised in their place.
+streaming::RunSettings settingsAt(const AdviceJob& job, const feasibility::OperatingPoint& point) {
+  streaming::RunSettings settings = job.settings;
+  settings.parameters.method = point.method;
+  settings.parameters.pointsPerLoop = point.pointsPerLoop;
+  settings.parameters.feedPerPoint = point.feedPerPoint;
+  settings.deltaMm = point.deltaMm;
+  settings.feedMmPerS = point.feedMmPerS;
+  if (settings.programFeeds && job.question.fullFeedMmPerS > 0.0) {
+    settings.programFeeds->overrideFactor = std::clamp(
+        point.feedMmPerS / job.question.fullFeedMmPerS, gcode::kOverrideMin, gcode::kOverrideMax);
+  }
+  return settings;
+}
+
+/// With the feeds of the program, N decides where these feeds travel.
+feasibility::OperatingPoint completed(const AdviceJob& job,
+                                      const feasibility::OperatingPoint& point) {
+  streaming::RunSettings settings = settingsAt(job, point);
+  settings.parameters.feedPerPoint = false;
+  settings.parameters.feedPerPoint =
+      settings.programFeeds &&
+      streaming::prefersFeedPerPoint(job.view->points.points, settings, job.question.access);
+  return report::operatingPointOf(settings);
+}
+
+/// At the override of the settings. @param points  with their feeds at 100 %
+void applyOverride(std::vector<gcode::StreamPoint>& points,
+                   const streaming::RunSettings& settings) {
+  for (gcode::StreamPoint& point : points) {
+    gcode::TrajectoryPoint asWritten;
+    asWritten.kind = point.kind;
+    asWritten.feedMmPerS = point.feedMmPerS;
+    point.feedMmPerS =
+        settings.programFeeds ? gcode::commandedMmPerS(asWritten, *settings.programFeeds) : 0.0;
+  }
+}
+
+feasibility::ProgramDistances distancesOf(const AdviceJob& job,
+                                          const feasibility::OperatingPoint& point) {
+  return feasibility::programDistances(job.view->points.points, point.pointsPerLoop,
+                                       job.question.fullFeedMmPerS);
+}
 
 void renew(std::shared_ptr<std::atomic<bool>>& stop) {
   if (stop) {
@@ -25,19 +72,17 @@ void renew(std::shared_ptr<std::atomic<bool>>& stop) {
 std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::OperatingPoint& point,
                                     double feedMmPerSMax, const std::atomic<bool>& stop) {
   RehearsalJob rehearsal;
-  const std::vector<gcode::StreamPoint>& points = job.view->points.points;
-  const feasibility::ProgramDistances distances =
-      feasibility::programDistances(points, point.pointsPerLoop);
+  const feasibility::ProgramDistances distances = distancesOf(job, point);
   const feasibility::Place& tightest = point.method == base::MethodKind::Position
                                            ? distances.pointDistancePlace
                                            : distances.windowPlace;
   // Of a large program, only what is simulated is copied.
-  rehearsal.points = experiments::stretchOf(points, tightest.point.value, kRehearsedPointsMax);
-  rehearsal.settings = job.settings;
-  rehearsal.settings.parameters.method = point.method;
-  rehearsal.settings.parameters.pointsPerLoop = point.pointsPerLoop;
-  rehearsal.settings.deltaMm = point.deltaMm;
-  rehearsal.settings.feedMmPerS = feedMmPerSMax;
+  rehearsal.points =
+      experiments::stretchOf(job.view->points.points, tightest.point.value, kRehearsedPointsMax);
+  feasibility::OperatingPoint at = point;
+  at.feedMmPerS = feedMmPerSMax;
+  rehearsal.settings = settingsAt(job, at);
+  applyOverride(rehearsal.points, rehearsal.settings);
   rehearsal.access = job.question.access.measured;
   const RehearsalOutcome outcome = rehearse(rehearsal, stop);
   if (outcome.error.code || outcome.runs == 0) {
@@ -48,8 +93,12 @@ std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::Ope
 
 }  // namespace
 
-std::vector<feasibility::Advice> simulatedAdvice(const AdviceJob& job,
+std::vector<feasibility::Advice> simulatedAdvice(const AdviceJob& asked,
                                                  const std::atomic<bool>& stop) {
+  AdviceJob job = asked;
+  job.question.complete = [&job](const feasibility::OperatingPoint& point) {
+    return completed(job, point);
+  };
   const auto goOn = [&stop] { return !stop.load(); };
   std::vector<feasibility::Advice> list;
   std::optional<double> before;  // the largest feed of the present settings, simulated
@@ -114,33 +163,32 @@ void Adviser::advise(AdviceJob job) {
       });
 }
 
-void Adviser::judge(std::shared_ptr<const widgets::ProgramView> view,
-                    const feasibility::OperatingPoint& point,
-                    const feasibility::AccessModel& access) {
+void Adviser::judge(AdviceJob job) {
   renew(m_stopVerdict);
-  QThreadPool::globalInstance()->start([self = QPointer<Adviser>(this), stop = m_stopVerdict,
-                                        view = std::move(view), point, access] {
-    if (stop->load()) {
-      return;  // overtaken while it waited
-    }
-    TurnedVerdict turned{point, std::nullopt, {}};
-    const auto verdict = feasibility::judge(
-        point, feasibility::programDistances(view->points.points, point.pointsPerLoop), access);
-    if (verdict) {
-      turned.verdict = *verdict;
-    } else {
-      turned.error = verdict.error();
-    }
-    QMetaObject::invokeMethod(
-        qApp,
-        [self, stop, turned] {
-          if (self && self->m_stopVerdict == stop) {
-            self->m_stopVerdict.reset();
-            Q_EMIT self->turned(turned);
-          }
-        },
-        Qt::QueuedConnection);
-  });
+  QThreadPool::globalInstance()->start(
+      [self = QPointer<Adviser>(this), stop = m_stopVerdict, job = std::move(job)] {
+        if (stop->load()) {
+          return;  // overtaken while it waited
+        }
+        const feasibility::OperatingPoint& point = job.question.operatingPoint;
+        TurnedVerdict turned{point, std::nullopt, {}};
+        const auto verdict =
+            feasibility::judge(completed(job, point), distancesOf(job, point), job.question.access);
+        if (verdict) {
+          turned.verdict = *verdict;
+        } else {
+          turned.error = verdict.error();
+        }
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, stop, turned] {
+              if (self && self->m_stopVerdict == stop) {
+                self->m_stopVerdict.reset();
+                Q_EMIT self->turned(turned);
+              }
+            },
+            Qt::QueuedConnection);
+      });
 }
 
 }  // namespace rivulet::session

@@ -22,8 +22,9 @@ namespace rivulet::session {
 
 struct AdviceJob {
   std::shared_ptr<const widgets::ProgramView> view;  ///< at least 2 points
-  feasibility::AdviceQuestion question;
-  streaming::RunSettings settings;  ///< for the simulation; N, δ, F and method are replaced
+  feasibility::AdviceQuestion question;              ///< without `complete`
+  /// For the simulation; N, δ, method, F or override are replaced.
+  streaming::RunSettings settings;
 };
 
 /// Advice whose largest feeds also ran without a wrong point in the simulation; where it did not, a
@@ -48,9 +49,8 @@ class Adviser final : public QObject {
 
   /// `advised` answers.
   void advise(AdviceJob job);
-  /// `turned` answers.
-  void judge(std::shared_ptr<const widgets::ProgramView> view,
-             const feasibility::OperatingPoint& point, const feasibility::AccessModel& access);
+  /// The verdict on the operating point of the question; `turned` answers.
+  void judge(AdviceJob job);
   /// Nothing is reported any more of what was asked.
   void cancel();
 

@@ -9,6 +9,7 @@
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "gcode/feeds.h"
 
 namespace rivulet::feasibility {
 
@@ -17,12 +18,7 @@ namespace {
 /// Steps in which an operator types δ and the feed.
 constexpr double kDeltaStepMm = 0.01;
 constexpr double kFeedStepMmPerMin = 1.0;
-
-/// A feed as it is typed, strictly below the limit.
-double typedFeedBelow(double feedMmPerSMax) {
-  const double steps = base::mmPerMinFromMmPerS(feedMmPerSMax) / kFeedStepMmPerMin;
-  return base::mmPerSFromMmPerMin(std::max(1.0, std::ceil(steps) - 1.0) * kFeedStepMmPerMin);
-}
+constexpr double kOverrideStep = 0.01;
 
 class Adviser {
  public:
@@ -50,17 +46,39 @@ class Adviser {
  private:
   [[nodiscard]] bool goesOn() const { return !m_goOn || m_goOn(); }
 
+  [[nodiscard]] bool usesProgramFeeds() const { return m_question.fullFeedMmPerS > 0.0; }
+
+  [[nodiscard]] OperatingPoint completed(const OperatingPoint& point) const {
+    return m_question.complete ? m_question.complete(point) : point;
+  }
+
+  /// No override is larger than the largest that can be set.
+  [[nodiscard]] double reachable(double feedMmPerS) const {
+    return usesProgramFeeds()
+               ? std::min(feedMmPerS, gcode::kOverrideMax * m_question.fullFeedMmPerS)
+               : feedMmPerS;
+  }
+
+  /// A feed or an override as it is typed, strictly below the limit.
+  [[nodiscard]] double typedBelow(double feedMmPerSMax) const {
+    const double stepMmPerS = usesProgramFeeds() ? kOverrideStep * m_question.fullFeedMmPerS
+                                                 : base::mmPerSFromMmPerMin(kFeedStepMmPerMin);
+    return reachable(std::max(1.0, std::ceil(feedMmPerSMax / stepMmPerS) - 1.0) * stepMmPerS);
+  }
+
   [[nodiscard]] std::optional<Verdict> judged(const OperatingPoint& point) const {
     if (point.pointsPerLoop < 2) {
       return std::nullopt;
     }
-    const auto verdict = judge(point, programDistances(m_points, point.pointsPerLoop),
-                               m_question.access, m_question.safety);
+    const auto verdict =
+        judge(point, programDistances(m_points, point.pointsPerLoop, m_question.fullFeedMmPerS),
+              m_question.access, m_question.safety);
     return verdict ? std::optional(*verdict) : std::nullopt;
   }
 
   void add(AdviceKind kind, const OperatingPoint& after, double feedMmPerSMax) {
-    const Advice advice{kind, m_question.operatingPoint, after, m_feedMmPerSMax, feedMmPerSMax};
+    const Advice advice{kind, m_question.operatingPoint, after, reachable(m_feedMmPerSMax),
+                        reachable(feedMmPerSMax)};
     if (advice.gain() >= kAdviceGainMin && std::isfinite(advice.gain())) {
       m_list.push_back(advice);
     }
@@ -68,7 +86,7 @@ class Adviser {
 
   void lowerOrRaiseFeed(const Verdict& verdict) {
     OperatingPoint after = m_question.operatingPoint;
-    after.feedMmPerS = typedFeedBelow(m_feedMmPerSMax);
+    after.feedMmPerS = typedBelow(m_feedMmPerSMax);
     if (verdict.feasible && !verdict.waits) {
       add(AdviceKind::Feed, after, m_feedMmPerSMax);
     } else if (after.feedMmPerS < m_question.operatingPoint.feedMmPerS) {
@@ -83,6 +101,7 @@ class Adviser {
     OperatingPoint tried = best;
     for (int n = 2; n <= m_question.pointsPerLoopMax && goesOn(); ++n) {
       tried.pointsPerLoop = n;
+      tried = completed(tried);
       const auto verdict = judged(tried);
       // A hair more is no reason for more points on the way.
       if (verdict && verdict->feedMmPerSMax > bestMmPerS * (1.0 + 1e-9)) {
@@ -130,6 +149,7 @@ class Adviser {
         continue;
       }
       after.method = method;
+      after = completed(after);
       if (const auto verdict = judged(after)) {
         add(AdviceKind::Method, after, verdict->feedMmPerSMax);
       }

@@ -37,6 +37,11 @@ struct AdviceQuestion {
   SafetyFactors safety;
   int pointsPerLoopMax = 0;                 ///< largest N that fits; below 2: N is not changed
   std::vector<base::MethodKind> methods{};  ///< that may be chosen instead
+  /// With the feeds of the program: that of its fastest move at 100 %, mm/s, which all feeds here
+  /// refer to; points carry their feeds at 100 %. 0: one feed for all moves
+  double fullFeedMmPerS = 0.0;
+  /// What else changes with N or the method, as the cells of a point. Empty: nothing
+  std::function<OperatingPoint(const OperatingPoint&)> complete{};
 };
 
 /// The greatest gain first; a feed that has to be lowered comes before all others.

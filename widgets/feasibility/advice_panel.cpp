@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "base/nice_step.h"
-#include "base/units.h"
+#include "gcode/feeds.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -89,8 +89,6 @@ void AdvicePanel::buildKnobs(QVBoxLayout* layout) {
     m_names[index] = new QLabel(this);
     m_values[index] = makeValueLabel(this);
     m_values[index]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_values[index]->setMinimumWidth(
-        fontMetrics().horizontalAdvance(QStringLiteral("00,000 mm/min")));
     m_knobs[index] = new QSlider(Qt::Horizontal, this);
     m_knobs[index]->setMinimumHeight(kTouchHeightPx);
     m_knobs[index]->setMinimumWidth(80);
@@ -110,8 +108,13 @@ void AdvicePanel::buildKnobs(QVBoxLayout* layout) {
   layout->addLayout(grid);
 }
 
-void AdvicePanel::setOperatingPoint(const OperatingPoint& point, int pointsPerLoopMax) {
+void AdvicePanel::setOperatingPoint(const OperatingPoint& point, int pointsPerLoopMax,
+                                    const FeedScale& scale) {
   m_point = point;
+  if (scale != m_scale) {
+    m_scale = scale;
+    retranslate();
+  }
   m_pointsPerLoopMax = std::max(2, pointsPerLoopMax);
   const bool isTurning = std::any_of(m_knobs.begin(), m_knobs.end(),
                                      [](const QSlider* knob) { return knob->isSliderDown(); });
@@ -127,19 +130,23 @@ void AdvicePanel::setOperatingPoint(const OperatingPoint& point, int pointsPerLo
 void AdvicePanel::placeKnobs() {
   m_isPlacing = true;
   m_deltaMmMax = base::niceCeil(std::max(2.0 * m_point.deltaMm, 0.1));
-  const double feedMmPerMin = base::mmPerMinFromMmPerS(m_point.feedMmPerS);
-  const double limit =
-      m_verdict && std::isfinite(m_verdict->feedMmPerSMax)
-          ? std::min(base::mmPerMinFromMmPerS(m_verdict->feedMmPerSMax), 10.0 * feedMmPerMin)
-          : feedMmPerMin;
-  m_feedMmPerMinMax = base::niceCeil(1.5 * std::max({feedMmPerMin, limit, 10.0}));
+  const double feed = m_scale.shown(m_point.feedMmPerS);
+  if (m_scale.isOverride()) {
+    m_feedShownMax = 100.0 * gcode::kOverrideMax;
+    m_feedSteps = static_cast<int>(m_feedShownMax);
+  } else {
+    const double limit = m_verdict && std::isfinite(m_verdict->feedMmPerSMax)
+                             ? std::min(m_scale.shown(m_verdict->feedMmPerSMax), 10.0 * feed)
+                             : feed;
+    m_feedShownMax = base::niceCeil(1.5 * std::max({feed, limit, 10.0}));
+    m_feedSteps = kFeedSteps;
+  }
   m_knobs[Points]->setRange(2, std::max(m_pointsPerLoopMax, m_point.pointsPerLoop));
   m_knobs[Points]->setValue(m_point.pointsPerLoop);
   m_knobs[Delta]->setRange(1, static_cast<int>(std::lround(m_deltaMmMax / kDeltaStepMm)));
   m_knobs[Delta]->setValue(static_cast<int>(std::lround(m_point.deltaMm / kDeltaStepMm)));
-  m_knobs[Feed]->setRange(1, kFeedSteps);
-  m_knobs[Feed]->setValue(
-      static_cast<int>(std::lround(feedMmPerMin / m_feedMmPerMinMax * kFeedSteps)));
+  m_knobs[Feed]->setRange(1, m_feedSteps);
+  m_knobs[Feed]->setValue(static_cast<int>(std::lround(feed / m_feedShownMax * m_feedSteps)));
   m_isPlacing = false;
 }
 
@@ -150,11 +157,11 @@ void AdvicePanel::takeKnobs(bool isReleased) {
   if (m_knobs[Delta]->value() != deltaSteps) {
     under.deltaMm = m_knobs[Delta]->value() * kDeltaStepMm;
   }
-  const double shown = base::mmPerMinFromMmPerS(m_under.feedMmPerS);
+  const double shown = m_scale.shown(m_under.feedMmPerS);
   if (m_knobs[Feed]->value() !=
-      static_cast<int>(std::lround(shown / m_feedMmPerMinMax * kFeedSteps))) {
-    const double feed = m_knobs[Feed]->value() * m_feedMmPerMinMax / kFeedSteps;
-    under.feedMmPerS = base::mmPerSFromMmPerMin(feed >= 10.0 ? std::round(feed) : feed);
+      static_cast<int>(std::lround(shown / m_feedShownMax * m_feedSteps))) {
+    under.feedMmPerS =
+        m_scale.feedMmPerS(m_scale.typed(m_knobs[Feed]->value() * m_feedShownMax / m_feedSteps));
   }
   if (!isSame(under, m_under)) {
     m_under = under;
@@ -201,23 +208,27 @@ void AdvicePanel::setEditable(bool isEditable) {
   m_adviceBox->setEnabled(isEditable);
 }
 
-QString AdvicePanel::adviceText(const Advice& advice) {
-  const QString feeds = QStringLiteral("%1 → %2").arg(
-      numberText(base::mmPerMinFromMmPerS(advice.feedMmPerSMaxBefore), 0),
-      feedText(advice.feedMmPerSMaxAfter));
+QString AdvicePanel::adviceText(const Advice& advice, const FeedScale& scale) {
+  const QString feeds = scale.changeText(advice.feedMmPerSMaxBefore, advice.feedMmPerSMaxAfter);
+  const QString after = scale.text(advice.after.feedMmPerS);
+  const QString before = numberText(scale.shown(advice.before.feedMmPerS), 0);
+  const bool isOverride = scale.isOverride();
   switch (advice.kind) {
-    case AdviceKind::Feed: {
-      const QString after = feedText(advice.after.feedMmPerS);
-      const QString before = numberText(base::mmPerMinFromMmPerS(advice.before.feedMmPerS), 0);
+    case AdviceKind::Feed:
       if (advice.gain() > 1.0) {
-        return tr("F %1 instead of %2: still without wrong points").arg(after, before);
+        return (isOverride ? tr("Override %1 instead of %2: still without wrong points")
+                           : tr("F %1 instead of %2: still without wrong points"))
+            .arg(after, before);
       }
-      return base::hasWindows(advice.before.method)
-                 ? tr("F %1 instead of %2: without waiting").arg(after, before)
-                 : tr("F %1 instead of %2: feasible").arg(after, before);
-    }
+      if (isOverride) {
+        return tr("Override %1 instead of %2: without waiting").arg(after, before);
+      }
+      return (base::hasWindows(advice.before.method) ? tr("F %1 instead of %2: without waiting")
+                                                     : tr("F %1 instead of %2: feasible"))
+          .arg(after, before);
     case AdviceKind::PointsPerLoop:
-      return tr("N %1 instead of %2: largest feed %3")
+      return (isOverride ? tr("N %1 instead of %2: largest override %3")
+                         : tr("N %1 instead of %2: largest feed %3"))
           .arg(QString::number(advice.after.pointsPerLoop),
                QString::number(advice.before.pointsPerLoop), feeds);
     case AdviceKind::Delta:
@@ -238,7 +249,7 @@ void AdvicePanel::showKnobs() {
   m_values[Delta]->setVisible(usesDelta);
   m_values[Points]->setText(QString::number(m_under.pointsPerLoop));
   m_values[Delta]->setText(lengthText(m_under.deltaMm, 2));
-  m_values[Feed]->setText(feedText(m_under.feedMmPerS));
+  m_values[Feed]->setText(m_scale.text(m_under.feedMmPerS));
 }
 
 void AdvicePanel::showVerdict() {
@@ -248,8 +259,13 @@ void AdvicePanel::showVerdict() {
     m_verdictLabel->setStatus(Status::Unknown, isTurned ? tr("Judging …") : tr("No verdict"));
     return;
   }
-  const QString largest = feedText(verdict->feedMmPerSMax);
-  if (!verdict->feasible) {
+  const QString largest = m_scale.text(verdict->feedMmPerSMax);
+  if (m_scale.isOverride()) {
+    m_verdictLabel->setStatus(verdict->waits ? Status::Attention : Status::Good,
+                              verdict->waits
+                                  ? tr("Safe, with waiting above an override of %1").arg(largest)
+                                  : tr("By the equations without waiting up to %1").arg(largest));
+  } else if (!verdict->feasible) {
     m_verdictLabel->setStatus(Status::Fault, tr("Not feasible: largest feed %1").arg(largest));
   } else if (verdict->waits) {
     m_verdictLabel->setStatus(Status::Attention, tr("Safe, with waiting above %1").arg(largest));
@@ -265,7 +281,7 @@ void AdvicePanel::showAdvice() {
     delete item;
   }
   for (std::size_t i = 0; i < std::min(m_list.size(), kAdviceShown); ++i) {
-    auto* row = new AdviceRow(adviceText(m_list[i]), tr("Use"), m_adviceBox);
+    auto* row = new AdviceRow(adviceText(m_list[i], m_scale), tr("Use"), m_adviceBox);
     m_adviceRows->addWidget(row);
     connect(row->use(), &QPushButton::clicked, this,
             [this, after = m_list[i].after] { Q_EMIT operatingPointRequested(after); });
@@ -285,10 +301,13 @@ void AdvicePanel::retranslate() {
   m_knobTitle->setText(tr("Try"));
   m_names[Points]->setText(QStringLiteral("N"));
   m_names[Delta]->setText(QStringLiteral("δ"));
-  m_names[Feed]->setText(QStringLiteral("F"));
+  m_names[Feed]->setText(m_scale.isOverride() ? tr("Override") : QStringLiteral("F"));
   m_knobs[Points]->setAccessibleName(tr("Points per loop N"));
   m_knobs[Delta]->setAccessibleName(tr("Distance δ"));
-  m_knobs[Feed]->setAccessibleName(tr("Feed F"));
+  m_knobs[Feed]->setAccessibleName(m_scale.isOverride() ? tr("Override") : tr("Feed F"));
+  // So that the sliders keep their place while one is moved.
+  m_values[Feed]->setMinimumWidth(fontMetrics().horizontalAdvance(
+      m_scale.isOverride() ? QStringLiteral("0.00 mm") : QStringLiteral("00,000 mm/min")));
   showKnobs();
   showVerdict();
   showAdvice();

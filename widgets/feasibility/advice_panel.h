@@ -11,6 +11,7 @@
 
 #include "feasibility/advice.h"
 #include "widgets/common/page.h"
+#include "widgets/feasibility/feed_scale.h"
 
 class QLabel;
 class QSlider;
@@ -27,7 +28,8 @@ class AdvicePanel final : public Page {
   explicit AdvicePanel(QWidget* parent = nullptr);
 
   /// @param pointsPerLoopMax  largest N that fits
-  void setOperatingPoint(const feasibility::OperatingPoint& point, int pointsPerLoopMax);
+  void setOperatingPoint(const feasibility::OperatingPoint& point, int pointsPerLoopMax,
+                         const FeedScale& scale = {});
   /// The verdict on the operating point. Nothing: no program.
   void setVerdict(const std::optional<feasibility::Verdict>& verdict);
   /// On what is under the finger. Ignored if the sliders have moved on.
@@ -38,8 +40,9 @@ class AdvicePanel final : public Page {
   void setAdvice(const std::vector<feasibility::Advice>& list);
   void setEditable(bool isEditable);
 
-  /// "N 9 instead of 7: largest feed 829 → 1,090 mm/min".
-  [[nodiscard]] static QString adviceText(const feasibility::Advice& advice);
+  /// "N 9 instead of 7: largest feed 829 → 1,090 mm/min", or "largest override 83 → 109 %".
+  [[nodiscard]] static QString adviceText(const feasibility::Advice& advice,
+                                          const FeedScale& scale = {});
 
  Q_SIGNALS:
   /// A slider is being moved; nothing is set.
@@ -76,7 +79,9 @@ class AdvicePanel final : public Page {
   std::optional<feasibility::Verdict> m_turned;  ///< of `m_under`; nothing: not known yet
   int m_pointsPerLoopMax = 2;
   double m_deltaMmMax = 1.0;
-  double m_feedMmPerMinMax = 1000.0;
+  FeedScale m_scale;
+  double m_feedShownMax = 1000.0;  ///< as `FeedScale::shown`, at the right end of the slider
+  int m_feedSteps = 1;
   bool m_isPlacing = false;
   bool m_isBusy = false;
   bool m_isEditable = true;

@@ -94,7 +94,8 @@ void FeasibilityPage::setModel(const FeasibilityModel& model) {
     chart->setModel(model);
   }
   m_advice->setVerdict(model.verdict);
-  m_advice->setOperatingPoint(model.operatingPoint, model.pointsPerLoopMax);
+  m_advice->setOperatingPoint(model.operatingPoint, model.pointsPerLoopMax, model.scale);
+  showTitles();
   dropStaleRegions();
   showSimulation();
   showHint();
@@ -135,6 +136,7 @@ void FeasibilityPage::dropStaleRegions() {
     const bool position = now.method == base::MethodKind::Position;
     const bool holds =
         now.method == then.method && now.cellsPerPoint == then.cellsPerPoint &&
+        m_model->scale == region.scale &&
         (region.axis == SweepAxis::PointsPerLoop || now.pointsPerLoop == then.pointsPerLoop) &&
         (!position || region.axis == SweepAxis::Delta || now.deltaMm == then.deltaMm);
     if (!holds) {
@@ -171,9 +173,7 @@ void FeasibilityPage::showChart(SweepAxis axis) {
 }
 
 void FeasibilityPage::retranslate() {
-  m_tabs->setTabText(0, tr("F over d_min"));
-  m_tabs->setTabText(1, tr("F over N"));
-  m_tabs->setTabText(2, tr("F over δ"));
+  showTitles();
   for (RegionChart* chart : m_charts) {
     chart->retranslate();
   }
@@ -187,6 +187,13 @@ void FeasibilityPage::retranslate() {
   showHint();
   showAccess();
   showLegend();
+}
+
+void FeasibilityPage::showTitles() {
+  const bool isOverride = m_model && m_model->scale.isOverride();
+  m_tabs->setTabText(0, isOverride ? tr("Override over t_min") : tr("F over d_min"));
+  m_tabs->setTabText(1, isOverride ? tr("Override over N") : tr("F over N"));
+  m_tabs->setTabText(2, isOverride ? tr("Override over δ") : tr("F over δ"));
 }
 
 void FeasibilityPage::restyle() {
@@ -222,14 +229,22 @@ void FeasibilityPage::showHint() {
     return;
   }
   const bool position = m_model->operatingPoint.method == base::MethodKind::Position;
-  QString text = tr("Drag the ring to change the feed.");
-  if (m_tabs->currentIndex() == 1) {
+  const bool isOverride = m_model->scale.isOverride();
+  QString text = isOverride
+                     ? tr("Drag the ring to change the override on the feeds of the program.")
+                     : tr("Drag the ring to change the feed.");
+  if (m_tabs->currentIndex() == 1 && isOverride) {
+    text = tr("Drag the ring to change N and the override.");
+  } else if (m_tabs->currentIndex() == 1) {
     text = position ? tr("Drag the ring to change N and the feed. Method position does not depend "
                          "on N.")
                     : tr("Drag the ring to change N and the feed.");
   } else if (m_tabs->currentIndex() == 2) {
     text = position ? tr("Drag the ring to change δ and the feed.")
                     : tr("This method does not use δ: the limits do not depend on it.");
+  }
+  if (!m_model->limitedBy.isEmpty()) {
+    text += QLatin1Char(' ') + tr("Largest override: %1.").arg(m_model->limitedBy);
   }
   const auto* shown = static_cast<RegionChart*>(m_tabs->currentWidget());
   if (shown->region()) {
@@ -285,7 +300,8 @@ void FeasibilityPage::showLegend() {
   entries.push_back({LegendEntry::Symbol::Line, published, {}, tr("dashed: as published")});
   if (m_tabs->currentIndex() == 0 && m_model && !m_model->smallestDistancesMm.empty()) {
     entries.push_back({LegendEntry::Symbol::Dot, QPen(Qt::NoPen), colors.mutedText,
-                       tr("Smallest distances of the program")});
+                       m_model->scale.isOverride() ? tr("Shortest moves of the program")
+                                                   : tr("Smallest distances of the program")});
   }
   if (chart->region()) {
     const std::array<QColor, 3> simulated = RegionChart::pointColors(palette());

@@ -54,6 +54,7 @@ class FeasibilityPage final : public Page {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void showTitles();
   void showHint();
   void showAccess();
   void showLegend();

@@ -16,7 +16,7 @@
 #include <limits>
 
 #include "base/nice_step.h"
-#include "base/units.h"
+#include "gcode/feeds.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/chart_style.h"
@@ -78,7 +78,7 @@ class RegionFailures final : public QGraphicsItem {
     std::vector<double> feeds;
     for (const SimulatedPoint& point : points) {
       abscissas.push_back(point.abscissa);
-      feeds.push_back(base::mmPerMinFromMmPerS(point.feedMmPerS));
+      feeds.push_back(point.feedMmPerS);
     }
     painter->save();
     painter->setClipRect(m_view->chart()->plotArea());
@@ -172,7 +172,8 @@ class RegionOverlay final : public QGraphicsItem {
     painter->setPen(QPen(colors.mutedText, 1.4, Qt::DotLine));
     painter->drawLine(QPointF(x, area().top()), QPointF(x, area().bottom()));
     const QString text =
-        QStringLiteral("d_min = %1").arg(lengthText(model.distances.pointDistanceMmMin));
+        (model.scale.isOverride() ? QStringLiteral("t_min = %1") : QStringLiteral("d_min = %1"))
+            .arg(model.scale.distanceText(model.distances.pointDistanceMmMin));
     QRectF box = QRectF(painter->fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
     box.moveTopLeft(QPointF(x + 4.0, area().top() + 2.0));
     if (box.right() > area().right()) {
@@ -192,9 +193,9 @@ class RegionOverlay final : public QGraphicsItem {
       QPointF place;
       bool found = false;
       for (auto point = border.points.rbegin(); point != border.points.rend(); ++point) {
-        const double feed = base::mmPerMinFromMmPerS(point->feedMmPerS);
-        if (std::isfinite(feed) && feed <= m_view->m_feedMmPerMinMax * 0.98) {
-          place = m_view->pixel(point->abscissa, feed);
+        const double feed = m_view->scale().shown(point->feedMmPerS);
+        if (std::isfinite(feed) && feed <= m_view->m_feedShownMax * 0.98) {
+          place = m_view->pixel(point->abscissa, point->feedMmPerS);
           found = true;
           break;
         }
@@ -236,7 +237,10 @@ class RegionOverlay final : public QGraphicsItem {
     painter->drawEllipse(centre, 2.5, 2.5);
 
     const feasibility::OperatingPoint& point = m_view->m_model->operatingPoint;
-    QString text = QStringLiteral("F = %1").arg(feedText(point.feedMmPerS));
+    const FeedScale scale = m_view->scale();
+    QString text = scale.isOverride()
+                       ? RegionChart::tr("Override %1").arg(scale.text(point.feedMmPerS))
+                       : QStringLiteral("F = %1").arg(feedText(point.feedMmPerS));
     if (m_view->m_axis == SweepAxis::PointsPerLoop) {
       text = QStringLiteral("N = %1, ").arg(point.pointsPerLoop) + text;
     } else if (m_view->m_axis == SweepAxis::Delta) {
@@ -315,8 +319,23 @@ RegionChart::RegionChart(SweepAxis axis, QWidget* parent)
 }
 
 void RegionChart::setModel(const FeasibilityModel& model) {
+  const bool isOtherScale = model.scale.isOverride() != scale().isOverride();
   m_model = model;
+  if (isOtherScale) {
+    retranslate();
+  }
   rebuild();
+}
+
+void RegionChart::showEvent(QShowEvent* event) {
+  QChartView::showEvent(event);
+  if (m_isStale) {
+    draw();
+  }
+}
+
+double RegionChart::shownX(double abscissa) const {
+  return m_axis == SweepAxis::PointDistance ? scale().shownDistance(abscissa) : abscissa;
 }
 
 void RegionChart::setRegion(const std::optional<SimulatedRegion>& region) {
@@ -339,6 +358,8 @@ QBrush RegionChart::bandBrush(const QPalette& palette) {
 SimulationWanted RegionChart::simulationWanted() const {
   constexpr int kAbscissas = 8;
   constexpr int kFeeds = 10;
+  // Larger ones cannot be set.
+  const double feedShownMax = scale().isOverride() ? scale().typed(m_feedShownMax) : m_feedShownMax;
   SimulationWanted wanted;
   wanted.axis = m_axis;
   if (!m_model || abscissa() <= 0.0) {
@@ -362,7 +383,7 @@ SimulationWanted RegionChart::simulationWanted() const {
       });
   *nearest = abscissa();
   for (int i = 0; i < kFeeds; ++i) {
-    wanted.feedsMmPerS.push_back(base::mmPerSFromMmPerMin(m_feedMmPerMinMax * (i + 0.5) / kFeeds));
+    wanted.feedsMmPerS.push_back(scale().feedMmPerS(feedShownMax * (i + 0.5) / kFeeds));
   }
   return wanted;
 }
@@ -375,12 +396,12 @@ void RegionChart::showRegion() {
     for (const SimulatedPoint& point : m_region->points) {
       if (point.runs > 0) {
         const std::size_t kind = point.failures == 0 ? 0 : point.failures < point.runs ? 1 : 2;
-        points[kind].append(QPointF(point.abscissa, base::mmPerMinFromMmPerS(point.feedMmPerS)));
+        points[kind].append(QPointF(shownX(point.abscissa), scale().shown(point.feedMmPerS)));
       }
     }
     for (const ProbabilityBand& band : m_region->band) {
-      half.append(QPointF(band.abscissa, base::mmPerMinFromMmPerS(band.halfMmPerS)));
-      rare.append(QPointF(band.abscissa, base::mmPerMinFromMmPerS(band.rareMmPerS)));
+      half.append(QPointF(shownX(band.abscissa), scale().shown(band.halfMmPerS)));
+      rare.append(QPointF(shownX(band.abscissa), scale().shown(band.rareMmPerS)));
     }
   }
   for (std::size_t kind = 0; kind < points.size(); ++kind) {
@@ -393,10 +414,11 @@ void RegionChart::showRegion() {
 
 void RegionChart::retranslate() {
   chart()->setLocale(QLocale());
-  m_yAxis->setTitleText(tr("F, mm/min"));
+  m_yAxis->setTitleText(scale().isOverride() ? tr("Override, %") : tr("F, mm/min"));
   switch (m_axis) {
     case SweepAxis::PointDistance:
-      m_xAxis->setTitleText(tr("d_min, mm"));
+      m_xAxis->setTitleText(scale().isOverride() ? tr("t_min, ms: shortest move at 100 %")
+                                                 : tr("d_min, mm"));
       break;
     case SweepAxis::PointsPerLoop:
       m_xAxis->setTitleText(tr("N, points per loop"));
@@ -430,8 +452,7 @@ void RegionChart::restyle(const QPalette& palette) {
 }
 
 QPointF RegionChart::operatingPixel() const {
-  return m_model ? pixel(abscissa(), base::mmPerMinFromMmPerS(m_model->operatingPoint.feedMmPerS))
-                 : QPointF();
+  return m_model ? pixel(abscissa(), m_model->operatingPoint.feedMmPerS) : QPointF();
 }
 
 bool RegionChart::decides(const Border& border) const {
@@ -488,6 +509,15 @@ void RegionChart::rebuild() {
   }
   m_borders = feasibility::sweepBorders(m_model->operatingPoint, m_model->distances, m_axis,
                                         sweepRange(), m_model->access, m_model->safety);
+  // The picture of a chart in the back is made when it comes to the front.
+  m_isStale = !isVisible();
+  if (!m_isStale) {
+    draw();
+  }
+}
+
+void RegionChart::draw() {
+  m_isStale = false;
   drawAreas();
   drawBorders();
   drawDistances();
@@ -519,10 +549,10 @@ void RegionChart::drawAreas() {
     }
     QList<QPointF>& lowest = border.withSafety ? safe : published;
     for (std::size_t index = 0; index < border.points.size(); ++index) {
-      const double feed = base::mmPerMinFromMmPerS(border.points[index].feedMmPerS);
-      const double shown = std::isfinite(feed) ? feed : 10.0 * m_feedMmPerMinMax;
+      const double feed = scale().shown(border.points[index].feedMmPerS);
+      const double shown = std::isfinite(feed) ? feed : 10.0 * m_feedShownMax;
       if (static_cast<std::size_t>(lowest.size()) <= index) {
-        lowest.append(QPointF(border.points[index].abscissa, shown));
+        lowest.append(QPointF(shownX(border.points[index].abscissa), shown));
       } else {
         QPointF& point = lowest[static_cast<qsizetype>(index)];
         point.setY(std::min(point.y(), shown));
@@ -530,7 +560,7 @@ void RegionChart::drawAreas() {
     }
   }
   // Far above the picture the area would only cost time.
-  const double ceiling = 2.0 * m_feedMmPerMinMax;
+  const double ceiling = 2.0 * m_feedShownMax;
   QList<QPointF> floor;
   for (QPointF& point : safe) {
     point.setY(std::min(point.y(), ceiling));
@@ -563,9 +593,9 @@ void RegionChart::drawBorders() {
     if (index < m_borders.size()) {
       const Border& border = m_borders[index];
       for (const feasibility::BorderPoint& point : border.points) {
-        const double feed = base::mmPerMinFromMmPerS(point.feedMmPerS);
+        const double feed = scale().shown(point.feedMmPerS);
         if (std::isfinite(feed)) {
-          points.append(QPointF(point.abscissa, std::min(feed, 50.0 * m_feedMmPerMinMax)));
+          points.append(QPointF(shownX(point.abscissa), std::min(feed, 50.0 * m_feedShownMax)));
         }
       }
       QPen pen(colors.equations[static_cast<std::size_t>(border.equation)],
@@ -583,10 +613,10 @@ void RegionChart::drawBorders() {
 void RegionChart::drawDistances() {
   QList<QPointF> marks;
   if (m_axis == SweepAxis::PointDistance) {
-    const double feed = base::mmPerMinFromMmPerS(m_model->operatingPoint.feedMmPerS);
+    const double feed = scale().shown(m_model->operatingPoint.feedMmPerS);
     for (const double distanceMm : m_model->smallestDistancesMm) {
       if (distanceMm <= m_xMax) {
-        marks.append(QPointF(distanceMm, feed));
+        marks.append(QPointF(shownX(distanceMm), feed));
       }
     }
   }
@@ -594,9 +624,9 @@ void RegionChart::drawDistances() {
 }
 
 void RegionChart::divideAxes() {
-  divideAxis(m_xAxis, m_axis == SweepAxis::PointsPerLoop ? 2.0 : 0.0, m_xMax,
+  divideAxis(m_xAxis, m_axis == SweepAxis::PointsPerLoop ? 2.0 : 0.0, shownX(m_xMax),
              std::clamp(width() / 70, 3, 12));
-  divideAxis(m_yAxis, 0.0, m_feedMmPerMinMax, std::clamp(height() / 45, 3, 10));
+  divideAxis(m_yAxis, 0.0, m_feedShownMax, std::clamp(height() / 45, 3, 10));
 }
 
 void RegionChart::chooseRanges() {
@@ -611,7 +641,7 @@ void RegionChart::chooseRanges() {
             model.smallestDistancesMm[model.smallestDistancesMm.size() * 3 / 4] * 1.2;
         reach = std::clamp(typical, reach, 4.0 * reach);
       }
-      m_xMax = base::niceCeil(reach);
+      m_xMax = model.scale.distanceMm(base::niceCeil(model.scale.shownDistance(reach)));
       break;
     }
     case SweepAxis::PointsPerLoop:
@@ -637,7 +667,11 @@ void RegionChart::chooseRanges() {
   if (std::isfinite(limitMmPerS)) {
     reach = std::max(reach, std::min(1.5 * limitMmPerS, 20.0 * model.operatingPoint.feedMmPerS));
   }
-  m_feedMmPerMinMax = base::niceCeil(std::max(base::mmPerMinFromMmPerS(reach), 1.0));
+  if (model.scale.isOverride()) {
+    // A larger override cannot be set.
+    reach = std::min(reach, 1.25 * gcode::kOverrideMax * model.scale.fullFeedMmPerS);
+  }
+  m_feedShownMax = base::niceCeil(std::max(model.scale.shown(reach), 1.0));
 }
 
 double RegionChart::abscissa() const {
@@ -652,18 +686,15 @@ double RegionChart::abscissa() const {
   return 0.0;
 }
 
-QPointF RegionChart::pixel(double x, double feedMmPerMin) const {
-  return chart()->mapToPosition(QPointF(x, feedMmPerMin), m_anchor);
+QPointF RegionChart::pixel(double abscissa, double feedMmPerS) const {
+  return chart()->mapToPosition(QPointF(shownX(abscissa), scale().shown(feedMmPerS)), m_anchor);
 }
 
 void RegionChart::dragTo(QPointF pixel) {
   const QPointF value = chart()->mapToValue(pixel, m_anchor);
   feasibility::OperatingPoint& point = m_model->operatingPoint;
-  // Whole mm/min and hundredths of a mm: as an operator would type them.
-  const double feedStep = m_feedMmPerMinMax >= 200.0 ? 1.0 : 0.1;
-  const double feed =
-      std::clamp(std::round(value.y() / feedStep) * feedStep, feedStep, m_feedMmPerMinMax);
-  point.feedMmPerS = base::mmPerSFromMmPerMin(feed);
+  // Whole mm/min or %, and hundredths of a mm: as an operator would type them.
+  point.feedMmPerS = scale().feedMmPerS(scale().typed(std::min(value.y(), m_feedShownMax)));
   if (m_axis == SweepAxis::PointsPerLoop) {
     point.pointsPerLoop = static_cast<int>(std::clamp(std::round(value.x()), 2.0, m_xMax));
   } else if (m_axis == SweepAxis::Delta) {

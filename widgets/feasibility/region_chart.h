@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "widgets/calibration/access_source.h"
+#include "widgets/feasibility/feed_scale.h"
 #include "widgets/feasibility/simulated_region.h"
 
 class QAreaSeries;
@@ -29,12 +30,14 @@ class RegionOverlay;
 struct FeasibilityModel {
   feasibility::OperatingPoint operatingPoint;
   feasibility::ProgramDistances distances;
+  FeedScale scale{};  ///< with the feeds of the program, all distances are those in time
   std::vector<double> smallestDistancesMm;  ///< of neighbouring points, ascending, at most 200
   feasibility::AccessModel access;
   AccessSource source;  ///< of `access`, to be shown
   feasibility::SafetyFactors safety;
   int pointsPerLoopMax = 2;  ///< largest N that fits
   std::optional<feasibility::Verdict> verdict{};
+  QString limitedBy{};  ///< with the feeds of the program: the largest override and its block
 };
 
 class RegionChart final : public QChartView {
@@ -78,12 +81,17 @@ class RegionChart final : public QChartView {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   friend class RegionOverlay;
   friend class RegionFailures;
 
   void rebuild();
+  void draw();
+  [[nodiscard]] FeedScale scale() const { return m_model ? m_model->scale : FeedScale(); }
+  /// On the axes: mm, ms or N, and mm/min or %.
+  [[nodiscard]] double shownX(double abscissa) const;
   [[nodiscard]] feasibility::SweepRange sweepRange() const;
   /// The areas below all limits that decide, with safety factor and as published.
   void drawAreas();
@@ -94,7 +102,7 @@ class RegionChart final : public QChartView {
   void showRegion();
   void chooseRanges();
   [[nodiscard]] double abscissa() const;
-  [[nodiscard]] QPointF pixel(double x, double feedMmPerMin) const;
+  [[nodiscard]] QPointF pixel(double abscissa, double feedMmPerS) const;
   void dragTo(QPointF pixel);
 
   feasibility::SweepAxis m_axis;
@@ -104,8 +112,9 @@ class RegionChart final : public QChartView {
   std::vector<feasibility::Border> m_borders;
   bool m_editable = true;
   bool m_dragging = false;
-  double m_xMax = 1.0;
-  double m_feedMmPerMinMax = 1000.0;
+  bool m_isStale = false;          ///< the picture is not of the present model
+  double m_xMax = 1.0;             ///< mm or N
+  double m_feedShownMax = 1000.0;  ///< as `FeedScale::shown`
 
   QValueAxis* m_xAxis;
   QValueAxis* m_yAxis;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "feasibility/sweep.h"
+#include "widgets/feasibility/feed_scale.h"
 
 namespace rivulet::widgets {
 
@@ -38,6 +39,7 @@ struct ProbabilityBand {
 struct SimulatedRegion {
   feasibility::SweepAxis axis = feasibility::SweepAxis::PointDistance;
   feasibility::OperatingPoint operatingPoint;  ///< method, N and δ it was made with
+  FeedScale scale{};                           ///< as in the model it was made for
   std::size_t programPoints = 0;               ///< points of the simulated section
   std::vector<SimulatedPoint> points;
   std::vector<ProbabilityBand> band;  ///< ascending

@@ -60,10 +60,14 @@ void takeDistances(ProgramView& view) {
   const std::vector<gcode::StreamPoint>& points = view.points.points;
   std::vector<double> distances;
   distances.reserve(points.size());
+  std::vector<double> timed;
+  timed.reserve(points.size());
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double distance = base::distance(points[i - 1].positionMm, points[i].positionMm);
     if (distance > 0.0) {  // else only rotary axes turn
       distances.push_back(distance);
+      const double feedMmPerS = points[i].feedMmPerS;
+      timed.push_back(feedMmPerS > 0.0 ? distance * view.fastestMmPerS / feedMmPerS : distance);
     }
     switch (view.kinds[i]) {
       case gcode::MoveKind::Rapid:
@@ -81,9 +85,13 @@ void takeDistances(ProgramView& view) {
         break;
     }
   }
-  const auto shown = static_cast<std::ptrdiff_t>(std::min(kSmallestShown, distances.size()));
-  std::partial_sort(distances.begin(), distances.begin() + shown, distances.end());
-  view.smallestDistancesMm.assign(distances.begin(), distances.begin() + shown);
+  const auto smallest = [](std::vector<double>& list) {
+    const auto shown = static_cast<std::ptrdiff_t>(std::min(kSmallestShown, list.size()));
+    std::partial_sort(list.begin(), list.begin() + shown, list.end());
+    return std::vector<double>(list.begin(), list.begin() + shown);
+  };
+  view.smallestDistancesMm = smallest(distances);
+  view.smallestTimedMm = smallest(timed);
 }
 
 void orderByLine(ProgramView& view) {

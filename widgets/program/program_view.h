@@ -54,6 +54,8 @@ struct ProgramView {
   std::optional<feasibility::PathStatistics> statistics;  ///< of two points or more
   KindLengths lengths;
   std::vector<double> smallestDistancesMm;  ///< ascending, at most 200: shown in the region
+  /// The same as long as the largest feed goes in the time of each move.
+  std::vector<double> smallestTimedMm;
   /// d_min and d_min^N for the requested N; nothing for fewer than two points.
   std::optional<feasibility::ProgramDistances> distances;
   /// The same as long as the largest feed goes in the time of each move.

@@ -22,6 +22,31 @@ namespace {
 /// Points a simulation of the region is made with.
 constexpr std::size_t kSimulatedPoints = 200;
 
+/// Empty: one feed for all moves.
+widgets::FeedScale feedScaleOf(const Document& document) {
+  return {document.settings().usesProgramFeeds() && document.view() ? document.view()->fastestMmPerS
+                                                                    : 0.0};
+}
+
+/// N that may be tried: the feeds of the program may travel with the windows instead.
+int pointsPerLoopMax(const Document& document) {
+  templates::TemplateParameters parameters = document.parameters();
+  parameters.feedPerPoint = false;
+  return templates::pointsPerLoopMax(parameters);
+}
+
+/// With the feeds of the program the chart has distances in time, the simulation real ones.
+/// @return the real d_min of the job as a share of the one in time
+double realPerTimed(const session::RegionJob& job) {
+  if (!job.settings.programFeeds || job.axis != feasibility::SweepAxis::PointDistance) {
+    return 1.0;
+  }
+  const double timedMm =
+      feasibility::programDistances(job.points, 2, job.settings.feedMmPerS).pointDistanceMmMin;
+  return timedMm > 0.0 ? feasibility::programDistances(job.points, 2).pointDistanceMmMin / timedMm
+                       : 1.0;
+}
+
 /// The stretch of the program with the tightest distances, at the points of the grid.
 session::RegionJob jobOf(const Document& document, const widgets::SimulationWanted& wanted) {
   const feasibility::ProgramDistances& distances = *document.findings().distances;
@@ -44,22 +69,26 @@ session::RegionJob jobOf(const Document& document, const widgets::SimulationWant
   const int fits = templates::pointsPerLoopMax(job.settings.parameters);
   for (const double abscissa : wanted.abscissas) {
     if (wanted.axis != feasibility::SweepAxis::PointsPerLoop || abscissa <= fits) {
-      job.abscissas.push_back(abscissa);
+      job.abscissas.push_back(abscissa * realPerTimed(job));
     }
   }
   return job;
 }
 
-widgets::SimulatedRegion regionOf(const session::RegionOutcome& outcome) {
+widgets::SimulatedRegion regionOf(const session::RegionOutcome& outcome,
+                                  const widgets::FeedScale& scale) {
+  const double perShown = realPerTimed(outcome.job);
   widgets::SimulatedRegion region;
+  region.scale = scale;
   region.axis = outcome.job.axis;
   region.operatingPoint = report::operatingPointOf(outcome.job.settings);
   region.programPoints = outcome.job.points.size();
   for (const experiments::RegionPoint& point : outcome.points) {
-    region.points.push_back({point.abscissa, point.feedMmPerS, point.runs, point.failures()});
+    region.points.push_back(
+        {point.abscissa / perShown, point.feedMmPerS, point.runs, point.failures()});
   }
   for (const session::RegionBandPoint& point : outcome.band) {
-    region.band.push_back({point.abscissa, point.rareMmPerS, point.halfMmPerS});
+    region.band.push_back({point.abscissa / perShown, point.rareMmPerS, point.halfMmPerS});
   }
   return region;
 }
@@ -70,22 +99,29 @@ void showFindings(FeasibilityPage* page, const Document& document) {
   model.operatingPoint = findings.operatingPoint;
   model.access = findings.access;
   model.source = findings.source;
-  model.pointsPerLoopMax = templates::pointsPerLoopMax(document.parameters());
+  model.scale = feedScaleOf(document);
+  model.pointsPerLoopMax = pointsPerLoopMax(document);
+  if (findings.overrideLimit) {
+    model.limitedBy = widgets::overrideLimitText(*findings.overrideLimit);
+  }
   model.verdict = findings.verdict;
   if (findings.distances) {
     model.distances = *findings.distances;
   }
   if (document.view()) {
-    model.smallestDistancesMm = document.view()->smallestDistancesMm;
+    model.smallestDistancesMm = model.scale.isOverride() ? document.view()->smallestTimedMm
+                                                         : document.view()->smallestDistancesMm;
   }
   page->setModel(model);
 }
 
 void connectSimulation(FeasibilityPage* page, const Models& models) {
   auto* worker = new RegionWorker(page);
+  const auto scale = std::make_shared<widgets::FeedScale>();  // of the job in progress
   QObject::connect(page, &FeasibilityPage::simulationRequested, worker,
-                   [page, worker, models](const widgets::SimulationWanted& wanted) {
+                   [page, worker, models, scale](const widgets::SimulationWanted& wanted) {
                      if (models.document.findings().distances && !models.runs.isRunning()) {
+                       *scale = feedScaleOf(models.document);
                        worker->start(jobOf(models.document, wanted));
                        page->setSimulationProgress(0);
                      }
@@ -96,16 +132,16 @@ void connectSimulation(FeasibilityPage* page, const Models& models) {
                    &FeasibilityPage::setSimulationProgress);
   QObject::connect(worker, &RegionWorker::cancelled, page,
                    [page] { page->setSimulationProgress(std::nullopt); });
-  QObject::connect(worker, &RegionWorker::finished, page,
-                   [page, models](const std::shared_ptr<const session::RegionOutcome>& outcome) {
-                     page->setSimulationProgress(std::nullopt);
-                     if (outcome->error.code) {
-                       models.messages.show(gcode::Severity::Warning, [error = outcome->error] {
-                         return widgets::errorText(error);
-                       });
-                     }
-                     page->setRegion(regionOf(*outcome));
-                   });
+  QObject::connect(
+      worker, &RegionWorker::finished, page,
+      [page, models, scale](const std::shared_ptr<const session::RegionOutcome>& outcome) {
+        page->setSimulationProgress(std::nullopt);
+        if (outcome->error.code) {
+          models.messages.show(gcode::Severity::Warning,
+                               [error = outcome->error] { return widgets::errorText(error); });
+        }
+        page->setRegion(regionOf(*outcome, *scale));
+      });
   // During a run the processors belong to the stream.
   QObject::connect(&models.runs, &RunController::started, worker, &RegionWorker::cancel);
   QObject::connect(&models.document, &Document::programLoaded, worker, [page, worker] {
@@ -115,14 +151,14 @@ void connectSimulation(FeasibilityPage* page, const Models& models) {
 }
 
 /// Methods that the program may be streamed with instead. Credit needs a test of the control, and
-/// of file nothing is known.
+/// of file nothing is known. Only method window takes the feeds of the program.
 std::vector<base::MethodKind> otherMethods(const Document& document) {
   const base::RotarySet& turned = document.view()->turnedAxes;
   const bool isTurned = std::find(turned.begin(), turned.end(), true) != turned.end();
   std::vector<base::MethodKind> methods;
   for (const base::MethodTraits& traits : base::kMethods) {
     if (!traits.needsCommissioning && traits.kind != base::MethodKind::File &&
-        (traits.streamsRotary || !isTurned)) {
+        !document.settings().usesProgramFeeds() && (traits.streamsRotary || !isTurned)) {
       methods.push_back(traits.kind);
     }
   }
@@ -135,13 +171,25 @@ struct AdviceKey {
   feasibility::OperatingPoint point;
   base::Duration accessTime{};
   std::string templateText;
+  widgets::FeedScale scale;
 };
 
 bool isSame(const AdviceKey& a, const AdviceKey& b) {
   return a.view == b.view && a.point.method == b.point.method &&
          a.point.pointsPerLoop == b.point.pointsPerLoop && a.point.deltaMm == b.point.deltaMm &&
          a.point.feedMmPerS == b.point.feedMmPerS && a.accessTime == b.accessTime &&
-         a.templateText == b.templateText;
+         a.templateText == b.templateText && a.scale == b.scale;
+}
+
+session::AdviceJob adviceJob(const Document& document) {
+  const Findings& findings = document.findings();
+  session::AdviceJob job;
+  job.view = document.view();
+  job.settings = document.runSettings();
+  job.question = {
+      findings.operatingPoint,    findings.access,        {},
+      pointsPerLoopMax(document), otherMethods(document), feedScaleOf(document).fullFeedMmPerS};
+  return job;
 }
 
 void connectAdvice(FeasibilityPage* page, const Models& models) {
@@ -157,10 +205,7 @@ void connectAdvice(FeasibilityPage* page, const Models& models) {
   const auto asked = std::make_shared<AdviceKey>();
   QObject::connect(document, &Document::judged, page, [=] {
     const Findings& findings = document->findings();
-    // The advice is about one feed for all moves.
-    const bool isAdvised = !document->settings().usesProgramFeeds();
-    panel->setVisible(isAdvised);
-    if (!findings.verdict || !isAdvised) {
+    if (!findings.verdict) {
       *asked = {};
       rest->stop();
       adviser->cancel();
@@ -168,7 +213,7 @@ void connectAdvice(FeasibilityPage* page, const Models& models) {
       return;
     }
     const AdviceKey key{document->view(), findings.operatingPoint, findings.verdict->accessTime,
-                        findings.templateText};
+                        findings.templateText, feedScaleOf(*document)};
     if (!isSame(key, *asked) && !runs->isRunning()) {
       *asked = key;
       adviser->cancel();
@@ -176,18 +221,7 @@ void connectAdvice(FeasibilityPage* page, const Models& models) {
       rest->start();
     }
   });
-  QObject::connect(rest, &QTimer::timeout, page, [=] {
-    const Findings& findings = document->findings();
-    session::AdviceJob job;
-    job.view = document->view();
-    job.settings = document->runSettings();
-    job.question = {findings.operatingPoint,
-                    findings.access,
-                    {},
-                    templates::pointsPerLoopMax(document->parameters()),
-                    otherMethods(*document)};
-    adviser->advise(std::move(job));
-  });
+  QObject::connect(rest, &QTimer::timeout, page, [=] { adviser->advise(adviceJob(*document)); });
   QObject::connect(adviser, &session::Adviser::advised, panel,
                    [panel](const std::shared_ptr<const std::vector<feasibility::Advice>>& list) {
                      panel->setAdvice(*list);
@@ -195,7 +229,9 @@ void connectAdvice(FeasibilityPage* page, const Models& models) {
   QObject::connect(panel, &widgets::AdvicePanel::turnRequested, adviser,
                    [=](const feasibility::OperatingPoint& point) {
                      if (document->findings().distances) {
-                       adviser->judge(document->view(), point, document->findings().access);
+                       session::AdviceJob job = adviceJob(*document);
+                       job.question.operatingPoint = point;
+                       adviser->judge(std::move(job));
                      }
                    });
   QObject::connect(adviser, &session::Adviser::turned, panel,
@@ -224,6 +260,10 @@ QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
       page, &FeasibilityPage::operatingPointRequested, &models.document,
       [models](const feasibility::OperatingPoint& point) {
         widgets::StreamSettings settings = models.document.settings();
+        if (settings.parameters.method != point.method) {
+          // What is advised was judged with the feeds as they are now.
+          settings.programFeeds = settings.usesProgramFeeds();
+        }
         settings.parameters.method = point.method;
         settings.parameters.pointsPerLoop = point.pointsPerLoop;
         settings.deltaMm = point.deltaMm;

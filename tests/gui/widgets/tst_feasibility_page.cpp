@@ -7,6 +7,7 @@
 #include <QSlider>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.h"
 #include "gui/widgets/page_test.h"
@@ -88,6 +89,46 @@ class TestFeasibilityPage : public QObject {
              static_cast<SweepAxis>(axis) == SweepAxis::PointsPerLoop);
     QCOMPARE(point.deltaMm > model.operatingPoint.deltaMm,
              static_cast<SweepAxis>(axis) == SweepAxis::Delta);
+  }
+
+  /// With the feeds of the program, chart, sliders and advice have the override in %.
+  void feedsOfTheProgramGoByTheOverride() {
+    test::Language language;
+    FeasibilityPage page;
+    auto model = test::feasibilityModel(base::MethodKind::Window, 20000.0);
+    model.scale.fullFeedMmPerS = base::mmPerSFromMmPerMin(40000.0);
+    model.limitedBy = QStringLiteral("83 % (line 214)");
+    model.verdict->feasible = model.verdict->waits = true;
+    model.verdict->feedMmPerSMax = base::mmPerSFromMmPerMin(33200.0);
+    page.setModel(model);
+    page.showChart(SweepAxis::PointsPerLoop);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    const QString text = test::visibleText(page);
+    QVERIFY2(!text.contains("mm/min"), qPrintable(text));
+    QVERIFY2(text.contains("50\u00A0%") && text.contains("83\u00A0%") && text.contains("line 214"),
+             qPrintable(text));
+    RegionChart* chart = page.chart(SweepAxis::PointsPerLoop);
+    QSignalSpy requests(&page, &FeasibilityPage::operatingPointRequested);
+    const QPoint from = chart->operatingPixel().toPoint();
+    const QPoint to = from + QPoint(0, -40);
+    QTest::mousePress(chart->viewport(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(chart->viewport(), to);
+    QTest::mouseRelease(chart->viewport(), Qt::LeftButton, {}, to);
+    QVERIFY(!requests.isEmpty());
+    const auto point = requests.last().first().value<feasibility::OperatingPoint>();
+    const double percent = 100.0 * point.feedMmPerS / model.scale.fullFeedMmPerS;
+    QVERIFY2(percent > 55.0 && percent <= 200.0 && std::abs(percent - std::round(percent)) < 1e-9,
+             qPrintable(QString::number(percent)));
+    feasibility::Advice advice;
+    advice.kind = feasibility::AdviceKind::PointsPerLoop;
+    advice.before = advice.after = model.operatingPoint;
+    advice.after.pointsPerLoop = 9;
+    advice.feedMmPerSMaxBefore = base::mmPerSFromMmPerMin(33200.0);
+    advice.feedMmPerSMaxAfter = base::mmPerSFromMmPerMin(43600.0);
+    page.advice()->setAdvice({advice});
+    static_cast<void>(test::picture(page, {1000, 640}));
+    QVERIFY2(test::visibleText(page).contains("N 9 instead of 7: largest override 83 → 109\u00A0%"),
+             qPrintable(test::visibleText(page)));
   }
 
   void draggingElsewhereDoesNothing() {

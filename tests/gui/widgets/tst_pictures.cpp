@@ -107,6 +107,31 @@ std::unique_ptr<QWidget> feasibilityPage(base::MethodKind method, feasibility::S
   return page;
 }
 
+/// With the feeds of the program: rapids of 40 m/min, at 60 %.
+std::unique_ptr<QWidget> overridePage(feasibility::SweepAxis axis) {
+  auto page = std::make_unique<FeasibilityPage>();
+  const double fullMmPerS = base::mmPerSFromMmPerMin(40000.0);
+  auto model = test::feasibilityModel(base::MethodKind::Window, 24000.0);
+  model.scale.fullFeedMmPerS = fullMmPerS;
+  model.distances.pointDistanceMmMin *= 60.0;
+  model.distances.windowLengthMmMin *= 60.0;
+  for (double& distanceMm : model.smallestDistancesMm) {
+    distanceMm *= 60.0;
+  }
+  model.limitedBy = overrideLimitText({0.83, {214}, base::mmPerSFromMmPerMin(2000.0), 0.3, false});
+  model.verdict = feasibility::judge(model.operatingPoint, model.distances).value();
+  page->setModel(model);
+  page->showChart(axis);
+  feasibility::Advice advice;
+  advice.kind = feasibility::AdviceKind::PointsPerLoop;
+  advice.before = advice.after = model.operatingPoint;
+  advice.after.pointsPerLoop = 9;
+  advice.feedMmPerSMaxBefore = 0.83 * fullMmPerS;
+  advice.feedMmPerSMaxAfter = 1.09 * fullMmPerS;
+  page->advice()->setAdvice({advice});
+  return page;
+}
+
 std::unique_ptr<QWidget> simulatedPage(base::MethodKind method, feasibility::SweepAxis axis,
                                        double feedMmPerMin) {
   auto page = std::make_unique<FeasibilityPage>();
@@ -422,6 +447,10 @@ std::vector<Sample> samples() {
       {"feasibility_simulated_delta",
        {900, 600},
        [] { return simulatedPage(MethodKind::Position, SweepAxis::Delta, 100.0); }},
+      {"feasibility_override", {900, 600}, [] { return overridePage(SweepAxis::PointDistance); }},
+      {"feasibility_override_points",
+       {900, 600},
+       [] { return overridePage(SweepAxis::PointsPerLoop); }},
       {"feasibility_simulating", {900, 600}, [] { return simulatingPage(); }},
       {"trace_live", {1000, 640}, [] { return tracePage(false); }},
       {"trace_control", {1000, 640}, [] { return tracePage(true); }},
