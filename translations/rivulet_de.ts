@@ -1356,6 +1356,97 @@
     </message>
 </context>
 <context>
+    <name>JobTexts</name>
+    <message>
+        <source>swivels or transforms the coordinates</source>
+        <translation>schwenkt oder transformiert die Koordinaten</translation>
+    </message>
+    <message>
+        <source>tool radius compensation</source>
+        <translation>Werkzeugradiuskorrektur</translation>
+    </message>
+    <message>
+        <source>cycle of the control</source>
+        <translation>Zyklus der Steuerung</translation>
+    </message>
+    <message>
+        <source>subprogram that is not at hand</source>
+        <translation>Unterprogramm, das nicht vorliegt</translation>
+    </message>
+    <message>
+        <source>measures, or reads the machine</source>
+        <translation>misst oder liest die Maschine</translation>
+    </message>
+    <message>
+        <source>moves in machine coordinates</source>
+        <translation>fährt in Maschinenkoordinaten</translation>
+    </message>
+    <message>
+        <source>path made by the control</source>
+        <translation>Bahn, die die Steuerung erzeugt</translation>
+    </message>
+    <message>
+        <source>rounded or chamfered corner</source>
+        <translation>gerundete oder gefaste Ecke</translation>
+    </message>
+    <message>
+        <source>counts from a position that only the control knows</source>
+        <translation>zählt von einer Position, die nur die Steuerung kennt</translation>
+    </message>
+    <message>
+        <source>tool or tool length</source>
+        <translation>Werkzeug oder Werkzeuglänge</translation>
+    </message>
+    <message>
+        <source>work offset</source>
+        <translation>Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>Spindel</translation>
+    </message>
+    <message>
+        <source>coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>stops until cycle start</source>
+        <translation>hält bis NC-Start</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>Verweilzeit</translation>
+    </message>
+    <message>
+        <source>message at the control</source>
+        <translation>Meldung an der Steuerung</translation>
+    </message>
+    <message>
+        <source>how the control moves</source>
+        <translation>wie die Steuerung fährt</translation>
+    </message>
+    <message>
+        <source>function of the machine</source>
+        <translation>Funktion der Maschine</translation>
+    </message>
+    <message>
+        <source>end of the program</source>
+        <translation>Ende des Programms</translation>
+    </message>
+    <message>
+        <source>The control executes this block: %1.</source>
+        <translation>Diesen Satz führt die Steuerung aus: %1.</translation>
+    </message>
+    <message>
+        <source>Afterwards the position is read from the control.</source>
+        <translation>Danach wird die Position von der Steuerung gelesen.</translation>
+    </message>
+    <message>
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
+        <translation>Abschnitt %1 von %2: Zeilen %3 bis %4 werden gestreamt, %5 Punkte.</translation>
+    </message>
+</context>
+<context>
     <name>LimitTexts</name>
     <message>
         <source>rapid</source>
@@ -3882,6 +3973,14 @@ GPL-3.0-or-later</translation>
         <source>a pause every %1</source>
         <translation>eine Pause je %1</translation>
     </message>
+    <message>
+        <source>By the control</source>
+        <translation>Von der Steuerung</translation>
+    </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Werkzeugwechsel</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PauseModel</name>
@@ -5142,6 +5241,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>The text shows the line that is being executed</source>
         <translation>Der Text zeigt die Zeile, die gerade ausgeführt wird</translation>
+    </message>
+    <message>
+        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <translation>Voriger Abschnitt oder Sätze, die die Steuerung ausführt (Strg+Bild auf)</translation>
+    </message>
+    <message>
+        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <translation>Nächster Abschnitt oder Sätze, die die Steuerung ausführt (Strg+Bild ab)</translation>
     </message>
 </context>
 <context>

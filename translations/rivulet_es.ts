@@ -1356,6 +1356,97 @@
     </message>
 </context>
 <context>
+    <name>JobTexts</name>
+    <message>
+        <source>swivels or transforms the coordinates</source>
+        <translation>bascula o transforma las coordenadas</translation>
+    </message>
+    <message>
+        <source>tool radius compensation</source>
+        <translation>corrección del radio de la herramienta</translation>
+    </message>
+    <message>
+        <source>cycle of the control</source>
+        <translation>ciclo del control</translation>
+    </message>
+    <message>
+        <source>subprogram that is not at hand</source>
+        <translation>subprograma que no está disponible</translation>
+    </message>
+    <message>
+        <source>measures, or reads the machine</source>
+        <translation>mide, o lee la máquina</translation>
+    </message>
+    <message>
+        <source>moves in machine coordinates</source>
+        <translation>se mueve en coordenadas de máquina</translation>
+    </message>
+    <message>
+        <source>path made by the control</source>
+        <translation>trayectoria creada por el control</translation>
+    </message>
+    <message>
+        <source>rounded or chamfered corner</source>
+        <translation>esquina redondeada o achaflanada</translation>
+    </message>
+    <message>
+        <source>counts from a position that only the control knows</source>
+        <translation>cuenta desde una posición que solo conoce el control</translation>
+    </message>
+    <message>
+        <source>tool or tool length</source>
+        <translation>herramienta o su longitud</translation>
+    </message>
+    <message>
+        <source>work offset</source>
+        <translation>decalaje de origen</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>cabezal</translation>
+    </message>
+    <message>
+        <source>coolant</source>
+        <translation>refrigerante</translation>
+    </message>
+    <message>
+        <source>stops until cycle start</source>
+        <translation>se detiene hasta Marcha CN</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>tiempo de espera</translation>
+    </message>
+    <message>
+        <source>message at the control</source>
+        <translation>mensaje en el control</translation>
+    </message>
+    <message>
+        <source>how the control moves</source>
+        <translation>cómo se mueve el control</translation>
+    </message>
+    <message>
+        <source>function of the machine</source>
+        <translation>función de la máquina</translation>
+    </message>
+    <message>
+        <source>end of the program</source>
+        <translation>fin del programa</translation>
+    </message>
+    <message>
+        <source>The control executes this block: %1.</source>
+        <translation>Esta secuencia la ejecuta el control: %1.</translation>
+    </message>
+    <message>
+        <source>Afterwards the position is read from the control.</source>
+        <translation>Después se lee la posición en el control.</translation>
+    </message>
+    <message>
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
+        <translation>Tramo %1 de %2: las líneas %3 a %4 se transmiten de forma continua, %5 puntos.</translation>
+    </message>
+</context>
+<context>
     <name>LimitTexts</name>
     <message>
         <source>rapid</source>
@@ -3882,6 +3973,14 @@ GPL-3.0-or-later</translation>
         <source>a pause every %1</source>
         <translation>una pausa cada %1</translation>
     </message>
+    <message>
+        <source>By the control</source>
+        <translation>Por el control</translation>
+    </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Cambio de herramienta</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PauseModel</name>
@@ -5142,6 +5241,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The text shows the line that is being executed</source>
         <translation>El texto muestra la línea en ejecución</translation>
+    </message>
+    <message>
+        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <translation>Tramo anterior, o secuencias que ejecuta el control (Ctrl+Re Pág)</translation>
+    </message>
+    <message>
+        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <translation>Tramo siguiente, o secuencias que ejecuta el control (Ctrl+Av Pág)</translation>
     </message>
 </context>
 <context>

@@ -1356,6 +1356,97 @@
     </message>
 </context>
 <context>
+    <name>JobTexts</name>
+    <message>
+        <source>swivels or transforms the coordinates</source>
+        <translation>bascule ou transforme les coordonnées</translation>
+    </message>
+    <message>
+        <source>tool radius compensation</source>
+        <translation>correction du rayon d’outil</translation>
+    </message>
+    <message>
+        <source>cycle of the control</source>
+        <translation>cycle de la commande</translation>
+    </message>
+    <message>
+        <source>subprogram that is not at hand</source>
+        <translation>sous-programme qui n’est pas disponible</translation>
+    </message>
+    <message>
+        <source>measures, or reads the machine</source>
+        <translation>mesure, ou lit la machine</translation>
+    </message>
+    <message>
+        <source>moves in machine coordinates</source>
+        <translation>se déplace en coordonnées machine</translation>
+    </message>
+    <message>
+        <source>path made by the control</source>
+        <translation>trajectoire créée par la commande</translation>
+    </message>
+    <message>
+        <source>rounded or chamfered corner</source>
+        <translation>angle arrondi ou chanfreiné</translation>
+    </message>
+    <message>
+        <source>counts from a position that only the control knows</source>
+        <translation>compte à partir d’une position que seule la commande connaît</translation>
+    </message>
+    <message>
+        <source>tool or tool length</source>
+        <translation>outil ou longueur d’outil</translation>
+    </message>
+    <message>
+        <source>work offset</source>
+        <translation>décalage d’origine</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>broche</translation>
+    </message>
+    <message>
+        <source>coolant</source>
+        <translation>arrosage</translation>
+    </message>
+    <message>
+        <source>stops until cycle start</source>
+        <translation>s’arrête jusqu’au Départ cycle</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>message at the control</source>
+        <translation>message sur la commande</translation>
+    </message>
+    <message>
+        <source>how the control moves</source>
+        <translation>comment la commande se déplace</translation>
+    </message>
+    <message>
+        <source>function of the machine</source>
+        <translation>fonction de la machine</translation>
+    </message>
+    <message>
+        <source>end of the program</source>
+        <translation>fin du programme</translation>
+    </message>
+    <message>
+        <source>The control executes this block: %1.</source>
+        <translation>La commande exécute ce bloc : %1.</translation>
+    </message>
+    <message>
+        <source>Afterwards the position is read from the control.</source>
+        <translation>Ensuite, la position est lue sur la commande.</translation>
+    </message>
+    <message>
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
+        <translation>Tronçon %1 sur %2 : les lignes %3 à %4 sont transmises en continu, %5 points.</translation>
+    </message>
+</context>
+<context>
     <name>LimitTexts</name>
     <message>
         <source>rapid</source>
@@ -3882,6 +3973,14 @@ GPL-3.0-or-later</translation>
         <source>a pause every %1</source>
         <translation>une pause tous les %1</translation>
     </message>
+    <message>
+        <source>By the control</source>
+        <translation>Par la commande</translation>
+    </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Changement d’outil</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PauseModel</name>
@@ -5142,6 +5241,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>The text shows the line that is being executed</source>
         <translation>Le texte montre la ligne en cours d’exécution</translation>
+    </message>
+    <message>
+        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <translation>Tronçon précédent, ou blocs exécutés par la commande (Ctrl+Page préc.)</translation>
+    </message>
+    <message>
+        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <translation>Tronçon suivant, ou blocs exécutés par la commande (Ctrl+Page suiv.)</translation>
     </message>
 </context>
 <context>

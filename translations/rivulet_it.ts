@@ -1356,6 +1356,97 @@
     </message>
 </context>
 <context>
+    <name>JobTexts</name>
+    <message>
+        <source>swivels or transforms the coordinates</source>
+        <translation>orienta o trasforma le coordinate</translation>
+    </message>
+    <message>
+        <source>tool radius compensation</source>
+        <translation>correzione del raggio utensile</translation>
+    </message>
+    <message>
+        <source>cycle of the control</source>
+        <translation>ciclo del controllo</translation>
+    </message>
+    <message>
+        <source>subprogram that is not at hand</source>
+        <translation>sottoprogramma non disponibile</translation>
+    </message>
+    <message>
+        <source>measures, or reads the machine</source>
+        <translation>misura, o legge la macchina</translation>
+    </message>
+    <message>
+        <source>moves in machine coordinates</source>
+        <translation>si muove in coordinate macchina</translation>
+    </message>
+    <message>
+        <source>path made by the control</source>
+        <translation>percorso creato dal controllo</translation>
+    </message>
+    <message>
+        <source>rounded or chamfered corner</source>
+        <translation>angolo raccordato o smussato</translation>
+    </message>
+    <message>
+        <source>counts from a position that only the control knows</source>
+        <translation>conta da una posizione che solo il controllo conosce</translation>
+    </message>
+    <message>
+        <source>tool or tool length</source>
+        <translation>utensile o lunghezza utensile</translation>
+    </message>
+    <message>
+        <source>work offset</source>
+        <translation>spostamento origine</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>mandrino</translation>
+    </message>
+    <message>
+        <source>coolant</source>
+        <translation>refrigerante</translation>
+    </message>
+    <message>
+        <source>stops until cycle start</source>
+        <translation>si ferma fino a Start NC</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>tempo di sosta</translation>
+    </message>
+    <message>
+        <source>message at the control</source>
+        <translation>messaggio sul controllo</translation>
+    </message>
+    <message>
+        <source>how the control moves</source>
+        <translation>come il controllo si muove</translation>
+    </message>
+    <message>
+        <source>function of the machine</source>
+        <translation>funzione della macchina</translation>
+    </message>
+    <message>
+        <source>end of the program</source>
+        <translation>fine del programma</translation>
+    </message>
+    <message>
+        <source>The control executes this block: %1.</source>
+        <translation>Questo blocco è eseguito dal controllo: %1.</translation>
+    </message>
+    <message>
+        <source>Afterwards the position is read from the control.</source>
+        <translation>Poi la posizione è letta dal controllo.</translation>
+    </message>
+    <message>
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
+        <translation>Tratto %1 di %2: le righe da %3 a %4 sono trasmesse in continuo, %5 punti.</translation>
+    </message>
+</context>
+<context>
     <name>LimitTexts</name>
     <message>
         <source>rapid</source>
@@ -3882,6 +3973,14 @@ GPL-3.0-or-later</translation>
         <source>a pause every %1</source>
         <translation>una pausa ogni %1</translation>
     </message>
+    <message>
+        <source>By the control</source>
+        <translation>Dal controllo</translation>
+    </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Cambio utensile</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PauseModel</name>
@@ -5142,6 +5241,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The text shows the line that is being executed</source>
         <translation>Il testo mostra la riga in esecuzione</translation>
+    </message>
+    <message>
+        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <translation>Tratto precedente, o blocchi eseguiti dal controllo (Ctrl+Pag su)</translation>
+    </message>
+    <message>
+        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <translation>Tratto successivo, o blocchi eseguiti dal controllo (Ctrl+Pag giù)</translation>
     </message>
 </context>
 <context>

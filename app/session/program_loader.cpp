@@ -8,6 +8,10 @@
 #include <QThreadPool>
 #include <chrono>
 #include <filesystem>
+#include <utility>
+
+#include "gcode/block_observer.h"
+#include "job/plan.h"
 
 namespace rivulet::session {
 
@@ -17,7 +21,32 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportInterval = std::chrono::milliseconds{50};
 /// Reading takes most of the time, the view for the page the rest.
-constexpr double kReadShare = 0.7;
+constexpr double kReadShare = 0.4;
+constexpr double kSplitShare = 0.3;
+
+struct SplitProgram {
+  std::shared_ptr<const gcode::Program> program;
+  std::shared_ptr<const job::Plan> plan;  ///< null: it could not be split, or was cancelled
+};
+
+/// The same text again, block by block. A program that cannot be split stays as it is.
+SplitProgram split(gcode::Program program, gcode::LoadOptions options,
+                   const std::filesystem::path& path, bool asJob) {
+  options.subprogram = gcode::subprogramsBeside(path);
+  auto made = job::makePlan(program.name, program.text, options);
+  if (!made) {
+    return {std::make_shared<const gcode::Program>(std::move(program)), nullptr};
+  }
+  auto plan = std::make_shared<job::Plan>(*std::move(made));
+  const bool isJob = asJob && plan->isWhole() && plan->stretchCount() > 0 &&
+                     !widgets::JobOutline(plan).needed().empty();
+  if (isJob) {
+    std::shared_ptr<const gcode::Program> streamed(plan, &plan->program);
+    return {std::move(streamed), std::move(plan)};
+  }
+  plan->program = {};
+  return {std::make_shared<const gcode::Program>(std::move(program)), std::move(plan)};
+}
 
 }  // namespace
 
@@ -86,11 +115,16 @@ void ProgramLoader::load(LoadRequest request) {
       });
       return;
     }
+    options.progress = [&](double share) { return progress(kReadShare + kSplitShare * share); };
+    SplitProgram read =
+        split(*std::move(program), options, request.path.toStdString(), request.reading.asJob);
     auto view = widgets::makeProgramView(
-        std::make_shared<const gcode::Program>(*std::move(program)), request.startMm,
-        request.pointsPerLoop,
-        [&](double share) { return progress(kReadShare + (1.0 - kReadShare) * share); },
-        request.feeds);
+        std::move(read.program), request.startMm, request.pointsPerLoop,
+        [&](double share) {
+          const double before = kReadShare + kSplitShare;
+          return progress(before + (1.0 - before) * share);
+        },
+        request.feeds, std::move(read.plan));
     if (view) {
       tell([loaded = LoadedProgram{request, stamp, std::move(view)}](ProgramLoader& loader) {
         loader.m_stop.reset();
@@ -110,7 +144,7 @@ void ProgramLoader::place(std::shared_ptr<const widgets::ProgramView> view, base
                                         view = std::move(view), startMm, pointsPerLoop] {
     auto placed = widgets::makeProgramView(
         view->program, startMm, pointsPerLoop, [&stop](double) { return !stop->load(); },
-        view->feeds);
+        view->feeds, view->plan);
     QMetaObject::invokeMethod(
         qApp,
         [self, placed = std::move(placed), view] {

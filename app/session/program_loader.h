@@ -27,6 +27,9 @@ struct Reading {
   std::vector<std::string> accepted;      ///< see gcode::LoadOptions
   gcode::CentreReading centres = gcode::CentreReading::AsProgrammed;
   double chordToleranceMm = gcode::LoadOptions{}.chordToleranceMm;
+  /// Stream what is left beside the blocks that the control executes itself; false: all motion.
+  /// Programs without such blocks, and those that cannot be a job, are the same with both.
+  bool asJob = false;
 };
 
 struct LoadRequest {

@@ -47,7 +47,7 @@ session::AdviceJob jobWithProgramFeeds(double overrideFactor) {
   return job;
 }
 
-session::AdviceJob job(base::MethodKind method, double feedMmPerMin, double deltaMm) {
+session::AdviceJob adviceJob(base::MethodKind method, double feedMmPerMin, double deltaMm) {
   const auto program = std::make_shared<gcode::Program>(
       *gcode::loadProgram(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap"));
   session::AdviceJob job;
@@ -69,7 +69,7 @@ class TestAdviser : public QObject {
  private Q_SLOTS:
   /// What is advised runs: no feed that the simulation does not confirm.
   void adviceRunsInTheSimulation() {
-    const session::AdviceJob asked = job(base::MethodKind::Position, 4000.0, 0.3);
+    const session::AdviceJob asked = adviceJob(base::MethodKind::Position, 4000.0, 0.3);
     const std::atomic<bool> stop{false};
     const auto list = session::simulatedAdvice(asked, stop);
     QVERIFY(!list.empty());
@@ -129,7 +129,7 @@ class TestAdviser : public QObject {
     session::Adviser adviser;
     QSignalSpy advised(&adviser, &session::Adviser::advised);
     QSignalSpy turned(&adviser, &session::Adviser::turned);
-    const session::AdviceJob asked = job(base::MethodKind::Signal, 200.0, 0.3);
+    const session::AdviceJob asked = adviceJob(base::MethodKind::Signal, 200.0, 0.3);
     for (int n = 2; n <= 9; ++n) {
       session::AdviceJob turn = asked;
       turn.question.operatingPoint.pointsPerLoop = n;

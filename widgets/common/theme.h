@@ -46,6 +46,7 @@ struct ThemeColors {
   QColor fault;      ///< text and icons of faults
   QColor path;       ///< path still to be cut
   QColor rapid;
+  QColor native;                    ///< what the control executes itself
   QColor trace;                     ///< measured curves
   std::array<QColor, 5> equations;  ///< by `feasibility::Equation`
   QColor feasibleFill;

@@ -75,6 +75,12 @@ void LegendStrip::paintEvent(QPaintEvent* /*event*/) {
       case LegendEntry::Symbol::Square:
         painter.drawRect(QRectF(symbol.center() - QPointF(4.0, 4.0), QSizeF(8.0, 8.0)));
         break;
+      case LegendEntry::Symbol::Diamond: {
+        const QPointF centre = symbol.center();
+        painter.drawPolygon(QPolygonF{centre + QPointF(0.0, -5.5), centre + QPointF(5.5, 0.0),
+                                      centre + QPointF(0.0, 5.5), centre + QPointF(-5.5, 0.0)});
+        break;
+      }
       case LegendEntry::Symbol::Marker:
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(symbol.center(), 6.5, 6.5);

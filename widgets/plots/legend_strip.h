@@ -20,6 +20,7 @@ struct LegendEntry {
     Dot,   ///< a filled circle
     Triangle,
     Square,
+    Diamond,
     Marker,  ///< a ring with a dot, as the operating point
   };
   Symbol symbol = Symbol::Line;

@@ -334,7 +334,9 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(themeColors(palette()).mutedText);
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_texts.empty);
   } else {
+    drawGaps(painter);
     drawStart(painter);
+    drawToolChanges(painter);
     drawChosen(painter);
   }
   drawScaleBar(painter);
@@ -524,13 +526,16 @@ void PathCanvas::collect(std::size_t level, std::size_t from, std::size_t to, bo
   const auto at = [&](std::size_t i) {
     return onScreen(project(points[kept[i]].positionMm, m_view));
   };
+  const auto isGap = [&](std::size_t i) {
+    return m_style.classes.hasGaps && m_levelClasses[level][i] + 1U == m_style.classes.count;
+  };
   const auto classAt = [&](std::size_t i) -> std::size_t {
     if (isExecuted) {
-      return m_program->kinds[kept[i]] == gcode::MoveKind::Rapid ? 0 : 1;
+      return isGap(i) ? 2 : m_program->kinds[kept[i]] == gcode::MoveKind::Rapid ? 0 : 1;
     }
     return m_levelClasses[level][i];
   };
-  const std::size_t classes = isExecuted ? 2 : m_style.classes.count;
+  const std::size_t classes = isExecuted ? 3 : m_style.classes.count;
   strokes.lines.resize(std::max(strokes.lines.size(), classes));
   QPolygonF line;
   std::size_t lineClass = 0;
@@ -584,6 +589,9 @@ void PathCanvas::stroke(QImage& picture, const Strokes& strokes, const std::vect
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     for (std::size_t one = 0; one < strokes.lines.size(); ++one) {
+      if (pens[one].style() == Qt::NoPen) {
+        continue;
+      }
       painter.setPen(pens[one]);
       for (const QPolygonF& polygon : strokes.lines[one]) {
         painter.drawPolyline(polygon);
@@ -594,6 +602,9 @@ void PathCanvas::stroke(QImage& picture, const Strokes& strokes, const std::vect
   // Dashes of thousands of short moves could not be distinguished: all lines are solid.
   const qreal ratio = picture.devicePixelRatio();
   for (std::size_t one = 0; one < strokes.lines.size(); ++one) {
+    if (pens[one].style() == Qt::NoPen) {
+      continue;
+    }
     const QRgb color = pens[one].color().rgb();
     const int width = std::max(1, static_cast<int>(pens[one].widthF() * ratio / 1.5));
     for (const QPolygonF& polygon : strokes.lines[one]) {
@@ -637,7 +648,7 @@ void PathCanvas::drawExecuted(QImage& picture, std::size_t from, std::size_t to)
               std::min(end, (chunk + 1) * kChunkMoves + 1), true, strokes);
     }
   }
-  stroke(picture, strokes, {rapid, cut}, false);
+  stroke(picture, strokes, {rapid, cut, Qt::NoPen}, false);
 }
 
 std::vector<QPointF> PathCanvas::placesOf(const std::vector<std::uint32_t>& pauses) const {
@@ -778,6 +789,65 @@ void PathCanvas::drawAxes(QPainter& painter) const {
     painter.drawLine(origin, origin + direction);
     painter.drawText(QRectF(origin + direction * 1.3 - QPointF(10.0, 10.0), QSizeF(20.0, 20.0)),
                      Qt::AlignCenter, QString(QLatin1Char(base::kAxisNames[axis])));
+  }
+}
+
+void PathCanvas::drawGaps(QPainter& painter) const {
+  const ThemeColors& colors = themeColors(palette());
+  QPen native(colors.native, 2.0);
+  native.setDashPattern({1.5, 2.0});
+  QPen approach(colors.rapid, 1.2);  // streamed, from where the control has brought the tool
+  approach.setDashPattern({5.0, 4.0});
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF visible = QRectF(rect()).adjusted(-8.0, -8.0, 8.0, 8.0);
+  std::size_t drawn = 0;
+  for (const ProgramView::Gap& gap : m_program->gaps) {
+    if (!gap.isKnown()) {
+      continue;
+    }
+    const std::array<QPointF, 3> places{placeOf(gap.point - 1),
+                                        onScreen(project(gap.fromMm, m_view)), placeOf(gap.point)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if ((outside(places[i], visible) & outside(places[i + 1], visible)) == 0) {
+        painter.setPen(i == 0 ? native : approach);
+        painter.drawLine(places[i], places[i + 1]);
+        ++drawn;
+      }
+    }
+    if (drawn >= kGapsDrawn) {
+      return;
+    }
+  }
+}
+
+void PathCanvas::drawToolChanges(QPainter& painter) const {
+  const ThemeColors& colors = themeColors(palette());
+  painter.setRenderHint(QPainter::Antialiasing);
+  QRectF taken;  // a label that would cover the one before it gives way
+  std::size_t drawn = 0;
+  for (const ProgramView::ToolChange& change : m_program->toolChanges) {
+    const QPointF place = placeOf(change.point);
+    if (!QRectF(rect()).contains(place)) {
+      continue;
+    }
+    painter.setPen(QPen(colors.native, 1.6));
+    painter.setBrush(colors.surface);
+    painter.drawPolygon(QPolygonF{place + QPointF(0.0, -6.0), place + QPointF(6.0, 0.0),
+                                  place + QPointF(0.0, 6.0), place + QPointF(-6.0, 0.0)});
+    const QString tool = QString::fromStdString(change.tool);
+    const QString label = tool[0].isDigit() ? QLatin1Char('T') + tool : tool;
+    QRectF box = QRectF(painter.fontMetrics().boundingRect(label)).adjusted(-4, -2, 4, 2);
+    box.moveTopLeft(place + QPointF(9.0, 5.0));
+    if (!box.intersects(taken)) {
+      taken = box;
+      painter.setBrush(colors.surface);
+      painter.drawRoundedRect(box, 3.0, 3.0);
+      painter.setPen(colors.text);
+      painter.drawText(box, Qt::AlignCenter, label);
+    }
+    if (++drawn == kGapsDrawn) {
+      return;
+    }
   }
 }
 

@@ -99,6 +99,8 @@ class PathCanvas final : public QWidget {
   [[nodiscard]] std::size_t takeMostAtOnce() { return std::exchange(m_mostAtOnce, 0); }
   /// Marks of pauses in the picture, and pauses examined for it: for tests of speed.
   [[nodiscard]] std::size_t drawnPauses() const { return m_drawnPauses; }
+  /// Of gaps and tool changes in sight, the most that are drawn.
+  static constexpr std::size_t kGapsDrawn = 2'000;
   [[nodiscard]] std::size_t pausesSeen() const { return m_pausesSeen; }
   /// The picture is as fine as the screen can show.
   [[nodiscard]] bool isFine() const { return !m_picture.isNull() && m_isFine; }
@@ -148,6 +150,9 @@ class PathCanvas final : public QWidget {
   void drawGrid(QPainter& painter) const;
   void drawScaleBar(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
+  /// What the control moves between the stretches of a job, as far as it is known.
+  void drawGaps(QPainter& painter) const;
+  void drawToolChanges(QPainter& painter) const;
   void drawStart(QPainter& painter) const;
   void drawChosen(QPainter& painter) const;
   void drawTool(QPainter& painter) const;

@@ -47,6 +47,17 @@ std::vector<double> shortestWindowOf(const std::vector<double>& stepsMm, std::si
 
 }  // namespace
 
+void separateGaps(PathClasses& classes, const ProgramView& view) {
+  if (view.gaps.empty() || classes.ofPoint.empty()) {
+    return;
+  }
+  classes.hasGaps = true;
+  for (const ProgramView::Gap& gap : view.gaps) {
+    classes.ofPoint[gap.point] = static_cast<std::uint8_t>(classes.count);
+  }
+  ++classes.count;
+}
+
 PathClasses classesByKind(const ProgramView& view) {
   PathClasses classes;
   classes.colouring = PathColouring::Kind;

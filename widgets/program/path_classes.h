@@ -21,6 +21,9 @@ struct PathClasses {
   PathColouring colouring = PathColouring::Kind;
   std::vector<std::uint8_t> ofPoint;  ///< class of the move that ends at each streamed point
   std::size_t count = 0;
+  /// The last class is that of the gaps of a job (`ProgramView::gaps`), which are not part of the
+  /// path.
+  bool hasGaps = false;
   /// If several moves are drawn as one, show the highest class; otherwise that of the last.
   bool highestWins = false;
   /// Kind: empty. Feed (mm/s), margin and time (s): class i (feed: i + 1) reaches from
@@ -43,6 +46,9 @@ inline constexpr std::size_t kMarginClasses = 4;
 inline constexpr std::size_t kFeedClassesMax = 6;
 inline constexpr std::size_t kTimeClasses = 5;
 inline constexpr std::size_t kPauseClasses = 4;  ///< beside that without pauses
+
+/// Puts the moves of the gaps into a class of their own, in every colouring.
+void separateGaps(PathClasses& classes, const ProgramView& view);
 
 [[nodiscard]] PathClasses classesByKind(const ProgramView& view);
 

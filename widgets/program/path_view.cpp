@@ -282,6 +282,9 @@ void PathView::recolour() {
         break;
     }
   }
+  if (m_program) {
+    separateGaps(classes, *m_program);
+  }
   m_present.assign(classes.count, false);
   for (const std::uint8_t one : classes.ofPoint) {
     m_present[one] = true;
@@ -300,7 +303,14 @@ std::vector<QPen> PathView::pens() const {
   return pens;
 }
 
+std::size_t PathView::pathClasses() const {
+  return m_classes.count - (m_classes.hasGaps ? 1 : 0);
+}
+
 QPen PathView::penOf(std::size_t one) const {
+  if (one == pathClasses()) {
+    return Qt::NoPen;  // the canvas draws what is known of it on top
+  }
   const ThemeColors& colors = themeColors(palette());
   QPen rapid(colors.rapid, 1.2);
   rapid.setDashPattern({5.0, 4.0});
@@ -322,7 +332,7 @@ QPen PathView::penOf(std::size_t one) const {
       return {colors.path, 1.4};
     }
     case PathColouring::Feed:
-      return one == 0 ? rapid : QPen(ramp(share(one - 1, m_classes.count - 1), colors.isDark), 1.6);
+      return one == 0 ? rapid : QPen(ramp(share(one - 1, pathClasses() - 1), colors.isDark), 1.6);
     case PathColouring::Margin: {
       const std::array<QColor, kMarginClasses> shown{colors.path, colors.equations[2],
                                                      colors.attention, colors.fault};
@@ -330,11 +340,11 @@ QPen PathView::penOf(std::size_t one) const {
     }
     case PathColouring::Pauses:
       return one == 0 ? QPen(colors.path, 1.4)
-                      : QPen(ramp(share(one - 1, m_classes.count - 1), colors.isDark), 2.0);
+                      : QPen(ramp(share(one - 1, pathClasses() - 1), colors.isDark), 2.0);
     case PathColouring::Time:
       break;
   }
-  return m_times ? QPen(ramp(share(one, m_classes.count), colors.isDark), 1.6)
+  return m_times ? QPen(ramp(share(one, pathClasses()), colors.isDark), 1.6)
                  : QPen(colors.path, 1.4);
 }
 
@@ -391,7 +401,7 @@ void PathView::showLegend() {
     if (m_classes.colouring == PathColouring::Time && !m_times) {
       entries.push_back({LegendEntry::Symbol::Line, penOf(0), {}, tr("computing …")});
     } else {
-      for (std::size_t one = 0; one < m_classes.count; ++one) {
+      for (std::size_t one = 0; one < pathClasses(); ++one) {
         if (m_present[one]) {
           entries.push_back({LegendEntry::Symbol::Line, penOf(one), {}, nameOf(one)});
         }
@@ -399,6 +409,7 @@ void PathView::showLegend() {
     }
     entries.push_back(
         {LegendEntry::Symbol::Line, QPen(themeColors(palette()).accent, 3.0), {}, tr("Executed")});
+    showJobLegend(entries);
     if (m_pauses && m_showPauses->isChecked()) {
       const ThemeColors& colors = themeColors(palette());
       entries.push_back({LegendEntry::Symbol::Square, QPen(colors.text, 1.4), colors.surface,
@@ -408,6 +419,20 @@ void PathView::showLegend() {
     }
   }
   m_legend->setEntries(std::move(entries));
+}
+
+void PathView::showJobLegend(std::vector<LegendEntry>& entries) const {
+  const ThemeColors& colors = themeColors(palette());
+  const auto& gaps = m_program->gaps;
+  if (std::any_of(gaps.begin(), gaps.end(), [](const auto& gap) { return gap.isKnown(); })) {
+    QPen native(colors.native, 2.0);
+    native.setDashPattern({1.5, 2.0});
+    entries.push_back({LegendEntry::Symbol::Line, native, {}, tr("By the control")});
+  }
+  if (!m_program->toolChanges.empty()) {
+    entries.push_back({LegendEntry::Symbol::Diamond, QPen(colors.native, 1.6), colors.surface,
+                       tr("Tool change")});
+  }
 }
 
 void PathView::setScale() {

@@ -21,6 +21,7 @@ class QSlider;
 namespace rivulet::widgets {
 
 class LegendStrip;
+struct LegendEntry;
 class PathCanvas;
 
 class PathView final : public Page {
@@ -76,11 +77,14 @@ class PathView final : public Page {
   [[nodiscard]] bool scrubsByTime() const;
   void recolour();
   void showLegend();
+  void showJobLegend(std::vector<LegendEntry>& entries) const;
   void setScale();
   void moveSlider();
   void scrub();
   void showPlace();
   void showPauses();
+  /// Classes without that of the gaps.
+  [[nodiscard]] std::size_t pathClasses() const;
   [[nodiscard]] QPen penOf(std::size_t one) const;
   [[nodiscard]] QString nameOf(std::size_t one) const;
 

@@ -18,6 +18,7 @@
 #include "widgets/common/diagnostic_text.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/theme.h"
+#include "widgets/program/job_text.h"
 
 namespace rivulet::widgets {
 
@@ -27,6 +28,7 @@ constexpr std::size_t kShownBytes = 4'000;  // of one line; no control takes mor
 constexpr int kTabColumns = 8;
 constexpr int kIconPx = 16;
 constexpr int kGapPx = 6;
+constexpr int kEdgePx = 6;  ///< of a line that the control executes itself
 
 }  // namespace
 
@@ -176,8 +178,9 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
                          m_icons[static_cast<std::size_t>(mark->severity)]);
     }
     painter.setPen(isCurrent ? colors.text : colors.mutedText);
-    painter.drawText(QRect(0, y, margin - kGapPx, height), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRect(0, y, numbersPx(), height), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(line));
+    paintPart(painter, line, y);
     painter.setClipRect(margin, y, area.width() - margin, height);
     const QString text = lineText(line);
     paintHighlights(painter, text, margin + kGapPx - shift, y);
@@ -193,6 +196,44 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
   painter.setClipping(false);
   painter.setPen(colors.line);
   painter.drawLine(margin - 1, 0, margin - 1, area.height());
+}
+
+void ProgramTextView::paintPart(QPainter& painter, std::size_t line, int y) const {
+  const ThemeColors& colors = themeColors(palette());
+  const JobOutline& outline = m_program->outline;
+  const int margin = marginPx();
+  const int height = lineHeightPx();
+  if (outline.nativeAt(line) != nullptr) {
+    painter.fillRect(margin - kEdgePx - 1, y, kEdgePx, height, colors.native);
+  }
+  const job::Stretch* stretch = outline.stretchAt(line);
+  if (stretch == nullptr) {
+    return;
+  }
+  const QRect place(numbersPx() + kGapPx / 2, y + 1,
+                    margin - kEdgePx - 3 - numbersPx() - kGapPx / 2, height - 2);
+  painter.setPen(colors.outline);
+  painter.setBrush(colors.surface);
+  painter.drawRoundedRect(place, 3.0, 3.0);
+  painter.setPen(colors.text);
+  painter.drawText(place, Qt::AlignCenter, QString::number(stretch->number));
+}
+
+QString ProgramTextView::hintOf(std::size_t line) const {
+  QStringList hints;
+  if (const Mark* mark = markOf(line)) {
+    hints.append(diagnosticText(m_program->program->diagnostics[mark->diagnostic]));
+  }
+  if (!m_program || line == 0) {
+    return {};
+  }
+  if (const job::NativeBlock* native = m_program->outline.nativeAt(line)) {
+    hints.append(nativeBlockText(*native));
+  }
+  if (const job::Stretch* stretch = m_program->outline.stretchAt(line)) {
+    hints.append(stretchText(*stretch, m_program->outline.stretches()));
+  }
+  return hints.join(QLatin1Char('\n'));
 }
 
 void ProgramTextView::resizeEvent(QResizeEvent* event) {
@@ -266,10 +307,9 @@ void ProgramTextView::changeEvent(QEvent* event) {
 bool ProgramTextView::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    const Mark* mark = markOf(lineAt(help->pos().y()));
-    if (mark != nullptr) {
-      QToolTip::showText(help->globalPos(),
-                         diagnosticText(m_program->program->diagnostics[mark->diagnostic]), this);
+    const QString hint = hintOf(lineAt(help->pos().y()));
+    if (!hint.isEmpty()) {
+      QToolTip::showText(help->globalPos(), hint, this);
     } else {
       QToolTip::hideText();
     }
@@ -282,9 +322,18 @@ int ProgramTextView::lineHeightPx() const {
   return std::max(fontMetrics().height() + 3, kIconPx + 2);
 }
 
-int ProgramTextView::marginPx() const {
+int ProgramTextView::numbersPx() const {
   const auto digits = static_cast<int>(QString::number(std::max<std::size_t>(lines(), 100)).size());
-  return kIconPx + 2 * kGapPx + digits * fontMetrics().horizontalAdvance(QLatin1Char('0'));
+  return kIconPx + kGapPx + digits * fontMetrics().horizontalAdvance(QLatin1Char('0'));
+}
+
+int ProgramTextView::marginPx() const {
+  if (!m_program || m_program->outline.partLines().empty()) {
+    return numbersPx() + kGapPx;
+  }
+  const auto digits = static_cast<int>(QString::number(m_program->outline.stretches()).size());
+  return numbersPx() + 2 * kGapPx + kEdgePx + 3 +
+         digits * fontMetrics().horizontalAdvance(QLatin1Char('0'));
 }
 
 std::size_t ProgramTextView::pageLines() const {

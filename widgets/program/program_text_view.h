@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The text of a program, with selection of lines. Paints only the visible lines, so a million
-/// lines cost no more than a hundred. @threadsafety GUI thread.
+/// The text of a program, with selection of lines. Lines that the control executes itself have a
+/// coloured edge, and the first line of a stretch has its number. Paints only the visible lines, so
+/// a million lines cost no more than a hundred. @threadsafety GUI thread.
 #pragma once
 
 #include <QAbstractScrollArea>
@@ -40,6 +41,8 @@ class ProgramTextView final : public QAbstractScrollArea {
   /// Lines painted by the last event: for tests of speed.
   [[nodiscard]] std::size_t paintedLines() const { return m_painted; }
   [[nodiscard]] std::size_t firstVisibleLine() const;
+  /// What is said of a line when it is pointed at; may be empty.
+  [[nodiscard]] QString hintOf(std::size_t line) const;
 
   [[nodiscard]] QSize sizeHint() const override { return {320, 300}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {200, 120}; }
@@ -64,6 +67,8 @@ class ProgramTextView final : public QAbstractScrollArea {
   [[nodiscard]] std::size_t lines() const { return m_program ? m_program->text.lines() : 0; }
   [[nodiscard]] int lineHeightPx() const;
   [[nodiscard]] int marginPx() const;
+  [[nodiscard]] int numbersPx() const;  ///< of the margin: signs and line numbers
+  void paintPart(QPainter& painter, std::size_t line, int y) const;
   [[nodiscard]] std::size_t pageLines() const;
   [[nodiscard]] std::size_t lineAt(int y) const;
   void setRanges();

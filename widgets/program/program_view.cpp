@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "base/contract.h"
 #include "gcode/named_start.h"
@@ -62,8 +64,14 @@ void takeDistances(ProgramView& view) {
   distances.reserve(points.size());
   std::vector<double> timed;
   timed.reserve(points.size());
+  auto gap = view.gaps.begin();
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const double distance = base::distance(points[i - 1].positionMm, points[i].positionMm);
+    base::Vec3 fromMm = points[i - 1].positionMm;
+    if (gap != view.gaps.end() && gap->point == i) {
+      fromMm = gap->isKnown() ? gap->fromMm : points[i].positionMm;
+      ++gap;
+    }
+    const double distance = base::distance(fromMm, points[i].positionMm);
     if (distance > 0.0) {  // else only rotary axes turn
       distances.push_back(distance);
       const double feedMmPerS = points[i].feedMmPerS;
@@ -92,6 +100,41 @@ void takeDistances(ProgramView& view) {
   };
   view.smallestDistancesMm = smallest(distances);
   view.smallestTimedMm = smallest(timed);
+}
+
+/// Where the path of a job is interrupted, and with which tool it goes on.
+void takeStretches(ProgramView& view) {
+  constexpr double kSamePlaceMm = 1e-6;
+  const std::vector<gcode::StreamPoint>& points = view.points.points;
+  std::string tool;
+  for (const job::Part& part : view.plan->parts) {
+    if (const auto* native = std::get_if<job::NativeBlock>(&part)) {
+      if (std::string selected = toolOf(*native); !selected.empty()) {
+        tool = std::move(selected);
+      }
+      continue;
+    }
+    const auto& stretch = std::get<job::Stretch>(part);
+    if (stretch.number == 0) {
+      continue;
+    }
+    // A point that repeats the one before it is not streamed: the next one stands for it.
+    const auto first =
+        std::lower_bound(view.trajectoryIndices.begin(), view.trajectoryIndices.end(),
+                         static_cast<std::uint32_t>(stretch.firstPoint));
+    const auto point = static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(
+        first - view.trajectoryIndices.begin(), static_cast<std::ptrdiff_t>(points.size()) - 1));
+    view.stretchStarts.push_back(point);
+    const bool isThere =
+        point > 0 && stretch.startIsKnown() &&
+        base::distance(points[point - 1].positionMm, stretch.startMm) <= kSamePlaceMm;
+    if (point > 0 && !isThere && (view.gaps.empty() || view.gaps.back().point != point)) {
+      view.gaps.push_back({point, stretch.startMm});
+    }
+    if (!tool.empty()) {
+      view.toolChanges.push_back({point, std::exchange(tool, {})});
+    }
+  }
 }
 
 void orderByLine(ProgramView& view) {
@@ -132,9 +175,11 @@ std::vector<std::uint32_t> ProgramView::pointsOfLine(base::LineNumber line) cons
   return found;
 }
 
-std::shared_ptr<const ProgramView> makeProgramView(
-    std::shared_ptr<const gcode::Program> program, base::Vec3 startMm, int pointsPerLoop,
-    const std::function<bool(double)>& progress, const std::optional<gcode::ProgramFeeds>& feeds) {
+std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::Program> program,
+                                                   base::Vec3 startMm, int pointsPerLoop,
+                                                   const std::function<bool(double)>& progress,
+                                                   const std::optional<gcode::ProgramFeeds>& feeds,
+                                                   std::shared_ptr<const job::Plan> plan) {
   RIVULET_ASSERT(program != nullptr);
   const auto goesOn = [&](double share) { return !progress || progress(share); };
   auto view = std::make_shared<ProgramView>();
@@ -151,6 +196,13 @@ std::shared_ptr<const ProgramView> makeProgramView(
   takeMoves(*view);
   if (!goesOn(0.1)) {
     return nullptr;
+  }
+  if (plan) {
+    view->plan = std::move(plan);
+    view->outline = JobOutline(view->plan);
+  }
+  if (view->isJob() && !view->points.points.empty()) {
+    takeStretches(*view);
   }
   view->text = TextIndex(view->program->text);
   takeDistances(*view);

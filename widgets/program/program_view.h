@@ -13,12 +13,15 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "feasibility/path_statistics.h"
 #include "feasibility/verdict.h"
 #include "gcode/feeds.h"
 #include "gcode/program.h"
+#include "job/plan.h"
+#include "widgets/program/job_outline.h"
 #include "widgets/program/path_levels.h"
 #include "widgets/program/text_index.h"
 
@@ -34,6 +37,13 @@ struct KindLengths {
 
 struct ProgramView {
   std::shared_ptr<const gcode::Program> program;
+  /// The program as a job; null: it was not split. If `program` is not that of the plan, all motion
+  /// of the program is streamed and native blocks are left out; the plan then has no program.
+  std::shared_ptr<const job::Plan> plan;
+  JobOutline outline;  ///< of the plan
+
+  /// `program` has the stretches of a job alone.
+  [[nodiscard]] bool isJob() const { return plan && program.get() == &plan->program; }
   base::Vec3 startMm;
   /// The program leaves coordinates open: its points depend on the tool's position.
   bool dependsOnStart = false;
@@ -49,6 +59,22 @@ struct ProgramView {
   std::vector<float> feedsMmPerS;
   std::vector<std::uint32_t> trajectoryIndices;  ///< of the streamed points in the trajectory
   PathLevels levels;
+
+  /// A move to a streamed point that does not begin where the point before it is: the control moves
+  /// in between. The path to the point begins at `fromMm`.
+  struct Gap {
+    std::uint32_t point = 0;
+    base::Vec3 fromMm;  ///< NaN: only the control knows
+    [[nodiscard]] bool isKnown() const { return base::isFinite(fromMm); }
+  };
+  std::vector<Gap> gaps;  ///< of a job, ascending
+  /// Streamed points at which the stretches of a job begin, ascending; as many as there are.
+  std::vector<std::uint32_t> stretchStarts;
+  struct ToolChange {
+    std::uint32_t point = 0;  ///< the first with the tool
+    std::string tool;
+  };
+  std::vector<ToolChange> toolChanges;  ///< of a job, ascending
 
   TextIndex text;
   std::optional<feasibility::PathStatistics> statistics;  ///< of two points or more
@@ -73,11 +99,13 @@ struct ProgramView {
 /// @param pointsPerLoop  N of the distances, >= 2
 /// @param progress  called with the share done, 0 to 1; false: cancel
 /// @param feeds  limits of the feeds of the program, at 100 %; nothing: its feeds are not used
+/// @param plan  see `ProgramView::plan`
 /// @return null if it was cancelled
 [[nodiscard]] std::shared_ptr<const ProgramView> makeProgramView(
     std::shared_ptr<const gcode::Program> program, base::Vec3 startMm, int pointsPerLoop,
     const std::function<bool(double)>& progress = {},
-    const std::optional<gcode::ProgramFeeds>& feeds = {});
+    const std::optional<gcode::ProgramFeeds>& feeds = {},
+    std::shared_ptr<const job::Plan> plan = {});
 
 /// How long a run takes: with its feed and its pauses.
 struct RunTime {

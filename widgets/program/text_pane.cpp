@@ -41,6 +41,8 @@ TextPane::TextPane(QWidget* parent)
       m_found(new QLabel(this)),
       m_lineName(new QLabel(this)),
       m_line(new QLineEdit(this)),
+      m_previousPart(makeTool(this, Qt::LeftArrow)),
+      m_nextPart(makeTool(this, Qt::RightArrow)),
       m_follow(new QToolButton(this)),
       m_text(new ProgramTextView(this)) {
   m_search->setClearButtonEnabled(true);
@@ -60,6 +62,8 @@ TextPane::TextPane(QWidget* parent)
   auto* places = new QHBoxLayout;
   places->addWidget(m_lineName);
   places->addWidget(m_line);
+  places->addWidget(m_previousPart);
+  places->addWidget(m_nextPart);
   places->addStretch();
   places->addWidget(m_follow);
   auto* layout = new QVBoxLayout(this);
@@ -78,6 +82,12 @@ TextPane::TextPane(QWidget* parent)
   connect(m_next, &QToolButton::clicked, this, [this] { findNext(true); });
   connect(m_previous, &QToolButton::clicked, this, [this] { findNext(false); });
   connect(m_finder, &TextSearch::changed, this, &TextPane::showFound);
+  connect(m_previousPart, &QToolButton::clicked, this, [this] { goToPart(false); });
+  connect(m_nextPart, &QToolButton::clicked, this, [this] { goToPart(true); });
+  connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp), this), &QShortcut::activated, this,
+          [this] { goToPart(false); });
+  connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown), this), &QShortcut::activated,
+          this, [this] { goToPart(true); });
   connect(m_line, &QLineEdit::returnPressed, this, &TextPane::goToLine);
   connect(m_follow, &QToolButton::toggled, this, &TextPane::showRunLine);
   // Who looks elsewhere is not pulled back.
@@ -91,13 +101,19 @@ TextPane::TextPane(QWidget* parent)
   };
   onKey(QKeySequence::Find, m_search);
   onKey(QKeySequence(Qt::CTRL | Qt::Key_G), m_line);
+  m_previousPart->hide();
+  m_nextPart->hide();
   retranslate();
   restyle();
 }
 
 void TextPane::setProgram(const std::shared_ptr<const ProgramView>& view) {
+  m_program = view;
   m_runLine = 0;
   m_text->setProgram(view);
+  for (QToolButton* button : {m_previousPart, m_nextPart}) {
+    button->setVisible(view != nullptr && view->outline.partLines().size() > 1);
+  }
   m_wantsFirst = false;
   m_finder->setProgram(view);
   m_line->setEnabled(view != nullptr);
@@ -137,6 +153,15 @@ void TextPane::goToLine() {
   }
 }
 
+void TextPane::goToPart(bool isForward) {
+  const std::size_t line =
+      m_program ? m_program->outline.partBeyond(m_text->currentLine(), isForward) : 0;
+  if (line > 0) {
+    m_follow->setChecked(false);
+    Q_EMIT lineChosen(line);
+  }
+}
+
 void TextPane::showFound() {
   const auto& lines = m_finder->lines();
   m_next->setEnabled(!lines.empty());
@@ -169,6 +194,11 @@ void TextPane::retranslate() {
   m_lineName->setText(tr("Line"));
   m_line->setToolTip(tr("Go to a line (Ctrl+G)"));
   m_line->setAccessibleName(tr("Go to line"));
+  m_previousPart->setToolTip(
+      tr("Previous stretch, or blocks that the control executes (Ctrl+Page Up)"));
+  m_previousPart->setAccessibleName(m_previousPart->toolTip());
+  m_nextPart->setToolTip(tr("Next stretch, or blocks that the control executes (Ctrl+Page Down)"));
+  m_nextPart->setAccessibleName(m_nextPart->toolTip());
   m_follow->setText(tr("Follow the run"));
   m_follow->setToolTip(tr("The text shows the line that is being executed"));
   showFound();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The text of the program with what finds a place in it: search, line number, and the line that a
-/// run is at. @threadsafety GUI thread.
+/// The text of the program with what finds a place in it: search, line number, the parts of a job,
+/// and the line that a run is at. @threadsafety GUI thread.
 #pragma once
 
 #include <memory>
@@ -37,6 +37,9 @@ class TextPane final : public Page {
   [[nodiscard]] ProgramTextView* text() const { return m_text; }
   [[nodiscard]] QLineEdit* search() const { return m_search; }
   [[nodiscard]] QLineEdit* lineField() const { return m_line; }
+  /// To the part of a job before the present line, and beyond it.
+  [[nodiscard]] QToolButton* previousPart() const { return m_previousPart; }
+  [[nodiscard]] QToolButton* nextPart() const { return m_nextPart; }
   [[nodiscard]] QToolButton* follow() const { return m_follow; }
 
  Q_SIGNALS:
@@ -50,6 +53,7 @@ class TextPane final : public Page {
  private:
   void findNext(bool isForward);
   void goToLine();
+  void goToPart(bool isForward);
   void showFound();
   void showRunLine();
 
@@ -60,8 +64,11 @@ class TextPane final : public Page {
   QLabel* m_found;
   QLabel* m_lineName;
   QLineEdit* m_line;
+  QToolButton* m_previousPart;
+  QToolButton* m_nextPart;
   QToolButton* m_follow;
   ProgramTextView* m_text;  ///< made last: the focus comes to it from above
+  std::shared_ptr<const ProgramView> m_program;
   std::size_t m_runLine = 0;
   bool m_wantsFirst = false;  ///< the first line found is to be shown as soon as it is known
 };

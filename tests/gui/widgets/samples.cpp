@@ -69,6 +69,42 @@ std::shared_ptr<const widgets::ProgramView> viewOf(
   return widgets::makeProgramView(program, {0.0, 0.0, 0.0}, 7);
 }
 
+std::string jobText() {
+  return "; slot and holes\n"  // 1
+         "G17 G90 G71\n"
+         "T1 M6\n"
+         "S8000 M3\n"
+         "G0 X0 Y0 Z5\n"  // 5: stretch 1
+         "G1 Z-2 F250\n"
+         "X40 F500\n"
+         "Y10\n"
+         "G0 Z5\n"
+         "G0 X60 Y30 M8\n"  // 10: the control moves there
+         "G1 Z-2 F250\n"    // stretch 2
+         "G3 X80 Y30 CR=10 F500\n"
+         "G0 Z5\n"
+         "M9\n"
+         "SUPA G0 Z0 D0\n"  // 15
+         "T2 M6\n"
+         "S2000 M3\n"
+         "G0 X10 Y30 Z5\n"  // stretch 3
+         "F100\n"
+         "MCALL CYCLE81(5,0,1,-8)\n"  // 20
+         "X10 Y30\n"
+         "X25 Y30\n"
+         "MCALL\n"
+         "M5\n"
+         "M30\n";  // 25
+}
+
+std::shared_ptr<const widgets::ProgramView> jobView() {
+  auto made = job::makePlan("SLOT.MPF", jobText());
+  RIVULET_ASSERT(made.has_value() && made->isWhole());
+  const auto plan = std::make_shared<const job::Plan>(*std::move(made));
+  const std::shared_ptr<const gcode::Program> program(plan, &plan->program);
+  return widgets::makeProgramView(program, {0.0, 0.0, 0.0}, 7, {}, {}, plan);
+}
+
 std::shared_ptr<const gcode::Program> programOf(const std::vector<gcode::StreamPoint>& points) {
   auto program = std::make_shared<gcode::Program>();
   program->name = "POINTS.MPF";

@@ -33,6 +33,10 @@ namespace rivulet::test {
 /// As the page gets it, for a tool at the origin and N = 7.
 [[nodiscard]] std::shared_ptr<const widgets::ProgramView> viewOf(
     const std::shared_ptr<const gcode::Program>& program);
+/// Two tools, coolant that is switched on while the tool moves, a retract, and drilling by a cycle.
+[[nodiscard]] std::string jobText();
+/// That program as a job.
+[[nodiscard]] std::shared_ptr<const widgets::ProgramView> jobView();
 /// A program of points alone, one line each. @param positions >= 1
 [[nodiscard]] std::shared_ptr<const gcode::Program> programOf(
     const std::vector<gcode::StreamPoint>& points);

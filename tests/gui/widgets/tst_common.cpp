@@ -151,7 +151,7 @@ class TestCommon : public QObject {
       QVERIFY2(contrastRatio(colors.outline, ground) >= 3.0, qPrintable(ground.name()));
       QVERIFY2(contrastRatio(colors.accent, ground) >= 3.0, qPrintable(ground.name()));  // focus
     }
-    for (const QColor& line : {colors.path, colors.rapid, colors.trace}) {
+    for (const QColor& line : {colors.path, colors.rapid, colors.native, colors.trace}) {
       QVERIFY2(contrastRatio(line, colors.surface) >= 3.0, qPrintable(line.name()));
     }
   }
@@ -188,7 +188,7 @@ class TestCommon : public QObject {
     const ThemeColors& colors = themeColors(themePalette(static_cast<Theme>(theme)));
     const std::vector<std::vector<QColor>> groups{
         {colors.text, colors.attention, colors.fault},
-        {colors.accent, colors.path, colors.rapid},
+        {colors.accent, colors.path, colors.rapid, colors.native},
         {colors.equations[0], colors.equations[1], colors.equations[2], colors.equations[3]}};
     for (const std::vector<QColor>& group : groups) {
       for (std::size_t i = 0; i < group.size(); ++i) {

@@ -76,6 +76,23 @@ class TestPathView : public QObject {
     applyTheme(Theme::Light);
   }
 
+  /// What the control moves between two stretches is drawn apart from the path, and never as
+  /// executed; the first point with another tool is marked.
+  void aJobIsSeenOnThePath() {
+    PathView view;
+    const auto job = test::jobView();
+    view.setProgram(job);
+    const QColor native = themeColors(view.palette()).native;
+    const int without = pixelsOf(test::picture(view, {700, 600}), native);
+    QVERIFY(without > 40);
+    view.setExecuted(job->points.points.size());
+    QVERIFY(pixelsOf(test::picture(view, {700, 600}), native) > without / 2);
+    view.setColouring(PathColouring::Feed);
+    QVERIFY(pixelsOf(test::picture(view, {700, 600}), native) > without / 2);
+    view.setProgram(test::viewOf(test::pocket()));
+    QCOMPARE(pixelsOf(test::picture(view, {700, 600}), native), 0);
+  }
+
   void executedPartGrowsAndShrinks() {
     PathCanvas canvas;
     const auto program = test::pocket();

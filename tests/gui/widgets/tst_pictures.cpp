@@ -203,6 +203,15 @@ std::unique_ptr<QWidget> programPage(const std::shared_ptr<const gcode::Program>
   return page;
 }
 
+std::unique_ptr<QWidget> jobPage() {
+  auto page = std::make_unique<ProgramPage>();
+  const auto view = test::jobView();
+  page->setProgram(view);
+  page->setExecuted(view->stretchStarts[1] + 2);
+  page->panel()->setDistances(view->distances);
+  return page;
+}
+
 std::unique_ptr<QWidget> fileBanner(FileBanner::State state, bool running) {
   auto banner = std::make_unique<FileBanner>();
   banner->setProgram(QStringLiteral("POCKET_60x40.MPF"), QStringLiteral("0123456789abcdef"));
@@ -394,6 +403,7 @@ std::vector<Sample> samples() {
       {"program_page_kind",
        {760, 640},
        [] { return programPage(test::pocket(), PathColouring::Kind); }},
+      {"program_page_job", {760, 640}, [] { return jobPage(); }},
       {"program_page_feed",
        {760, 640},
        [] { return programPage(test::pocket(), PathColouring::Feed); }},

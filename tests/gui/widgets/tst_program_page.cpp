@@ -96,6 +96,32 @@ class TestProgramPage : public QObject {
     QCOMPARE(view.currentLine(), std::size_t{123'456});
   }
 
+  /// Who executes a line is seen at its edge, and said when one points at it.
+  void aJobIsSeenInTheText() {
+    ProgramPage page;
+    page.setProgram(test::jobView());
+    static_cast<void>(test::picture(page, {900, 640}));
+    const ProgramTextView* text = page.text();
+    QVERIFY(text->hintOf(3).contains(QStringLiteral("tool or tool length")));
+    QVERIFY(text->hintOf(3).contains(QStringLiteral("read from the control")));
+    QVERIFY(text->hintOf(10).contains(QStringLiteral("coolant")));
+    QVERIFY(text->hintOf(11).contains(QStringLiteral("Stretch 2 of 3")));
+    QVERIFY(text->hintOf(12).isEmpty());
+    auto* pane = page.findChild<TextPane*>();
+    QVERIFY(pane->nextPart()->isVisibleTo(pane));
+    page.showLine(1);
+    QTest::mouseClick(pane->nextPart(), Qt::LeftButton);
+    QCOMPARE(text->currentLine(), std::size_t{3});
+    QTest::keyClick(pane, Qt::Key_PageDown, Qt::ControlModifier);
+    QTest::mouseClick(pane->nextPart(), Qt::LeftButton);
+    QTest::mouseClick(pane->previousPart(), Qt::LeftButton);
+    QVERIFY(text->currentLine() < 10);
+    // A program that was not split has no parts to jump to.
+    page.setProgram(test::viewOf(test::pocket()));
+    QVERIFY(!pane->nextPart()->isVisibleTo(pane));
+    QVERIFY(text->hintOf(10).isEmpty());
+  }
+
   /// A line chosen before the view has its size is in sight when it has.
   void aLineChosenEarlyIsInSight() {
     ProgramPage page;

@@ -181,6 +181,52 @@ class TestProgramView : public QObject {
     QVERIFY(makeProgramView(test::brokenProgram(), {}, 7)->points.points.size() >= 2);
   }
 
+  /// What text and path show of a job: who executes which line, where the path is interrupted.
+  void aJobKnowsItsParts() {
+    const auto view = test::jobView();
+    QVERIFY(view->isJob());
+    const JobOutline& outline = view->outline;
+    QCOMPARE(outline.stretches(), std::size_t{3});
+    QCOMPARE(outline.partLines(), (std::vector<std::size_t>{3, 5, 10, 11, 14, 18, 20}));
+    QCOMPARE(outline.nativeAt(10)->reason, job::NativeReason::Coolant);
+    QCOMPARE(outline.nativeAt(11), nullptr);
+    QCOMPARE(outline.stretchAt(11)->number, 2);
+    QCOMPARE(outline.stretchAt(12), nullptr);
+    QCOMPARE(outline.partBeyond(10, true), std::size_t{11});
+    QCOMPARE(outline.partBeyond(11, false), std::size_t{10});
+    QCOMPARE(outline.partBeyond(20, true), std::size_t{0});
+    QCOMPARE(outline.partBeyond(3, false), std::size_t{0});
+    // All but the end of the program.
+    QCOMPARE(outline.needed().size(), std::size_t{12});
+    QCOMPARE(view->stretchStarts.size(), std::size_t{3});
+    // Before the second stretch the control moves to a known place, before the third it does not.
+    QCOMPARE(view->gaps.size(), std::size_t{2});
+    QCOMPARE(view->gaps[0].point, view->stretchStarts[1]);
+    QVERIFY(view->gaps[0].fromMm == (base::Vec3{60.0, 30.0, 5.0}));
+    QCOMPARE(view->gaps[1].point, view->stretchStarts[2]);
+    QVERIFY(!view->gaps[1].isKnown());
+    QCOMPARE(view->toolChanges.size(), std::size_t{2});
+    QCOMPARE(view->toolChanges[0].point, std::uint32_t{0});
+    QCOMPARE(view->toolChanges[1].tool, std::string("2"));
+    QCOMPARE(view->toolChanges[1].point, view->stretchStarts[2]);
+    // Without the gaps: 5 + 7, 40 + 10, 7, 7, arc, 7.
+    QCOMPARE(std::round(view->lengths.lineMm), 64.0);
+  }
+
+  void toolsAreNamedAsTheProgramDoes() {
+    const auto tool = [](const char* text) {
+      job::NativeBlock block;
+      block.text = text;
+      return toolOf(block);
+    };
+    QCOMPARE(tool("N10 T5 M6"), std::string("5"));
+    QCOMPARE(tool("T=\"MILL_10\""), std::string("MILL_10"));
+    QCOMPARE(tool("M6 T12 D1 ; T3"), std::string("12"));
+    QCOMPARE(tool("TRANS X5"), std::string());
+    QCOMPARE(tool("START M3 S100"), std::string());
+    QCOMPARE(tool("T="), std::string());
+  }
+
   void linesKnowTheirPoints() {
     auto program = std::make_shared<gcode::Program>();
     const std::vector<std::uint32_t> lines{1, 2, 3, 4, 2, 3, 4, 9};
