@@ -87,12 +87,12 @@ Result<void> Gate::requireInside(base::Vec3 pointMm) const {
 Result<void> Gate::requireNear(const base::AxisPosition& point) const {
   const double stepMm = base::distance(m_last.mm, point.mm);
   if (m_isFirst && stepMm > m_agreement.startMmMax) {
-    return base::fail(LiveError::TooFarAway,
-                      fmt::format("The first point is {:.3f} mm from the tool; {:.3f} mm was "
-                                  "agreed. Move the tool there, or begin where it is: X{:.3f} "
-                                  "Y{:.3f} Z{:.3f}.",
-                                  stepMm, m_agreement.startMmMax, m_last.mm.x, m_last.mm.y,
-                                  m_last.mm.z));
+    return base::fail(
+        LiveError::TooFarAway,
+        fmt::format("The first point is {:.3f} mm from the tool; {:.3f} mm was "
+                    "agreed. Move the tool there, or begin where it is: X{:.3f} "
+                    "Y{:.3f} Z{:.3f}.",
+                    stepMm, m_agreement.startMmMax, m_last.mm.x, m_last.mm.y, m_last.mm.z));
   }
   if (!m_isFirst && stepMm > m_agreement.stepMmMax) {
     return base::fail(LiveError::StepTooLong, fmt::format("A step of {:.3f} mm; {:.3f} mm was "

@@ -49,8 +49,8 @@ class Gate {
   [[nodiscard]] base::Result<void> requireNear(const base::AxisPosition& point) const;
 
   Agreement m_agreement;
-  base::AxisPosition m_last;     ///< the point before; at first the tool
-  base::AxisPosition m_named;    ///< what a line does not name is here
+  base::AxisPosition m_last;   ///< the point before; at first the tool
+  base::AxisPosition m_named;  ///< what a line does not name is here
   double m_feedMmPerMin;
   std::array<bool, base::kAxisCount> m_axes;
   base::RotarySet m_rotaryAxes;

@@ -20,9 +20,10 @@ namespace {
 using base::Duration;
 using base::Instant;
 
-constexpr std::size_t kReadBytes = 4096;
+/// Few lines: what is read does not wait in the source.
+constexpr std::size_t kReadBytes = 256;
 /// Of a source that cannot wait, this much is read in a turn.
-constexpr int kReadsMax = 64;
+constexpr int kReadsMax = 1024;
 /// Points that such a source may be ahead of the machine.
 constexpr std::size_t kAheadMax = 100'000;
 /// The source is told how far the run is this often at most.
@@ -191,8 +192,7 @@ bool PointStream::isBeforeHold() const {
 
 bool PointStream::beginsWindow(const Queued& queued) const {
   return queued.isAfterHold ||
-         (!m_plan.feedPerPoint &&
-          queued.point.feedMmPerS != m_queue.front().point.feedMmPerS);
+         (!m_plan.feedPerPoint && queued.point.feedMmPerS != m_queue.front().point.feedMmPerS);
 }
 
 std::optional<std::size_t> PointStream::takeWindow(Instant now) {
@@ -204,8 +204,8 @@ std::optional<std::size_t> PointStream::takeWindow(Instant now) {
   while (count < most && !beginsWindow(m_queue[count])) {
     ++count;
   }
-  const bool isWhole = count == m_plan.pointsMax || count < m_queue.size() ||
-                       m_summary.hasEnded || m_holdAsked;
+  const bool isWhole =
+      count == m_plan.pointsMax || count < m_queue.size() || m_summary.hasEnded || m_holdAsked;
   if (!isWhole && now - m_queue.front().arrived < m_limits.fullWithin) {
     return std::nullopt;
   }
@@ -234,10 +234,9 @@ void PointStream::windowBegins(Instant now) {
     m_arrivals.pop_front();
     const base::AxisPosition from =
         i == 0 ? m_tool : base::AxisPosition{m_points[i - 1].positionMm, m_points[i - 1].rotaryDeg};
-    begins += base::fromSeconds(
-        base::wayAlongFeed(base::distance(from.mm, m_points[i].positionMm),
-                           base::turnDeg(from.deg, m_points[i].rotaryDeg)) /
-        m_points[i].feedMmPerS);
+    begins += base::fromSeconds(base::wayAlongFeed(base::distance(from.mm, m_points[i].positionMm),
+                                                   base::turnDeg(from.deg, m_points[i].rotaryDeg)) /
+                                m_points[i].feedMmPerS);
   }
   ++m_begun;
   m_firstBegun = m_firstBegun.value_or(now);
@@ -258,10 +257,10 @@ void PointStream::report(Instant now) {
   m_reportedExecuted = m_executed;
   const base::Vec3 at = m_executed == 0 ? m_tool.mm : m_points[m_executed - 1].positionMm;
   const std::size_t line = m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
-  m_source.reply(fmt::format("{{\"accepted\":{},\"executed\":{},\"line\":{},\"merged\":{},"
-                             "\"x\":{:.6f},\"y\":{:.6f},\"z\":{:.6f}}}\n",
-                             m_summary.accepted, m_executed, line, m_summary.merged, at.x, at.y,
-                             at.z));
+  m_source.reply(
+      fmt::format("{{\"accepted\":{},\"executed\":{},\"line\":{},\"merged\":{},"
+                  "\"x\":{:.6f},\"y\":{:.6f},\"z\":{:.6f}}}\n",
+                  m_summary.accepted, m_executed, line, m_summary.merged, at.x, at.y, at.z));
 }
 
 void PointStream::finish(std::string_view outcome, const std::string& error) {
@@ -285,7 +284,7 @@ Summary PointStream::summary() const {
   if (m_begun > 1) {
     summary.windowTime = (m_lastBegun - *m_firstBegun) / static_cast<Duration::rep>(m_begun - 1);
     const std::size_t queued = m_limits.queuedMax / m_plan.pointsMax;
-    summary.leastDelay = summary.windowTime;
+    summary.leastDelay = std::min(summary.windowTime, m_limits.fullWithin);
     summary.mostDelay =
         summary.windowTime * static_cast<Duration::rep>(1 + m_plan.windowsMax + queued);
   }
@@ -293,8 +292,7 @@ Summary PointStream::summary() const {
 }
 
 Level PointStream::level() const {
-  return {m_summary.lines, m_summary.accepted,
-          m_queue.size() + m_points.size() - m_executed,
+  return {m_summary.lines, m_summary.accepted, m_queue.size() + m_points.size() - m_executed,
           m_limits.queuedMax + m_plan.windowsMax * m_plan.pointsMax};
 }
 

@@ -19,6 +19,8 @@ using base::Instant;
 
 /// Orders of the operator are looked at this often while nothing else happens.
 constexpr Duration kOrderInterval = std::chrono::milliseconds{20};
+/// A live source is looked at this often.
+constexpr Duration kSourceInterval = std::chrono::milliseconds{4};
 /// The display gets at most this many samples a second.
 constexpr Duration kDisplayInterval = std::chrono::milliseconds{33};
 constexpr Duration kStatusInterval = std::chrono::milliseconds{200};
@@ -93,6 +95,7 @@ void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) 
 StreamEnd Driver::run() {
   m_shownAt = m_link.now();
   while (!m_done) {
+    readSource();
     checkOrders();
     if (m_abandonedAt) {
       submitStop();
@@ -120,7 +123,7 @@ StreamEnd Driver::run() {
 
 Instant Driver::nextWakeUp() const {
   const Instant now = m_link.now();
-  Instant until = now + kOrderInterval;
+  Instant until = now + (m_source != nullptr ? kSourceInterval : kOrderInterval);
   if (m_methodPending || m_monitorPending) {
     return until;
   }
@@ -179,8 +182,16 @@ RunState Driver::state() const {
   return m_holding ? RunState::Holding : RunState::Running;
 }
 
+void Driver::readSource() {
+  if (m_source != nullptr && !m_stopWantedAt && !m_abandonedAt) {
+    m_source->turn(m_link.now());
+    m_counters.total = m_source->level().accepted;
+  }
+}
+
 void Driver::checkOrders() {
-  const bool hold = m_orders.holdRequested(m_link.now());
+  const bool hold = m_orders.holdRequested(m_link.now()) ||
+                    (m_source != nullptr && m_source->wantsHold(m_link.now()));
   if (hold != m_holding && !m_stopWantedAt) {
     m_holding = hold;
     m_method.requestHold(hold);
@@ -317,6 +328,9 @@ void Driver::submitMethod() {
   }
   const std::optional<Action> action = m_method.poll(m_link.now());
   m_methodsTurn = false;
+  if (m_source != nullptr && m_path) {
+    m_path->extend(m_source->points());
+  }
   if (!action) {
     return;
   }
@@ -653,6 +667,10 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
     update.correction = m_correction.value();
   }
   update.sample = std::move(sample);
+  if (m_source != nullptr) {
+    update.source = m_source->level();
+    update.waitingFor = update.source->waiting == 0 ? "source" : "";
+  }
   if (m_isSilent) {
     update.waitingFor = "network";
   }

@@ -74,6 +74,8 @@ class Driver {
   /// The path, so that a tool that leaves it is noticed. Without it only the method's own signs of
   /// wrong motion are.
   void watchPath(PathWatch path) { m_path = std::move(path); }
+  /// The points arrive during the run; the method takes them from here, too.
+  void watchSource(live::PointStream& source) { m_source = &source; }
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
   void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
 
@@ -114,6 +116,8 @@ class Driver {
   void handleMethod(const opcua::Event& event);
   void handleMonitor(const opcua::Event& event);
   void checkOrders();
+  /// Reads what a live source has sent.
+  void readSource();
   [[nodiscard]] RunState state() const;
   /// No answer in time does no harm where the machine waits for its client: it is asked again.
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
@@ -178,6 +182,7 @@ class Driver {
   trace::LivePauseDetector m_detector;
   trace::StandstillByPosition m_standstill;
   std::optional<PathWatch> m_path;
+  live::PointStream* m_source = nullptr;
   std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
   std::vector<trace::Pause> m_pauses;
   std::size_t m_stopsSeen = 0;

@@ -14,6 +14,7 @@
 #include "base/contract.h"
 #include "base/hash.h"
 #include "base/units.h"
+#include "live/error.h"
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
 #include "streaming/control_alarm.h"
@@ -101,6 +102,42 @@ class Ledger final : public RunSink {
   std::size_t m_nodes = 0;
 };
 
+/// Where the tool is, and whether the control is ready.
+/// @param turns  the program names rotary axes
+Result<Preflight> readPlace(opcua::Link& link, const RunSettings& settings, bool turns) {
+  const std::array<Variable, 5> watched{{{VariableKind::ChannelStatus, 0},
+                                         {VariableKind::ActualPosition, 0},
+                                         {VariableKind::ActualPosition, 1},
+                                         {VariableKind::ActualPosition, 2},
+                                         {VariableKind::Alarm, 0}}};
+  const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
+  if (!numbers) {
+    return base::fail(numbers.error());
+  }
+  if ((*numbers)[0] != opcua::kChannelReset) {
+    return base::fail(channelBusy());
+  }
+  if (Result<void> fine = requireNoAlarm((*numbers)[4]); !fine) {
+    return base::fail(fine.error());
+  }
+  Preflight flight;
+  flight.toolMm = {(*numbers)[1], (*numbers)[2], (*numbers)[3]};
+  if (turns || base::any(settings.parameters.rotaryAxes)) {
+    const Result<ControlAxes> axes = readControlAxes(link, settings.setupDeadline);
+    if (!axes) {
+      return base::fail(axes.error());
+    }
+    flight.axes = *axes;
+    const Result<base::RotaryDeg> angles =
+        readAngles(link, flight.axes, flight.axes.set(), settings.setupDeadline);
+    if (!angles) {
+      return base::fail(angles.error());
+    }
+    flight.toolDeg = *angles;
+  }
+  return flight;
+}
+
 /// One run, step by step. Every step returns an error that ends the job.
 class Job {
  public:
@@ -114,6 +151,9 @@ class Job {
         m_ledger(sink, recorder.writer),
         m_recorder(std::move(recorder)),
         m_type(methodType(settings.parameters.method)) {}
+
+  /// The points come from here, and the program has none.
+  void takeFrom(live::PointStream& source) { m_live = &source; }
 
   RunReport run() {
     m_report.programName = m_program.name;
@@ -137,6 +177,13 @@ class Job {
 
  private:
   Result<void> mayStart() {
+    const base::MethodKind method = m_settings.parameters.method;
+    if (m_live != nullptr && method != base::MethodKind::Window &&
+        method != base::MethodKind::Credit) {
+      return base::fail(StreamError::ProgramNotStreamable,
+                        "Points of a live source need a machine that waits for them: choose method "
+                        "window or credit.");
+    }
     if (base::needsCommissioning(m_settings.parameters.method) && !m_settings.isCommissioned) {
       return base::fail(blockedError({BlockReason::NotCommissioned, {}, std::nullopt}));
     }
@@ -156,11 +203,16 @@ class Job {
       return base::fail(cells.error());
     }
     m_cells = *cells;
-    Result<Preflight> flight = preflight(m_link, m_program, m_settings);
+    Result<Preflight> flight = m_live != nullptr ? readPlace(m_link, m_settings, false)
+                                                 : preflight(m_link, m_program, m_settings);
     if (!flight) {
       return base::fail(m_claim.withName(flight.error()));
     }
     m_flight = std::move(*flight);
+    if (m_live != nullptr) {
+      startRecording();
+      return requireStreamedAxes();
+    }
     m_report.counters.total = m_flight.points.points.size();
     m_report.checkpoint = m_type.checkpoint(
         m_settings, m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg, {}}));
@@ -242,7 +294,53 @@ class Job {
     start.user = m_settings.origin.user;
     start.computer = m_settings.origin.computer;
     m_recorder.writer->start(start);
-    m_recorder.writer->points(m_flight.points);
+    if (m_live == nullptr) {
+      m_recorder.writer->points(m_flight.points);
+    }
+  }
+
+  /// Which axes a live run moves is not known before: the control must have all of them.
+  Result<void> requireStreamedAxes() const {
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      if (m_cells.rotaryAxes[axis] && m_flight.axes.index[axis] < 0) {
+        return base::fail(
+            StreamError::AxisMissing,
+            fmt::format("The control has no axis {}: leave it out.", base::kRotaryAxisNames[axis]));
+      }
+    }
+    return {};
+  }
+
+  /// The source is read from now on: the program on the control waits for the first window.
+  void beginLive() {
+    const base::AxisPosition tool{m_flight.toolMm, m_flight.toolDeg};
+    const templates::TemplateParameters& parameters = m_settings.parameters;
+    const live::Agreement& agreed = m_live->agreement();
+    const double feedMmPerMin =
+        std::min(base::mmPerMinFromMmPerS(m_settings.feedMmPerS), agreed.feedMmPerMinMax);
+    m_live->begin({agreed, tool, feedMmPerMin, m_cells.axes, m_cells.rotaryAxes}, tool,
+                  {static_cast<std::size_t>(m_cells.pointsPerLoop),
+                   static_cast<std::size_t>(m_cells.windows + m_type.windowsTakenMax(parameters)),
+                   parameters.feedPerPoint},
+                  m_link.now());
+  }
+
+  /// Its points are known only now.
+  void endLive() {
+    m_flight.points.points = m_live->points();
+    if (m_recorder.writer != nullptr) {
+      m_recorder.writer->points(m_flight.points);
+    }
+    if (m_report.outcome != Outcome::Completed) {
+      return;
+    }
+    if (const base::Error refusal = m_live->summary().refusal; refusal.code) {
+      fail(refusal);
+    } else if (m_live->points().empty()) {
+      fail(base::makeError(live::LiveError::NoPoint,
+                           "The source ended before its first point. Nothing has moved.",
+                           m_program.name));
+    }
   }
 
   /// Transfers the flexible program, has it selected and started, and waits until it waits for the
@@ -398,8 +496,11 @@ class Job {
   }
 
   void stream() {
+    if (m_live != nullptr) {
+      beginLive();
+    }
     MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings,
-                      m_flight.toolDeg};
+                      m_flight.toolDeg,       m_live};
     const std::unique_ptr<Method> method = m_type.make(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
                   m_cells);
@@ -410,6 +511,9 @@ class Job {
       }
     }
     driver.watchRotary(shown.index);
+    if (m_live != nullptr) {
+      driver.watchSource(*m_live);
+    }
     const bool isByPosition = m_settings.parameters.method == base::MethodKind::Position;
     driver.watchPath({m_flight.points.points,
                       m_flight.toolMm,
@@ -439,6 +543,9 @@ class Job {
     if (end.programEnded) {
       takeProgramEnd();
     }
+    if (m_live != nullptr) {
+      endLive();
+    }
   }
 
   /// How the program ended and how far it came, according to its cells.
@@ -454,13 +561,21 @@ class Job {
     if (end->executed) {
       m_report.counters.executed = *end->executed;
     }
+    bool isDone = end->isDone;
+    if (m_live != nullptr && end->windows) {
+      const std::vector<std::size_t>& begins = m_live->windowBegins();
+      m_report.counters.executed = begins[std::min(*end->windows, begins.size() - 1)];
+      // If the source ended after its last window, the program has been told to end there.
+      isDone = isDone || (end->isStopped && m_live->isDry() &&
+                          m_report.counters.executed == m_live->points().size());
+    }
     if (m_report.error.code) {
       return;  // the first error is the cause
     }
     const bool isCompleted = m_report.outcome == Outcome::Completed;
     if (end->error.code && (end->isKnown || isCompleted)) {
       fail(end->error);
-    } else if (isCompleted && !end->isDone) {
+    } else if (isCompleted && !isDone) {
       fail(endedEarly());
     }
   }
@@ -491,6 +606,12 @@ class Job {
     }
     if (m_report.error.code != opcua::LinkError::ConnectionLost) {
       m_claim.release();
+    }
+    if (m_live != nullptr) {
+      m_live->executed(m_report.counters.executed);
+      m_report.live = m_live->summary();
+      m_live->finish(outcomeName(m_report.outcome),
+                     m_report.error.code ? m_report.error.text() : std::string());
     }
     m_report.access = m_ledger.statistics();
     if (m_recorder.writer != nullptr) {
@@ -558,6 +679,7 @@ class Job {
   Ledger m_ledger;
   JobRecorder m_recorder;
   const MethodType& m_type;
+  live::PointStream* m_live = nullptr;  ///< null: the points of the program
   templates::CellMap m_cells;
   StartClaim m_claim{m_link, m_control, m_cells, m_settings};
   Preflight m_flight;
@@ -583,38 +705,11 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
     feeds.error().context = program.name;
     return base::fail(feeds.error());
   }
-  const std::array<Variable, 5> watched{{{VariableKind::ChannelStatus, 0},
-                                         {VariableKind::ActualPosition, 0},
-                                         {VariableKind::ActualPosition, 1},
-                                         {VariableKind::ActualPosition, 2},
-                                         {VariableKind::Alarm, 0}}};
-  const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
-  if (!numbers) {
-    return base::fail(numbers.error());
+  Result<Preflight> place = readPlace(link, settings, !program.trajectory.rotary.empty());
+  if (!place) {
+    return place;
   }
-  if ((*numbers)[0] != opcua::kChannelReset) {
-    return base::fail(channelBusy());
-  }
-  if (Result<void> fine = requireNoAlarm((*numbers)[4]); !fine) {
-    return base::fail(fine.error());
-  }
-  Preflight flight;
-  flight.toolMm = {(*numbers)[1], (*numbers)[2], (*numbers)[3]};
-  const bool asksForRotary =
-      base::any(settings.parameters.rotaryAxes) || !program.trajectory.rotary.empty();
-  if (asksForRotary) {
-    const Result<ControlAxes> axes = readControlAxes(link, settings.setupDeadline);
-    if (!axes) {
-      return base::fail(axes.error());
-    }
-    flight.axes = *axes;
-    const Result<base::RotaryDeg> angles =
-        readAngles(link, flight.axes, flight.axes.set(), settings.setupDeadline);
-    if (!angles) {
-      return base::fail(angles.error());
-    }
-    flight.toolDeg = *angles;
-  }
+  Preflight flight = std::move(*place);
   if (Result<void> covered =
           requireRotaryAxes(program.trajectory, settings.parameters, flight.axes, flight.toolDeg);
       !covered) {
@@ -647,6 +742,16 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
   }
   flight.approachMm = base::distance(flight.toolMm, flight.points.points.front().positionMm);
   return flight;
+}
+
+RunReport runLive(opcua::Link& link, opcua::Control& control, std::string name,
+                  live::PointStream& source, const RunSettings& settings, RunOrders& orders,
+                  RunSink& sink, JobRecorder recorder) {
+  gcode::Program program;
+  program.name = std::move(name);
+  Job job(link, control, program, settings, orders, sink, std::move(recorder));
+  job.takeFrom(source);
+  return job.run();
 }
 
 RunReport runJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,

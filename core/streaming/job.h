@@ -15,6 +15,7 @@
 #include <string>
 
 #include "gcode/program.h"
+#include "live/point_stream.h"
 #include "streaming/control_axes.h"
 #include "streaming/driver.h"
 #include "streaming/run.h"
@@ -63,5 +64,12 @@ struct JobRecorder {
 [[nodiscard]] RunReport runJob(opcua::Link& link, opcua::Control& control,
                                const gcode::Program& program, const RunSettings& settings,
                                RunOrders& orders, RunSink& sink, JobRecorder recorder = {});
+
+/// The same for points that arrive while the machine moves. The run cannot be resumed.
+/// @param name  of the run, in reports  @param settings  method window or credit; `feedMmPerS` is
+///        that of points without one of their own
+[[nodiscard]] RunReport runLive(opcua::Link& link, opcua::Control& control, std::string name,
+                                live::PointStream& source, const RunSettings& settings,
+                                RunOrders& orders, RunSink& sink, JobRecorder recorder = {});
 
 }  // namespace rivulet::streaming

@@ -18,6 +18,7 @@
 #include "base/instant.h"
 #include "base/timer_table.h"
 #include "gcode/trajectory.h"
+#include "live/point_stream.h"
 #include "opcua/link.h"
 #include "streaming/pause_placement.h"
 #include "streaming/run.h"
@@ -109,16 +110,21 @@ class Method {
 
 /// Input of every method.
 struct MethodSetup {
-  std::vector<gcode::StreamPoint> points;  ///< at least one
+  std::vector<gcode::StreamPoint> points;  ///< at least one; with a live source none
   base::Vec3 startMm;                      ///< the tool's position before the run, workpiece frame
   templates::CellMap cells;
   RunSettings settings;
   base::RotaryDeg startDeg{};  ///< the same of A, B, C
+  /// Methods window and credit: the points arrive while the run is in progress. Null: they are all
+  /// here.
+  live::PointStream* live = nullptr;
 };
 
 /// How a program ended and how far it came, according to its cells.
 struct ProgramEnd {
   std::optional<std::size_t> executed;  ///< points of this run; nothing: not known
+  std::optional<std::size_t> windows;   ///< the same, windows
+  bool isStopped = false;               ///< it ended because its client asked for it
   bool isKnown = false;                 ///< its cells could be read
   bool isDone = false;                  ///< it reached its end
   base::Error error;                    ///< why it ended; code clear: nothing was wrong

@@ -34,10 +34,17 @@ base::Vec3 nearestOn(base::Vec3 from, base::Vec3 to, base::Vec3 point) {
 
 PathWatch::PathWatch(std::span<const gcode::StreamPoint> points, base::Vec3 startMm,
                      PathSlack slack)
-    : m_points(points), m_startMm(startMm), m_slack(slack), m_alongMm{0.0} {
-  RIVULET_ASSERT(!m_points.empty());
-  m_alongMm.reserve(m_points.size() + 1);
-  for (std::size_t place = 1; place <= m_points.size(); ++place) {
+    : m_startMm(startMm), m_slack(slack), m_alongMm{0.0} {
+  extend(points);
+}
+
+void PathWatch::extend(std::span<const gcode::StreamPoint> points) {
+  RIVULET_ASSERT(points.size() >= m_points.size());
+  m_points = points;
+  if (m_alongMm.capacity() <= points.size()) {
+    m_alongMm.reserve(std::max(points.size() + 1, 2 * m_alongMm.capacity()));
+  }
+  for (std::size_t place = m_alongMm.size(); place <= m_points.size(); ++place) {
     m_alongMm.push_back(m_alongMm.back() + base::distance(placeMm(place - 1), placeMm(place)));
   }
 }
@@ -85,6 +92,9 @@ double PathWatch::follow(base::Vec3 positionMm, double fromMm, std::size_t to) {
 
 std::optional<double> PathWatch::add(base::Vec3 positionMm, std::size_t passed, std::size_t sent) {
   const std::size_t last = m_points.size();
+  if (last == 0) {
+    return std::nullopt;
+  }
   passed = std::min(passed, last);
   const std::size_t to = std::min(std::max(sent, passed + 1), last);
   const double passedMm =

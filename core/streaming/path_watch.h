@@ -29,9 +29,12 @@ struct PathSlack {
 
 class PathWatch {
  public:
-  /// @param points  of the run, at least one; they outlive this object
+  /// @param points  of the run; they outlive this object
   /// @param startMm  of the tool before the run
   PathWatch(std::span<const gcode::StreamPoint> points, base::Vec3 startMm, PathSlack slack);
+
+  /// More points have arrived, which may have moved the others. @param points  all of the run
+  void extend(std::span<const gcode::StreamPoint> points);
 
   /// Takes a position of the tool.
   /// @param passed  points known to be passed before the position was read

@@ -21,6 +21,7 @@
 #include "base/vec3.h"
 #include "gcode/feeds.h"
 #include "gcode/program.h"
+#include "live/summary.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
 #include "streaming/pause_placement.h"
@@ -230,6 +231,7 @@ struct LiveUpdate {
   std::optional<base::Duration> stopConfirmedAfter;
   std::optional<Correction> correction;  ///< nothing: the program has none
   std::optional<WrongMotion> wrong;      ///< the first that was seen; nothing: none so far
+  std::optional<live::Level> source;     ///< nothing: all points were there before the start
 };
 
 enum class Outcome { Completed, Stopped, Failed };
@@ -272,6 +274,7 @@ struct RunReport {
   std::string slowedBy;  ///< what slowed the accesses of the run; in English; empty: nothing did
   /// Seen while the run was in progress. The trace of the control, if there is one, overrules it.
   std::optional<WrongMotion> wrong;
+  std::optional<live::Summary> live;  ///< nothing: all points were there before the start
 
   /// A stopped run is judged by the points up to the stop.
   [[nodiscard]] RunFinding finding() const;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "base/contract.h"
@@ -21,20 +22,25 @@ namespace rivulet::streaming {
 class SlotPlan {
  public:
   explicit SlotPlan(MethodSetup setup) : m_setup(std::move(setup)) {
-    RIVULET_ASSERT(!m_setup.points.empty());
+    RIVULET_ASSERT(!m_setup.points.empty() || m_setup.live != nullptr);
     const auto slots = static_cast<std::size_t>(m_setup.cells.slotCount());
     for (std::size_t slot = 0; slot < slots; ++slot) {
       m_cells.push_back(m_setup.cells.slotCells(static_cast<int>(slot)));
     }
     m_writes.reserve(slots * (base::kStreamedAxesMax + 1) + 4);
     m_arcMm.reserve(m_setup.points.size());
-    double length = 0.0;
     for (std::size_t i = 0; i < m_setup.points.size(); ++i) {
-      if (i > 0) {
-        length += wayTo(m_setup.points[i - 1].positionMm, m_setup.points[i - 1].rotaryDeg, i) *
-                  slowerThanRun(i);
-      }
-      m_arcMm.push_back(length);
+      addWayTo(i);
+    }
+  }
+
+  /// Where more points come from; null: all are here.
+  [[nodiscard]] live::PointStream* live() const { return m_setup.live; }
+  /// Points that have arrived since.
+  void append(std::span<const gcode::StreamPoint> points) {
+    for (const gcode::StreamPoint& added : points) {
+      m_setup.points.push_back(added);
+      addWayTo(m_setup.points.size() - 1);
     }
   }
 
@@ -122,6 +128,14 @@ class SlotPlan {
   }
 
  private:
+  void addWayTo(std::size_t index) {
+    const double before = m_arcMm.empty() ? 0.0 : m_arcMm.back();
+    m_arcMm.push_back(index == 0 ? 0.0
+                                 : before + wayTo(m_setup.points[index - 1].positionMm,
+                                                  m_setup.points[index - 1].rotaryDeg, index) *
+                                                slowerThanRun(index));
+  }
+
   [[nodiscard]] double wayTo(base::Vec3 fromMm, const base::RotaryDeg& fromDeg,
                              std::size_t point) const {
     return base::wayAlongFeed(base::distance(fromMm, m_setup.points[point].positionMm),

@@ -32,7 +32,9 @@ constexpr int kRunUnknown = -1;
 WindowedMethod::WindowedMethod(MethodSetup&& setup, bool saysExecuted)
     : m_plan(std::move(setup)),
       m_slots(static_cast<std::size_t>(m_plan.cells().windows)),
-      m_begins(m_plan.windowBegins(static_cast<std::size_t>(m_plan.cells().pointsPerLoop))),
+      m_begins(m_plan.live() != nullptr
+                   ? std::vector<std::size_t>{0}
+                   : m_plan.windowBegins(static_cast<std::size_t>(m_plan.cells().pointsPerLoop))),
       m_windowCount(m_begins.size() - 1),
       m_ownerCell{opcua::rParameter(m_plan.cells().owner)},
       m_watched{opcua::rParameter(m_plan.cells().latched)},
@@ -57,6 +59,9 @@ std::size_t WindowedMethod::windowBegin(std::size_t window) const {
 Duration WindowedMethod::windowTime(std::size_t window) const {
   const std::size_t begin = windowBegin(window);
   const std::size_t end = windowBegin(window + 1);
+  if (end == begin) {
+    return {};  // of a live source that has brought none yet
+  }
   if (begin == 0) {
     return m_plan.approachTime() + m_plan.travelTime(0, std::max<std::size_t>(end, 1) - 1);
   }
@@ -109,12 +114,42 @@ std::optional<Action> WindowedMethod::watch(Step step, std::span<const opcua::Va
 }
 
 int WindowedMethod::runWanted() const {
-  if (m_stopWanted) {
+  if (m_stopWanted || m_endWanted) {
     return WindowProtocol::kEnd;
   }
-  // The first windows are all there before anything moves: the start has the full margin.
-  const bool filled = m_delivered >= std::min(m_slots, m_windowCount);
+  // The first windows are all there before anything moves: the start has the full margin. Points of
+  // a live source do not wait for others.
+  const bool filled =
+      m_plan.live() != nullptr ? m_delivered > 0 : m_delivered >= std::min(m_slots, m_windowCount);
   return filled && !m_holdWanted ? WindowProtocol::kRun : WindowProtocol::kHold;
+}
+
+void WindowedMethod::takeLive(Instant now) {
+  live::PointStream* const live = m_plan.live();
+  if (!isOpen() || !m_owned || m_stopWanted || m_filled < m_windowCount ||
+      m_filled >= freed() + m_slots) {
+    return;
+  }
+  if (const std::optional<std::size_t> count = live->takeWindow(now)) {
+    m_plan.append(std::span(live->points()).last(*count));
+    m_begins.push_back(m_plan.pointCount());
+    ++m_windowCount;
+    m_isClosed = live->isDry();
+  } else if (live->isDry() && m_executed == m_windowCount) {
+    // Windows that the control has not copied yet would not be executed after this.
+    m_isClosed = m_endWanted = true;
+  }
+}
+
+void WindowedMethod::tellLive(Instant now) {
+  live::PointStream* const live = m_plan.live();
+  if (live == nullptr) {
+    return;
+  }
+  for (; m_begun < m_latched && m_begun <= m_executed; ++m_begun) {
+    live->windowBegins(now);
+  }
+  live->executed(m_progress.executed);
 }
 
 std::optional<Action> WindowedMethod::pollContent() {
@@ -135,6 +170,7 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
     return std::nullopt;
   }
   m_plan.clearWrites();
+  takeLive(now);
   const templates::CellMap& cells = m_plan.cells();
   if (!m_owned && !m_stopWanted) {
     if (m_step == Step::Claim) {
@@ -149,7 +185,7 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
     return write(Step::Run);
   }
   // After a stop nothing is delivered any more: so that no further points can be executed.
-  if (!m_stopWanted) {
+  if (!m_stopWanted && !m_endWanted) {
     if (std::optional<Action> action = pollContent()) {
       return action;
     }
@@ -214,7 +250,7 @@ void WindowedMethod::handle(const Answer& answer, Instant now) {
       look(answer, now);
       break;
   }
-  m_progress.allSent = m_delivered == m_windowCount;
+  m_progress.allSent = m_delivered == m_windowCount && !isOpen();
   estimateNeed();
 }
 
@@ -249,7 +285,8 @@ void WindowedMethod::confirmRun(Instant now) {
   m_run = m_runAsked;
   m_progress.lastProgress = now;
   m_progress.stopWritten = m_run == WindowProtocol::kEnd;
-  if (m_run == WindowProtocol::kHold) {
+  const bool waitsForSource = isOpen() && m_executed == m_delivered;
+  if (m_run == WindowProtocol::kHold || waitsForSource) {
     m_progress.expected.stop(Expectation::Progress);
   } else {
     // After a stop as well: the control continues to the end of the copied windows.
@@ -286,11 +323,16 @@ void WindowedMethod::observe(double latched, std::optional<double> executed, con
   m_progress.lastProgress = now;
   m_progress.executed = windowBegin(m_executed);
   m_progress.stopsPassed = stopsPassed();
+  tellLive(now);
   const bool moreToBring = m_filled < m_windowCount && !m_stopWanted;
   const Instant windowEnds = answer.sent + takenTime();
   m_timers.set(Timer::WindowEnds, windowEnds);
   m_progress.expected.set(Expectation::Access, moreToBring ? now : windowEnds);
-  if (moreToBring && m_delivered == m_latched) {
+  if (isOpen() && m_executed == m_delivered) {
+    // The machine waits for the source.
+    m_progress.expected.stop(Expectation::Progress);
+    m_progress.expected.stop(Expectation::Access);
+  } else if (moreToBring && m_delivered == m_latched) {
     m_progress.expected.stop(Expectation::Progress);  // the client has to deliver more
   } else {
     expectTaken(now);
@@ -359,8 +401,7 @@ Action WindowMethod::bring(std::size_t window, std::size_t points) {
   const std::size_t end = begin + points;
   const std::size_t slot = window % m_slots;
   const auto perWindow = static_cast<std::size_t>(cells.pointsPerLoop);
-  const bool isLast = end == m_plan.pointCount();
-  const double count = (isLast ? -1.0 : 1.0) * static_cast<double>(points);
+  const double count = (isLast(end) ? -1.0 : 1.0) * static_cast<double>(points);
   // With a feed in each point the window has none.
   const double feedMmPerMin = cells.feedPerPoint ? 0.0 : m_plan.feedMmPerMin(begin);
   RIVULET_ASSERT(cells.feedPerPoint || m_plan.feedMmPerMin(end - 1) == feedMmPerMin);
@@ -440,6 +481,9 @@ std::optional<ProgramEnd> WindowMethodType::askEnd(
     return end;
   }
   if (executed >= 0.0) {
+    end.windows = static_cast<std::size_t>(executed);
+  }
+  if (executed >= 0.0 && !points.empty()) {
     const auto perWindow = static_cast<std::size_t>(cells.pointsPerLoop);
     const PausePlacement placement = cutWindows(points, perWindow, windowCut(settings));
     end.executed = executed < static_cast<double>(placement.windows())
@@ -447,6 +491,7 @@ std::optional<ProgramEnd> WindowMethodType::askEnd(
                        : points.size();
   }
   end.isDone = state == templates::WindowState::Done;
+  end.isStopped = state == templates::WindowState::Stopped;
   if (state == templates::WindowState::Damaged) {
     end.error = base::makeError(
         StreamError::WindowDamaged,

@@ -54,6 +54,10 @@ class WindowedMethod : public Method {
 
   [[nodiscard]] std::size_t windowBegin(std::size_t window) const;
   [[nodiscard]] base::Duration windowTime(std::size_t window) const;
+  /// No window comes after the one that ends before this point.
+  [[nodiscard]] bool isLast(std::size_t end) const {
+    return end == m_plan.pointCount() && !isOpen();
+  }
 
   SlotPlan m_plan;
   std::size_t m_slots;         ///< k
@@ -91,11 +95,17 @@ class WindowedMethod : public Method {
   void expectTaken(base::Instant now);
   /// Until when the axes have points, and whether the client has something to deliver.
   void estimateNeed();
+  /// A live source: makes a window of the points that have arrived, if it is time for it.
+  void takeLive(base::Instant now);
+  /// A live source: more windows may come.
+  [[nodiscard]] bool isOpen() const { return m_plan.live() != nullptr && !m_isClosed; }
+  /// A live source: says which windows have begun and how many points have been executed.
+  void tellLive(base::Instant now);
   /// The value the run cell should have now.
   [[nodiscard]] int runWanted() const;
 
   std::vector<std::size_t> m_begins;  ///< first point of each window, and after the last one
-  std::size_t m_windowCount;          ///< windows the points make
+  std::size_t m_windowCount;          ///< windows the points make; of a live source so far
   std::array<opcua::Variable, 1> m_ownerCell;
   std::vector<opcua::Variable> m_watched;  ///< latched, and executed where the program says it
   std::vector<opcua::Variable> m_header;
@@ -105,8 +115,11 @@ class WindowedMethod : public Method {
   bool m_waiting = false;
   bool m_stopWanted = false;
   bool m_holdWanted = false;
-  bool m_renumber = false;  ///< the number on the control is not this run's: it is written again
-  bool m_owned = false;     ///< the control has granted its cells to this run
+  bool m_isClosed = false;   ///< no more windows come: the last one is marked, or the end is asked
+  std::size_t m_begun = 0;   ///< live source: windows that are in motion or executed
+  bool m_endWanted = false;  ///< the end of a live source came after its last window
+  bool m_renumber = false;   ///< the number on the control is not this run's: it is written again
+  bool m_owned = false;      ///< the control has granted its cells to this run
   int m_run = templates::WindowProtocol::kHold;       ///< value of the run cell, as confirmed
   int m_runAsked = templates::WindowProtocol::kHold;  ///< value in the write that is outstanding
   std::size_t m_filled = 0;                           ///< windows whose content is confirmed
@@ -120,7 +133,9 @@ class WindowedMethod : public Method {
 /// The control copies each window; when one is copied, everything before it has been executed.
 class WindowMethod : public WindowedMethod {
  public:
-  explicit WindowMethod(MethodSetup setup) : WindowMethod(std::move(setup), false) {}
+  /// With a live source, what has been executed is read too: the source is told.
+  explicit WindowMethod(MethodSetup setup)
+      : WindowMethod(std::move(setup), setup.live != nullptr) {}
 
  protected:
   WindowMethod(MethodSetup&& setup, bool saysExecuted)

@@ -24,6 +24,7 @@ DurationStatistics durationStatistics(std::vector<base::Duration> durations) {
   figures.count = durations.size();
   figures.mean = base::Duration{std::llround(sum / static_cast<long double>(durations.size()))};
   figures.p50 = base::quantile(durations, 500);
+  figures.p90 = base::quantile(durations, 900);
   figures.p95 = base::quantile(durations, 950);
   figures.p99 = base::quantile(durations, 990);
   figures.max = durations.back();

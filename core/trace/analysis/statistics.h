@@ -17,6 +17,7 @@ struct DurationStatistics {
   std::size_t count = 0;
   base::Duration mean{};  ///< rounded to the nearest nanosecond
   base::Duration p50{};
+  base::Duration p90{};
   base::Duration p95{};
   base::Duration p99{};
   base::Duration max{};
