@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,10 +13,12 @@
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "experiments/job_forecast.h"
 #include "gcode/block_observer.h"
 #include "job/main_program.h"
 #include "log/log.h"
 #include "machine/config.h"
+#include "report/job_json.h"
 #include "report/operating_point.h"
 #include "report/plan_json.h"
 #include "report/report_json.h"
@@ -110,16 +113,23 @@ class JobCommand {
   base::Result<void> prepare();
   base::Result<void> writeFiles() const;
   base::Result<void> connect();
+  /// Compares the job with the machine, and estimates its time.
+  base::Result<void> look();
   [[nodiscard]] Exit run();
+  [[nodiscard]] const std::vector<experiments::Hazard>& hazards() const { return m_hazards; }
 
  private:
   base::Result<void> planFeeds();
+  base::Result<std::optional<machine::MachineConfig>> machine();
+  void print(const streaming::WholeJobReport& done) const;
 
   const JobOptions& m_options;
   job::Plan m_plan;
   streaming::RunSettings m_settings;
   job::JobPrograms m_programs;
   Connection m_connection;
+  std::vector<experiments::Hazard> m_hazards;
+  std::optional<experiments::JobForecast> m_forecast;
 };
 
 base::Result<void> JobCommand::prepare() {
@@ -224,35 +234,84 @@ base::Result<void> JobCommand::connect() {
   return {};
 }
 
+/// What is known of the machine that is to run the job; nothing: it reports nothing that is known
+/// here.
+base::Result<std::optional<machine::MachineConfig>> JobCommand::machine() {
+  std::string preset = m_options.preset;
+  if (!m_options.simulate) {
+    const auto identity = m_connection.control->identity();
+    if (!identity) {
+      return base::fail(identity.error());
+    }
+    preset = identity->buildNumber;
+    const std::vector<std::string> known = machine::presetNames();
+    if (std::find(known.begin(), known.end(), preset) == known.end()) {
+      return std::nullopt;
+    }
+  }
+  auto config = machine::loadPreset(preset);
+  if (!config) {
+    return base::fail(config.error());
+  }
+  return std::optional(std::move(*config));
+}
+
+base::Result<void> JobCommand::look() {
+  const auto machine = this->machine();
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  if (!*machine) {
+    log::logger().warn(
+        "Travel, spindle speed and tools were not checked: the limits of this machine are not "
+        "known.");
+    return {};
+  }
+  const experiments::HazardOptions options{(*machine)->start()};
+  m_hazards = experiments::hazardsOf(m_plan, **machine, options);
+  if (!m_options.json) {
+    for (const experiments::Hazard& hazard : m_hazards) {
+      log::logger().warn(experiments::describe(hazard));
+    }
+  }
+  if (base::Result<void> none = experiments::requireNoHazard(m_plan, m_hazards); !none) {
+    return none;
+  }
+  m_forecast = experiments::forecast(m_plan, **machine, m_settings, options);
+  if (!m_options.json) {
+    fmt::print("estimated: {}\n", report::describe(m_forecast->times));
+  }
+  return {};
+}
+
+void JobCommand::print(const streaming::WholeJobReport& done) const {
+  std::size_t executed = 0;
+  for (const streaming::StretchReport& stretch : done.stretches) {
+    executed += stretch.run.counters.executed;
+  }
+  fmt::print("{}: {} of {} stretches begun, {} points executed, {} blocks for the control\n",
+             streaming::outcomeName(done.outcome), done.stretches.size(), m_plan.stretchCount(),
+             executed, m_plan.nativeCount());
+  if (done.outcome != streaming::Outcome::Completed) {
+    fmt::print("it ended {}\n", streaming::describe(done.reached));
+  }
+  fmt::print("measured: {}\n", report::describe(done.times));
+}
+
 Exit JobCommand::run() {
   JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
   const streaming::WholeJobReport done = streaming::runWholeJob(
       *m_connection.link, *m_connection.control, m_plan, m_settings, console, console);
-  std::size_t executed = 0;
-  nlohmann::ordered_json stretches = nlohmann::ordered_json::array();
-  for (const streaming::StretchReport& stretch : done.stretches) {
-    executed += stretch.run.counters.executed;
-    stretches.push_back({{"stretch", stretch.number},
-                         {"outcome", streaming::outcomeName(stretch.run.outcome)},
-                         {"points", stretch.run.counters.total},
-                         {"executed", stretch.run.counters.executed},
-                         {"start_mm", {stretch.startMm.x, stretch.startMm.y, stretch.startMm.z}},
-                         {"duration_s", base::toSeconds(stretch.run.duration)}});
-  }
   if (m_options.json) {
-    nlohmann::ordered_json json{{"outcome", streaming::outcomeName(done.outcome)},
-                                {"job", m_programs.number},
-                                {"run_number", done.runNumber},
-                                {"stretches", m_plan.stretchCount()},
-                                {"native_blocks", m_plan.nativeCount()},
-                                {"executed_points", executed},
-                                {"runs", stretches}};
-    json["error"] = done.error.code ? report::errorJson(done.error) : nlohmann::ordered_json();
+    nlohmann::ordered_json json = report::wholeJobJson(m_plan, done);
+    json["job"] = m_programs.number;
+    json["hazards"] = report::hazardsJson(m_hazards);
+    if (m_forecast) {
+      json["estimated"] = report::jobTimesJson(m_forecast->times);
+    }
     printJson(json);
   } else {
-    fmt::print("{}: {} of {} stretches begun, {} points executed, {} blocks for the control\n",
-               streaming::outcomeName(done.outcome), done.stretches.size(), m_plan.stretchCount(),
-               executed, m_plan.nativeCount());
+    print(done);
   }
   if (!done.error.code) {
     return Exit::Done;
@@ -278,8 +337,16 @@ Exit job(const JobOptions& options) {
   const bool runs = options.simulate || !options.endpoint.empty();
   if (done && runs) {
     done = command.connect();
+    if (done) {
+      done = command.look();
+    }
   }
   if (!done) {
+    if (options.json && !command.hazards().empty()) {
+      printJson({{"error", report::errorJson(done.error())},
+                 {"hazards", report::hazardsJson(command.hazards())}});
+      return exitFor(done.error());
+    }
     return reportError(done.error(), options.json);
   }
   return runs ? command.run() : Exit::Done;

@@ -172,22 +172,29 @@ class MainWriter final : public PlanWriter {
   }
 
   void writeStreamed(const Stretch& stretch) override {
+    // The loop clears its cells when it is interpreted: not before the native blocks are done.
+    line("STOPRE");
+    line("R{}={}", blockCell(m_loop), -m_due);
     line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
     line("R{}=0", blockCell(m_loop));
+    m_due = 0;
   }
 
   void writeDue(const NativeBlock& native, int number) override {
+    m_due = number;
     if (mayWaitBefore(native.reason) && native.reason != NativeReason::End) {
-      writeWait();
+      writeWait(number - 1);
     }
     line("R{}={}", blockCell(m_loop), number);
   }
 
-  /// Stop and hold between two native blocks. The axes stand.
-  void writeWait() {
+  /// Stop and hold between two native blocks. The axes stand. @param done  blocks up to here
+  void writeWait(int done) {
     ++m_waits;
+    line("STOPRE");
+    line("R{}={}", blockCell(m_loop), -done);
     line("RIV_W{}:", m_waits);
     line("STOPRE");
     line("IF R{}=={} GOTOF RIV_END", m_loop.cells.run, WindowProtocol::kEnd);
@@ -200,6 +207,7 @@ class MainWriter final : public PlanWriter {
   const templates::JobLoop& m_loop;
   int m_number;
   int m_waits = 0;
+  int m_due = 0;  ///< the last native block since the stretch; 0: none
 };
 
 /// The words of a point, "X1 Y2 C90", as far as the program has named the axes.

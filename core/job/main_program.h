@@ -59,8 +59,10 @@ struct Outline {
 /// @pre plan.isWhole()
 [[nodiscard]] Outline outlineOf(const Plan& plan);
 
-/// R number of the cell that tells which native block is due: its number in the plan, from 1; 0:
-/// none. Between two stretches, where the loop does not use it.
+/// R number of the cell that tells how far the native blocks are, between two stretches, where the
+/// loop does not use it. The number of a block in the plan, from 1: all before it have been
+/// executed, and it has been begun, or is the first of blocks that belong together. Negative: all
+/// up to it have been executed, and none after it has been begun. 0: none since the stretch.
 [[nodiscard]] int blockCell(const templates::JobLoop& loop);
 
 /// The words that put a control into the modal state, "G1 G17 G90 G710 DIAMOF G64 G94 F500".

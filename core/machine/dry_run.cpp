@@ -59,6 +59,7 @@ class DryRunner {
   void take(const PreparedEnd&) { m_hasEnded = true; }
 
   void take(const PreparedMotion& motion) {
+    m_run.motions.push_back({motion.line, {m_at.mm - motion.zeroMm, m_at.deg}});
     if (const std::optional<BeyondTravel> travel = beyondTravel(m_config, motion)) {
       find(motion.line).travel = travel;
     }

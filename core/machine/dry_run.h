@@ -35,9 +35,16 @@ struct DryTime {
   base::Duration duration{};
 };
 
+/// Where the axes stand before a motion.
+struct DryMotion {
+  base::LineNumber line;
+  base::AxisPosition from;  ///< workpiece frame of the motion
+};
+
 struct DryRun {
   std::vector<DryFinding> findings;  ///< in the order of the program
   std::vector<DryTime> times;        ///< of the lines that were asked for, in their order
+  std::vector<DryMotion> motions;
 };
 
 struct DryRunOptions {

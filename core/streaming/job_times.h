@@ -10,8 +10,8 @@
 namespace rivulet::streaming {
 
 struct JobTimes {
-  base::Duration streamed{};    ///< motion of stretches
-  base::Duration pauses{};      ///< the axes wait in a stretch for its next window
+  base::Duration streamed{};    ///< stretches, from the client's first check to their end
+  base::Duration pauses{};      ///< of that, standstills between windows: not in `streamed`
   base::Duration native{};      ///< blocks of the control, without those that change the tool
   base::Duration toolChange{};  ///< native blocks with the reason `tool`
   base::Duration handover{};    ///< control and client wait for each other between the two

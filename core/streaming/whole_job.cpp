@@ -153,12 +153,15 @@ class WholeJob {
         m_settings(settings),
         m_orders(orders),
         m_sink(sink) {
-    for (const job::Part& part : plan.parts) {
-      const auto* const stretch = std::get_if<job::Stretch>(&part);
-      if (stretch != nullptr && stretch->number > 0) {
+    for (std::size_t part = 0; part < plan.parts.size(); ++part) {
+      const auto* const stretch = std::get_if<job::Stretch>(&plan.parts[part]);
+      if (stretch == nullptr) {
+        m_natives.push_back(part);
+      } else if (stretch->number > 0) {
         m_stretches.push_back(stretch);
       }
     }
+    m_report.partTimes.resize(plan.parts.size());
   }
 
   WholeJobReport run() {
@@ -190,6 +193,13 @@ class WholeJob {
   }
 
  private:
+  struct State {
+    bool isReset = false;
+    bool isInterrupted = false;
+    double call = 0.0;
+    double native = 0.0;  ///< of the block cell
+  };
+
   Result<void> prepare() {
     Result<job::JobPrograms> programs = job::makePrograms(m_plan, m_settings.parameters);
     if (!programs) {
@@ -360,11 +370,13 @@ class WholeJob {
   Result<void> goThrough() {
     std::size_t next = 0;
     m_sink.nativeBlocks(1);
+    m_accountedTo = m_link.now();
     while (!m_isOver) {
       const Result<State> state = look();
       if (!state) {
         return base::fail(state.error());
       }
+      accountNative(*state, next);
       if (state->isReset) {
         return judgeEnd(next);
       }
@@ -387,6 +399,58 @@ class WholeJob {
       m_sink.nativeBlocks(static_cast<int>(next) + 1);
     }
     return {};
+  }
+
+  /// The time since the last look belongs to the native block that was due then.
+  void accountNative(const State& state, std::size_t next) {
+    const base::Duration passed = m_link.now() - m_accountedTo;
+    m_accountedTo += passed;
+    const int last = m_due;
+    m_due = state.call < 0.0 && belongs(std::abs(state.native), next)
+                ? static_cast<int>(std::abs(state.native))
+                : m_due;
+    if (last == 0) {
+      m_report.times.handover += passed;
+    } else {
+      const std::size_t part = m_natives[static_cast<std::size_t>(last) - 1];
+      const bool isTool =
+          std::get<job::NativeBlock>(m_plan.parts[part]).reason == job::NativeReason::Tool;
+      JobTimes times;
+      (isTool ? times.toolChange : times.native) = passed;
+      m_report.partTimes[part] += times;
+      m_report.times += times;
+    }
+    if (m_due > 0) {
+      const auto& block =
+          std::get<job::NativeBlock>(m_plan.parts[m_natives[static_cast<std::size_t>(m_due) - 1]]);
+      m_report.reached.native = m_due;
+      m_report.reached.line = block.place.line;
+      m_report.reached.file = block.file;
+    }
+  }
+
+  /// The cell has another meaning before the control has cleared it.
+  /// @param number  in the block cell  @param next  stretch that comes next, from 0
+  [[nodiscard]] bool belongs(double number, std::size_t next) const {
+    if (!(number >= 1.0) || number > static_cast<double>(m_natives.size()) ||
+        number != std::floor(number)) {
+      return false;
+    }
+    const std::size_t part = m_natives[static_cast<std::size_t>(number) - 1];
+    const auto partOf = [this](std::size_t stretch) {
+      return partOfStretch(*m_stretches[stretch]);
+    };
+    return (next == 0 || part > partOf(next - 1)) &&
+           (next == m_stretches.size() || part < partOf(next));
+  }
+
+  [[nodiscard]] std::size_t partOfStretch(const job::Stretch& stretch) const {
+    const auto is = [&stretch](const job::Part& part) {
+      const auto* const each = std::get_if<job::Stretch>(&part);
+      return each == &stretch;
+    };
+    return static_cast<std::size_t>(std::find_if(m_plan.parts.begin(), m_plan.parts.end(), is) -
+                                    m_plan.parts.begin());
   }
 
   Result<void> judgeEnd(std::size_t next) {
@@ -468,6 +532,7 @@ class WholeJob {
     StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
     report.run = runJob(link, link, program, settings, m_orders, m_sink);
     const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
+    accountStretch(stretch, m_report.stretches.back());
     if (run.outcome == Outcome::Completed) {
       return goOn(stretch.number);
     }
@@ -488,6 +553,25 @@ class WholeJob {
     m_isOver = true;
     m_report.outcome = Outcome::Stopped;
     return {};
+  }
+
+  void accountStretch(const job::Stretch& stretch, const StretchReport& report) {
+    const RunReport& run = report.run;
+    JobTimes times;
+    for (const trace::Pause& pause : run.pauses) {
+      times.pauses += pause.duration;
+    }
+    times.pauses = std::min(times.pauses, run.duration);
+    times.streamed = run.duration - times.pauses;
+    times.handover = std::max(base::Duration{}, m_link.now() - m_accountedTo - run.duration);
+    m_accountedTo = m_link.now();
+    m_due = 0;
+    m_report.partTimes[partOfStretch(stretch)] += times;
+    m_report.times += times;
+    m_report.reached = {stretch.number, run.counters.executed, run.counters.total, 0, {}, {}};
+    if (run.counters.executed > 0 && run.counters.executed <= report.points.size()) {
+      m_report.reached.line = report.points[run.counters.executed - 1].line;
+    }
   }
 
   /// A tool that is elsewhere than the program says means another frame, offset or tool length.
@@ -525,57 +609,38 @@ class WholeJob {
                       "The control did not end the job. Stop it at the control.");
   }
 
-  struct State {
-    bool isReset = false;
-    bool isInterrupted = false;
-    double call = 0.0;
-  };
-
   Result<State> look() {
-    const std::array<Variable, 3> watched{{{VariableKind::ChannelStatus, 0},
+    const std::array<Variable, 4> watched{{{VariableKind::ChannelStatus, 0},
                                            {VariableKind::Alarm, 0},
-                                           opcua::rParameter(m_programs.loop.callCell)}};
+                                           opcua::rParameter(m_programs.loop.callCell),
+                                           opcua::rParameter(job::blockCell(m_programs.loop))}};
     const auto numbers = opcua::readNumbers(m_claim.link(), watched, m_settings.setupDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
     }
     if ((*numbers)[1] != 0.0) {
-      return base::fail(alarm(static_cast<int>((*numbers)[1]), (*numbers)[2]));
+      return base::fail(alarm(static_cast<int>((*numbers)[1]), (*numbers)[2], (*numbers)[3]));
     }
     return State{(*numbers)[0] == opcua::kChannelReset, (*numbers)[0] == kChannelInterrupted,
-                 (*numbers)[2]};
+                 (*numbers)[2], (*numbers)[3]};
   }
 
   /// With the block of the source program, if the control has told which one is due.
-  base::Error alarm(int number, double call) {
-    const std::array<Variable, 1> cell{opcua::rParameter(job::blockCell(m_programs.loop))};
+  [[nodiscard]] base::Error alarm(int number, double call, double block) const {
     const bool isNative = call < 0.0;  // a stretch has been executed
-    const auto block = opcua::readNumbers(m_link, cell, m_settings.setupDeadline);
-    const job::NativeBlock* const native = isNative && block ? nativeBlock((*block)[0]) : nullptr;
-    if (native == nullptr) {
+    if (!isNative || !(block >= 1.0) || block > static_cast<double>(m_natives.size())) {
       return base::makeError(
           StreamError::ControlAlarm,
           fmt::format("The control stopped with alarm {}. Clear it at the control.", number));
     }
+    const auto& native =
+        std::get<job::NativeBlock>(m_plan.parts[m_natives[static_cast<std::size_t>(block) - 1]]);
     return base::makeError(
         StreamError::ControlAlarm,
         fmt::format("The control stopped with alarm {} at line {} of {}: {}. Clear it at the "
                     "control.",
-                    number, native->place.line.value,
-                    native->file.empty() ? m_plan.program.name : native->file, native->source));
-  }
-
-  /// @param number  from 1
-  [[nodiscard]] const job::NativeBlock* nativeBlock(double number) const {
-    double at = 0.0;
-    for (const job::Part& part : m_plan.parts) {
-      const auto* const native = std::get_if<job::NativeBlock>(&part);
-      at += native != nullptr ? 1.0 : 0.0;
-      if (native != nullptr && at == number) {
-        return native;
-      }
-    }
-    return nullptr;
+                    number, native.place.line.value,
+                    native.file.empty() ? m_plan.program.name : native.file, native.source));
   }
 
   [[nodiscard]] double call(int stretch) const {
@@ -606,6 +671,7 @@ class WholeJob {
   RunOrders& m_orders;
   WholeJobSink& m_sink;
   std::vector<const job::Stretch*> m_stretches;
+  std::vector<std::size_t> m_natives;  ///< parts that are native blocks, by their number less 1
   job::JobPrograms m_programs;
   StartClaim m_claim{m_link, m_control, m_programs.loop.cells, m_settings};
   int m_firstRun = 0;
@@ -615,10 +681,27 @@ class WholeJob {
   bool m_isHeld = false;
   bool m_isInterrupted = false;
   bool m_isOver = false;
+  int m_due = 0;            ///< native block that was due at the last look, from 1; 0: none yet
+  Instant m_accountedTo{};  ///< all time before is in the report
   WholeJobReport m_report;
 };
 
 }  // namespace
+
+std::string describe(const JobPlace& place) {
+  const std::string line = place.file.empty()
+                               ? fmt::format("line {}", place.line.value)
+                               : fmt::format("line {} of {}", place.line.value, place.file);
+  if (place.native > 0) {
+    return fmt::format("at the block for the control in {}{}", line,
+                       place.stretch > 0 ? fmt::format(", after stretch {}", place.stretch) : "");
+  }
+  if (place.stretch == 0) {
+    return "before anything was executed";
+  }
+  return fmt::format("in stretch {}, after {} of {} points{}", place.stretch, place.executed,
+                     place.total, place.line.value > 0 ? ", at " + line : "");
+}
 
 gcode::Program programOf(const job::Plan& plan, const job::Stretch& stretch) {
   const auto slice = [&stretch](const auto& all) {

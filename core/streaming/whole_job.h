@@ -9,12 +9,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "job/main_program.h"
 #include "job/plan.h"
 #include "streaming/driver.h"
+#include "streaming/job_times.h"
 #include "streaming/run.h"
 #include "trace/control_trace.h"
 
@@ -40,12 +42,29 @@ struct StretchReport {
   RunReport run;
 };
 
+/// How far a job came.
+struct JobPlace {
+  int stretch = 0;           ///< begun last; 0: none
+  std::size_t executed = 0;  ///< points of it
+  std::size_t total = 0;     ///< points it has
+  int native = 0;         ///< number of the native block that was due last, from 1; 0: none since
+  base::LineNumber line;  ///< of the last point or of that block; 0: nothing was executed
+  std::string file;       ///< the called file that line is in; empty: the program itself
+};
+/// "in stretch 2, after 5 of 12 points, at line 30"; "at the block in line 31, after stretch 2"
+[[nodiscard]] std::string describe(const JobPlace& place);
+
 struct WholeJobReport {
   Outcome outcome = Outcome::Failed;
   base::Error error;                                        ///< why, for Failed
   int runNumber = 0;                                        ///< of the job; stretch k has this + k
   std::vector<StretchReport> stretches;                     ///< those that were begun
   std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< of the whole job; null: none
+  JobTimes times;
+  /// One for each part of the plan, as the client saw them: a native block that is shorter than the
+  /// client's interval of 20 ms counts to its neighbour.
+  std::vector<JobTimes> partTimes;
+  JobPlace reached;
 };
 
 /// Runs a job. Nothing moves before every check has passed. A stop ends it at the next window or

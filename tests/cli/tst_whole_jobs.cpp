@@ -92,6 +92,20 @@ class TestWholeJobs : public QObject {
     QVERIFY(outcome.output.contains("G999"));
   }
 
+  /// What is beyond the machine is said before anything moves.
+  void refusesWhatTheMachineCannot() {
+    const Outcome outcome =
+        run({part("T99 M6\nG0 X500\nM30\n"), QStringLiteral("--simulate"),
+             QStringLiteral("--preset"), QStringLiteral("dmu75-mill"), QStringLiteral("--json")});
+    QCOMPARE(outcome.exit, 2);
+    const json result = json::parse(outcome.output.toStdString());
+    QCOMPARE(result["hazards"].size(), std::size_t{2});
+    QCOMPARE(result["hazards"][0]["line"].get<int>(), 1);
+    QCOMPARE(result["hazards"][1]["axis"].get<std::string>(), std::string("X"));
+    QCOMPARE(result["hazards"][1]["target"].get<double>(), 500.0);
+    QVERIFY(result["error"]["message"].get<std::string>().find("tool T99") != std::string::npos);
+  }
+
   void inVirtualTime() {
     const Outcome outcome = run({part(), QStringLiteral("--simulate"), QStringLiteral("--json")});
     QVERIFY2(outcome.exit == 0, outcome.output.constData());
@@ -99,6 +113,9 @@ class TestWholeJobs : public QObject {
     QCOMPARE(result["outcome"].get<std::string>(), std::string("completed"));
     QCOMPARE(result["runs"].size(), std::size_t{3});
     QCOMPARE(result["executed_points"].get<int>(), 6);
+    QCOMPARE(result["reached"]["stretch"].get<int>(), 3);
+    QVERIFY(result["times"]["streamed_s"].get<double>() > 0.0);
+    QVERIFY(result["estimated"]["total_s"].get<double>() > 0.0);
   }
 
   /// The control has no more to do when the client is done: it is in reset, and can be started

@@ -4,6 +4,9 @@
 // What a whole job would do on a machine: found before the start, and the same as the machine does.
 
 #include <QtTest>
+#include <cmath>
+#include <optional>
+#include <string>
 
 #include "base/units.h"
 #include "experiments/job_forecast.h"
@@ -51,6 +54,22 @@ QString found(const std::vector<Hazard>& hazards) {
   return all.join(QStringLiteral(", "));
 }
 
+/// Three stretches of 100 chords, a tool change and a dwell.
+std::string part() {
+  std::string text = "G54\nT1 D1 M6\nS3000 M3\nG0 X20 Y0 Z20\n";
+  for (int stretch = 0; stretch < 3; ++stretch) {
+    text += "G1 Z-1 F800\n";
+    for (int i = 1; i <= 100; ++i) {
+      text += "X" + std::to_string(20.0 * std::cos(0.1 * i)) + " Y" +
+              std::to_string(20.0 * std::sin(0.1 * i)) + " F3000\n";
+    }
+    text += stretch == 1
+                ? "G0 Z20\nG4 F3\n"
+                : "SUPA G0 Z200 D0\nT" + std::to_string(2 + stretch) + " D1 M6\nG0 X20 Y0\nZ20\n";
+  }
+  return text + "M30\n";
+}
+
 class Watcher final : public streaming::WholeJobSink, public streaming::RunOrders {
  public:
   void update(const streaming::LiveUpdate&) override {}
@@ -59,8 +78,21 @@ class Watcher final : public streaming::WholeJobSink, public streaming::RunOrder
   void nativeBlocks(int) override {}
   void stretchBegins(const job::Stretch&, base::Vec3) override {}
   bool waitsForCycleStart() override { return true; }
-  bool stopRequested(base::Instant) override { return false; }
+  bool stopRequested(base::Instant now) override { return stopsAt && now >= *stopsAt; }
+
+  std::optional<base::Instant> stopsAt;
 };
+
+streaming::WholeJobReport runOnMill(const std::string& text, const streaming::RunSettings& settings,
+                                    std::optional<double> stopsAfterS = {}) {
+  machine::Machine machine(mill(), 1);
+  streaming::SimulatedLink link(machine);
+  Watcher watcher;
+  if (stopsAfterS) {
+    watcher.stopsAt = link.now() + base::fromSeconds(*stopsAfterS);
+  }
+  return streaming::runWholeJob(link, link, planOf(text), settings, watcher, watcher);
+}
 
 streaming::RunSettings settings() {
   streaming::RunSettings all;
@@ -155,6 +187,61 @@ class TestJobForecast : public QObject {
       stopped += isSound ? 0 : 1;
     }
     QCOMPARE(stopped, 4);
+  }
+
+  void timesAreThoseMeasured_data() {
+    QTest::addColumn<int>("method");
+    QTest::newRow("window") << static_cast<int>(base::MethodKind::Window);
+    QTest::newRow("credit") << static_cast<int>(base::MethodKind::Credit);
+  }
+
+  void timesAreThoseMeasured() {
+    QFETCH(const int, method);
+    streaming::RunSettings run = settings();
+    run.parameters.method = static_cast<base::MethodKind>(method);
+    const job::Plan plan = planOf(part());
+    const streaming::JobTimes estimated =
+        experiments::forecast(plan, mill(), run, {mill().start()}).times;
+    const streaming::WholeJobReport report = runOnMill(part(), run);
+    QCOMPARE(report.outcome, streaming::Outcome::Completed);
+    const streaming::JobTimes& measured = report.times;
+    const auto differ = [](base::Duration a, base::Duration b) {
+      return std::abs(base::toSeconds(a) - base::toSeconds(b));
+    };
+    const std::string both = "estimated " + std::to_string(base::toSeconds(estimated.total())) +
+                             " s, measured " + std::to_string(base::toSeconds(measured.total()));
+    // What the client waits for depends on its accesses, which the estimate takes as an average.
+    QVERIFY2(differ(estimated.total(), measured.total()) < 0.1 * base::toSeconds(measured.total()),
+             both.c_str());
+    // Each of the three blocks is seen a little longer: the control waits before and after it.
+    const std::string tools = std::to_string(base::toSeconds(estimated.toolChange)) + " s, " +
+                              std::to_string(base::toSeconds(measured.toolChange)) + " s";
+    QVERIFY2(differ(estimated.toolChange, measured.toolChange) < 1.5, tools.c_str());
+    QVERIFY(differ(estimated.pauses, measured.pauses) < 1.0);
+    QVERIFY(measured.toolChange > std::chrono::seconds{14});  // three of 5 s
+    QVERIFY(measured.native > std::chrono::seconds{3});       // the dwell
+    streaming::JobTimes sum;
+    for (const streaming::JobTimes& times : report.partTimes) {
+      sum += times;
+    }
+    sum.handover = measured.handover;
+    QVERIFY(differ(sum.total(), measured.total()) < 1e-6);
+    QCOMPARE(report.reached.stretch, static_cast<int>(plan.stretchCount()));
+  }
+
+  /// A job that is stopped knows how far it came.
+  void howFarItCame() {
+    const streaming::WholeJobReport inNative = runOnMill(part(), settings(), 3.0);
+    QCOMPARE(QString::fromStdString(describe(inNative.reached)),
+             QStringLiteral("at the block for the control in line 2"));
+    const streaming::WholeJobReport inStretch = runOnMill(part(), settings(), 9.0);
+    QCOMPARE(inStretch.outcome, streaming::Outcome::Stopped);
+    QCOMPARE(inStretch.reached.stretch, 1);
+    QCOMPARE(inStretch.reached.native, 0);
+    const std::size_t executed = inStretch.reached.executed;
+    QVERIFY(executed > 3 && executed < 102);
+    // G0 in line 4 is the first point.
+    QCOMPARE(inStretch.reached.line.value, static_cast<unsigned>(executed + 3));
   }
 };
 

@@ -598,6 +598,20 @@ class TestWholeJob : public QObject {
     QCOMPARE(watcher.begun, (std::vector<int>{1}));
   }
 
+  /// The same for the last native block before a stretch.
+  void alarmBeforeAStretch() {
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    const streaming::WholeJobReport report = streaming::runWholeJob(
+        link, link, planOf("G0 X1 Y1 Z1\nG4 F1\nSUPA G0 Z500\nG0 X2 Z1\nM30\n"), settingsOf(),
+        watcher, watcher);
+    QVERIFY(report.outcome == Outcome::Failed);
+    QVERIFY2(report.error.text().find("line 3 of PART.MPF: SUPA G0 Z500") != std::string::npos,
+             report.error.text().c_str());
+    QCOMPARE(watcher.begun, (std::vector<int>{1}));
+  }
+
   /// If the control has another frame than the program, the job stops before the next point.
   void anotherFrame() {
     machine::Machine machine(*machine::loadPreset("dmu75"), 1);

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/job_json.h"
+
+#include <fmt/format.h>
+
+#include "report/report_json.h"
+
+namespace rivulet::report {
+
+using base::toSeconds;
+using nlohmann::ordered_json;
+
+ordered_json hazardsJson(const std::vector<experiments::Hazard>& hazards) {
+  ordered_json all = ordered_json::array();
+  for (const experiments::Hazard& hazard : hazards) {
+    ordered_json json{{"kind", experiments::hazardName(hazard.kind)},
+                      {"stops", hazard.stops()},
+                      {"line", hazard.line.value},
+                      {"stretch", hazard.stretch},
+                      {"message", experiments::describe(hazard)}};
+    if (!hazard.file.empty()) {
+      json["file"] = hazard.file;
+    }
+    if (hazard.travel) {
+      json["axis"] = std::string(1, hazard.travel->axis);
+      json["target"] = hazard.travel->target;
+      json["limits"] = {hazard.travel->min, hazard.travel->max};
+    }
+    all.push_back(std::move(json));
+  }
+  return all;
+}
+
+ordered_json jobTimesJson(const streaming::JobTimes& times) {
+  return {{"streamed_s", toSeconds(times.streamed)}, {"pauses_s", toSeconds(times.pauses)},
+          {"native_s", toSeconds(times.native)},     {"tool_change_s", toSeconds(times.toolChange)},
+          {"handover_s", toSeconds(times.handover)}, {"total_s", toSeconds(times.total())}};
+}
+
+ordered_json jobPlaceJson(const streaming::JobPlace& place) {
+  ordered_json json{{"stretch", place.stretch}, {"executed", place.executed},
+                    {"points", place.total},    {"native_block", place.native},
+                    {"line", place.line.value}, {"message", streaming::describe(place)}};
+  if (!place.file.empty()) {
+    json["file"] = place.file;
+  }
+  return json;
+}
+
+namespace {
+
+ordered_json partJson(const job::Part& part, const streaming::JobTimes& times) {
+  ordered_json json;
+  if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+    json = {{"kind", "native"},
+            {"line", native->place.line.value},
+            {"reason", job::nativeReasonName(native->reason)}};
+  } else {
+    json = {{"kind", "streamed"}, {"stretch", std::get<job::Stretch>(part).number}};
+  }
+  json["times"] = jobTimesJson(times);
+  return json;
+}
+
+}  // namespace
+
+ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport& report) {
+  std::size_t executed = 0;
+  ordered_json runs = ordered_json::array();
+  for (const streaming::StretchReport& stretch : report.stretches) {
+    executed += stretch.run.counters.executed;
+    runs.push_back({{"stretch", stretch.number},
+                    {"outcome", streaming::outcomeName(stretch.run.outcome)},
+                    {"points", stretch.run.counters.total},
+                    {"executed", stretch.run.counters.executed},
+                    {"start_mm", {stretch.startMm.x, stretch.startMm.y, stretch.startMm.z}},
+                    {"duration_s", toSeconds(stretch.run.duration)}});
+  }
+  ordered_json parts = ordered_json::array();
+  for (std::size_t part = 0; part < report.partTimes.size(); ++part) {
+    if (report.partTimes[part].total() > base::Duration{}) {
+      parts.push_back(partJson(plan.parts[part], report.partTimes[part]));
+    }
+  }
+  ordered_json json{{"outcome", streaming::outcomeName(report.outcome)},
+                    {"run_number", report.runNumber},
+                    {"stretches", plan.stretchCount()},
+                    {"native_blocks", plan.nativeCount()},
+                    {"executed_points", executed},
+                    {"reached", jobPlaceJson(report.reached)},
+                    {"times", jobTimesJson(report.times)},
+                    {"runs", runs},
+                    {"parts", parts}};
+  json["error"] = report.error.code ? errorJson(report.error) : ordered_json();
+  return json;
+}
+
+std::string describe(const streaming::JobTimes& times) {
+  return fmt::format(
+      "{:.1f} s streamed, {:.1f} s pauses, {:.1f} s blocks of the control, {:.1f} s tool changes, "
+      "{:.1f} s handovers; {:.1f} s in all",
+      toSeconds(times.streamed), toSeconds(times.pauses), toSeconds(times.native),
+      toSeconds(times.toolChange), toSeconds(times.handover), toSeconds(times.total()));
+}
+
+}  // namespace rivulet::report

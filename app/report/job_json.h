@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What a whole job would do, and what it did, as JSON (docs/cli.md names every field).
+/// @threadsafety pure.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "experiments/job_forecast.h"
+#include "job/plan.h"
+#include "streaming/job_times.h"
+#include "streaming/whole_job.h"
+
+namespace rivulet::report {
+
+[[nodiscard]] nlohmann::ordered_json hazardsJson(const std::vector<experiments::Hazard>& hazards);
+/// In seconds.
+[[nodiscard]] nlohmann::ordered_json jobTimesJson(const streaming::JobTimes& times);
+[[nodiscard]] nlohmann::ordered_json jobPlaceJson(const streaming::JobPlace& place);
+[[nodiscard]] nlohmann::ordered_json wholeJobJson(const job::Plan& plan,
+                                                  const streaming::WholeJobReport& report);
+
+/// "12.3 s streamed, 4.0 s pauses, 8.1 s blocks of the control, 10.0 s tool changes, 2.0 s
+/// handovers; 36.4 s in all"
+[[nodiscard]] std::string describe(const streaming::JobTimes& times);
+
+}  // namespace rivulet::report
