@@ -4,7 +4,6 @@
 #include "experiments/recorded_run.h"
 
 #include <fmt/format.h>
-#include <zstd.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "trace/import/compression.h"
 
 namespace rivulet::experiments {
 
@@ -24,9 +24,6 @@ namespace {
 using base::Result;
 using base::Vec3;
 
-/// A file of this size cannot be a recording.
-constexpr unsigned long long kBytesMax = 1ull << 30;
-
 Result<std::string> readFile(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
@@ -34,31 +31,6 @@ Result<std::string> readFile(const std::filesystem::path& path) {
     return base::fail(RecordedRunError::FileUnreadable,
                       "The file cannot be read. Check the path and its permissions.",
                       path.string());
-  }
-  return text;
-}
-
-Result<std::string> decompress(const std::string& packed, const std::string& name) {
-  const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  std::string text;
-  if (size != ZSTD_CONTENTSIZE_ERROR && size != ZSTD_CONTENTSIZE_UNKNOWN && size <= kBytesMax) {
-    text.resize(size);
-    if (ZSTD_decompress(text.data(), text.size(), packed.data(), packed.size()) == size) {
-      return text;
-    }
-  }
-  // Streams do not contain their size.
-  text.clear();
-  const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(),
-                                                                             ZSTD_freeDStream);
-  std::string chunk(ZSTD_DStreamOutSize(), '\0');
-  ZSTD_inBuffer in{packed.data(), packed.size(), 0};
-  while (in.pos < in.size && text.size() < kBytesMax) {
-    ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
-    if (ZSTD_isError(ZSTD_decompressStream(stream.get(), &out, &in)) != 0) {
-      return base::fail(RecordedRunError::Malformed, "The file is not a zstd archive.", name);
-    }
-    text.append(chunk.data(), out.pos);
   }
   return text;
 }
@@ -243,11 +215,12 @@ Result<RecordedRun> loadRecordedRun(const std::filesystem::path& folder, const s
   if (!packed) {
     return base::fail(packed.error());
   }
-  const Result<std::string> table = decompress(*packed, data.string());
-  if (!table) {
-    return base::fail(table.error());
+  const trace::Unpacked table = trace::unpack(*packed);
+  if (!table.whole) {
+    return base::fail(RecordedRunError::Malformed, "The file is not a whole zstd archive.",
+                      data.string());
   }
-  auto samples = parseRecordedSamples(*table);
+  auto samples = parseRecordedSamples(table.text);
   if (!samples) {
     return base::fail(samples.error());
   }

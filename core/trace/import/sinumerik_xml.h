@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The XML that SINUMERIK Operate saves a trace session as. @threadsafety pure.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "trace/signals.h"
+
+namespace rivulet::trace {
+
+[[nodiscard]] bool isSinumerikTrace(std::string_view text);
+
+/// One time base for each signal, because signals have their own sampling interval. Speeds are in
+/// mm/min, as the control shows them. A file that was cut is read up to there.
+/// @return error ImportError::NotATable: no signals, or their values in an unknown encoding
+[[nodiscard]] base::Result<SignalTrace> readSinumerikTrace(std::string_view text);
+
+}  // namespace rivulet::trace

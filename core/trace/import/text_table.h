@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A text of rows and columns as numbers, whatever separates the columns (tab, semicolon, comma,
+/// blanks) and whatever the decimal sign is. @threadsafety pure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace rivulet::trace {
+
+struct TextTable {
+  /// The cells of the rows before the first row of numbers, as they are.
+  std::vector<std::vector<std::string>> head;
+  std::vector<std::vector<double>> columns;  ///< of equal length; NaN: empty, or not a number
+  std::vector<std::string> remarks;          ///< what could not be read, one sentence each
+};
+
+/// UTF-8 of a text that may be UTF-16 or begin with a byte order mark.
+[[nodiscard]] std::string toUtf8(std::string_view bytes);
+
+/// Columns are recognised by the rows that hold numbers. A time of day, with or without a date,
+/// counts as a number of seconds; "true" and "false" as 1 and 0. Rows that do not fit are left out
+/// and counted. @return error ImportError::NotATable: no rows of numbers
+[[nodiscard]] base::Result<TextTable> readTable(std::string_view text);
+
+}  // namespace rivulet::trace

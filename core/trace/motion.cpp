@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trace/motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace rivulet::trace {
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+base::Duration medianStepOf(const std::vector<MotionSample>& samples) {
+  std::vector<base::Duration> steps;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    steps.push_back(samples[i].at - samples[i - 1].at);
+  }
+  if (steps.empty()) {
+    return {};
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+/// A signal with its times and its factor to internal units, read at ascending instants.
+class SignalReader {
+ public:
+  SignalReader(const SignalTrace& trace, std::size_t signal, double factor)
+      : m_signal(&trace.signalList[signal]),
+        m_at(&trace.timeBases[m_signal->timeBase].at),
+        m_factor(factor) {}
+
+  [[nodiscard]] std::size_t timeBase() const { return m_signal->timeBase; }
+  /// Linear between two samples; NaN outside.
+  [[nodiscard]] double at(base::Instant instant) {
+    advance(instant);
+    if (m_next == m_at->size() || m_at->empty() || instant < m_at->front()) {
+      return kUnknown;
+    }
+    const double later = m_factor * m_signal->values[m_next];
+    if ((*m_at)[m_next] == instant || m_next == 0) {
+      return later;
+    }
+    const double earlier = m_factor * m_signal->values[m_next - 1];
+    const double share = base::toSeconds(instant - (*m_at)[m_next - 1]) /
+                         base::toSeconds((*m_at)[m_next] - (*m_at)[m_next - 1]);
+    return earlier + share * (later - earlier);
+  }
+  /// The last sample before or at the instant; NaN before the first.
+  [[nodiscard]] double lastAt(base::Instant instant) {
+    advance(instant);
+    if (m_next < m_at->size() && (*m_at)[m_next] == instant) {
+      return m_factor * m_signal->values[m_next];
+    }
+    return m_next == 0 ? kUnknown : m_factor * m_signal->values[m_next - 1];
+  }
+
+ private:
+  void advance(base::Instant instant) {
+    while (m_next < m_at->size() && (*m_at)[m_next] < instant) {
+      ++m_next;
+    }
+  }
+
+  const Signal* m_signal;
+  const std::vector<base::Instant>* m_at;
+  double m_factor;
+  std::size_t m_next = 0;  ///< first sample at the instant or later
+};
+
+using Readers = std::array<std::optional<SignalReader>, kSignalRoleCount>;
+
+std::optional<SignalReader>& readerOf(Readers& readers, SignalRole role) {
+  return readers[static_cast<std::size_t>(role)];
+}
+
+SignalRole ofAxis(SignalRole ofX, std::size_t axis) {
+  return static_cast<SignalRole>(static_cast<std::size_t>(ofX) + axis);
+}
+
+Readers readersOf(const ImportedTrace& imported) {
+  Readers readers;
+  for (const ColumnRole& column : imported.columns) {
+    const auto signal =
+        std::find_if(imported.trace.signalList.begin(), imported.trace.signalList.end(),
+                     [&column](const Signal& one) { return one.name == column.column; });
+    if (signal == imported.trace.signalList.end()) {
+      continue;  // a column of time
+    }
+    const double factor = unitFactor(column.unit, column.role).value_or(1.0);
+    readerOf(readers, column.role)
+        .emplace(imported.trace, static_cast<std::size_t>(signal - imported.trace.signalList.begin()),
+                 factor);
+  }
+  return readers;
+}
+
+/// @return nothing if a recorded axis has no value there
+std::optional<base::Vec3> positionAt(Readers& readers, SignalRole ofX, base::Instant at) {
+  base::Vec3 position{};
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (auto& reader = readerOf(readers, ofAxis(ofX, axis))) {
+      const double value = reader->at(at);
+      if (!std::isfinite(value)) {
+        return std::nullopt;
+      }
+      position.set(axis, value);
+    }
+  }
+  return position;
+}
+
+bool hasAnyAxis(Readers& readers, SignalRole ofX) {
+  return readerOf(readers, ofX) || readerOf(readers, ofAxis(ofX, 1)) ||
+         readerOf(readers, ofAxis(ofX, 2));
+}
+
+/// The recorded path speed, or that of the axes; NaN: neither was recorded.
+double speedAt(Readers& readers, base::Instant at) {
+  if (auto& path = readerOf(readers, SignalRole::PathSpeed)) {
+    return std::abs(path->at(at));
+  }
+  double squares = 0.0;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (auto& reader = readerOf(readers, ofAxis(SignalRole::XSpeed, axis))) {
+      const double speed = reader->at(at);
+      squares += speed * speed;
+    }
+  }
+  return std::sqrt(squares);
+}
+
+void deriveSpeed(Motion& motion) {
+  for (std::size_t i = 1; i < motion.samples.size(); ++i) {
+    MotionSample& sample = motion.samples[i];
+    const MotionSample& before = motion.samples[i - 1];
+    sample.pathMmPerS = base::distance(motion.placeMm(sample), motion.placeMm(before)) /
+                        base::toSeconds(sample.at - before.at);
+  }
+}
+
+}  // namespace
+
+Motion motionOf(const ImportedTrace& imported) {
+  Readers readers = readersOf(imported);
+  Motion motion;
+  motion.hasSet = hasAnyAxis(readers, SignalRole::XSet);
+  motion.hasActual = hasAnyAxis(readers, SignalRole::XActual);
+  if (!motion.hasSet && !motion.hasActual) {
+    return motion;
+  }
+  motion.hasSpeed =
+      readerOf(readers, SignalRole::PathSpeed) || hasAnyAxis(readers, SignalRole::XSpeed);
+  motion.hasLine = readerOf(readers, SignalRole::Line).has_value();
+  motion.hasFeed = readerOf(readers, SignalRole::ProgrammedFeed).has_value();
+  motion.hasOverride = readerOf(readers, SignalRole::Override).has_value();
+  const SignalRole first = motion.hasSet ? SignalRole::XSet : SignalRole::XActual;
+  std::size_t axis = 0;
+  while (!readerOf(readers, ofAxis(first, axis))) {
+    ++axis;
+  }
+  const TimeBase& base =
+      imported.trace.timeBases[readerOf(readers, ofAxis(first, axis))->timeBase()];
+  motion.samples.reserve(base.at.size());
+  for (const base::Instant at : base.at) {
+    const auto set = positionAt(readers, SignalRole::XSet, at);
+    const auto actual = positionAt(readers, SignalRole::XActual, at);
+    const double speed = motion.hasSpeed ? speedAt(readers, at) : 0.0;
+    if (!set || !actual || std::isnan(speed)) {
+      continue;
+    }
+    MotionSample sample{at, *set, *actual, speed, kUnknown, 1.0, 0};
+    if (motion.hasFeed) {
+      sample.feedMmPerS = readerOf(readers, SignalRole::ProgrammedFeed)->lastAt(at);
+    }
+    if (motion.hasOverride) {
+      sample.overrideFactor = readerOf(readers, SignalRole::Override)->lastAt(at);
+    }
+    if (motion.hasLine) {
+      const double line = readerOf(readers, SignalRole::Line)->lastAt(at);
+      sample.line = line >= 1.0 && line < 4e9 ? static_cast<std::uint32_t>(line) : 0;
+    }
+    motion.samples.push_back(sample);
+  }
+  motion.step = medianStepOf(motion.samples);
+  if (!motion.hasSpeed) {
+    deriveSpeed(motion);
+  }
+  return motion;
+}
+
+Motion motionOf(const ControlTrace& trace) {
+  Motion motion;
+  motion.hasSet = motion.hasActual = motion.hasSpeed = motion.hasLine = true;
+  motion.samples.reserve(trace.samples.size());
+  for (const ControlSample& sample : trace.samples) {
+    motion.samples.push_back({sample.at, sample.commandMm, sample.actualMm, sample.feedMmPerS,
+                              kUnknown, 1.0, sample.line.value});
+  }
+  motion.events = trace.events;
+  motion.step = medianStepOf(motion.samples);
+  return motion;
+}
+
+}  // namespace rivulet::trace

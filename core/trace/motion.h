@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the axes did, sample by sample, from whatever trace: the input of every analysis.
+/// @threadsafety plain values; pure functions.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/instant.h"
+#include "base/vec3.h"
+#include "trace/control_trace.h"
+#include "trace/import/import.h"
+
+namespace rivulet::trace {
+
+struct MotionSample {
+  base::Instant at{};
+  base::Vec3 setMm;       ///< set point; valid if `Motion::hasSet`
+  base::Vec3 actualMm;    ///< after the servo; valid if `Motion::hasActual`
+  double pathMmPerS = 0;  ///< path speed, of the set point if there is one
+  double feedMmPerS = 0;  ///< programmed feed; NaN: not known
+  double overrideFactor = 1.0;
+  std::uint32_t line = 0;  ///< of the program on the control; 0: none
+};
+
+struct Motion {
+  std::vector<MotionSample> samples;  ///< times strictly ascending
+  std::vector<ControlEvent> events;   ///< what the control recorded besides
+  base::Duration step{};              ///< median time between two samples
+  bool hasSet = false;
+  bool hasActual = false;
+  /// The path speed was recorded. False: it comes from the positions, and the resolution of these
+  /// limits it.
+  bool hasSpeed = false;
+  bool hasLine = false;
+  bool hasFeed = false;
+  bool hasOverride = false;
+
+  /// The set point, or the actual position where no set point was recorded.
+  [[nodiscard]] base::Vec3 placeMm(const MotionSample& sample) const {
+    return hasSet ? sample.setMm : sample.actualMm;
+  }
+};
+
+/// The signals that have a role, on the time base of the positions. Signals of another time base
+/// are interpolated; an axis that was not recorded stands at 0; samples without position are left
+/// out. Nothing has a position: `samples` is empty.
+[[nodiscard]] Motion motionOf(const ImportedTrace& imported);
+
+/// Set points, actual positions, speed and lines. The feed of the program is not known.
+[[nodiscard]] Motion motionOf(const ControlTrace& trace);
+
+}  // namespace rivulet::trace

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Named signals over time, as they come from the trace of any control: any columns, several time
+/// bases, irregular samples. @threadsafety plain values.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/instant.h"
+
+namespace rivulet::trace {
+
+/// When the samples of one or more signals were taken: strictly ascending.
+struct TimeBase {
+  std::string name;  ///< of the column of time; empty: the file has none
+  std::vector<base::Instant> at;
+};
+
+struct Signal {
+  std::string name;  ///< as in the file; unique in its trace
+  std::string unit;  ///< as in the file; empty: not given
+  std::size_t timeBase = 0;
+  std::vector<double> values;  ///< one per instant of the time base; NaN: no value there
+};
+
+struct SignalTrace {
+  std::string format;  ///< "CSV", "TwinCAT Scope", ...
+  std::vector<TimeBase> timeBases;
+  std::vector<Signal> signalList;
+  /// What could not be read or had to be assumed: one sentence each, in English.
+  std::vector<std::string> remarks;
+};
+
+}  // namespace rivulet::trace

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+
+#include <QtTest>
+
+#include "support/test_program.h"
+#include "trace/import/compression.h"
+#include "trace/import/import.h"
+#include "trace/motion.h"
+
+using namespace rivulet;
+using namespace rivulet::trace;
+
+namespace {
+
+ImportedTrace imported(std::string_view text, const ImportOptions& options = {}) {
+  auto result = importTrace(text, options);
+  if (!result) {
+    qWarning("%s", result.error().message.c_str());
+    return {};
+  }
+  return std::move(*result);
+}
+
+std::string roles(const ImportedTrace& trace) {
+  return printColumnRoles(trace.columns);
+}
+
+std::string remarks(const ImportedTrace& trace) {
+  return fmt::format("{}", fmt::join(trace.trace.remarks, "\n"));
+}
+
+}  // namespace
+
+class TestImport : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void readsAnyLayout_data();
+  void readsAnyLayout();
+  void guessesRoles_data();
+  void guessesRoles();
+  void obeysTheMapping();
+  void refusesAWrongMapping();
+  void keepsWhatCanBeRead();
+  void leavesOutTimeThatRunsBackwards();
+  void namesDuplicateColumns();
+  void readsTwoTimeBases();
+  void readsHalsampler();
+  void readsTwinCatScope();
+  void readsSinumerikXml();
+  void readsCompressedFiles();
+  void refusesRubbish();
+};
+
+void TestImport::readsAnyLayout_data() {
+  QTest::addColumn<QByteArray>("text");
+  const auto row = [](const char* name, QByteArray text) { QTest::newRow(name) << text; };
+  row("csv", "t_s,x_cmd,y_cmd\n0,1.5,-2\n0.004,1.75,-2.5\n0.008,2,-3\n");
+  row("crlf", "t_s,x_cmd,y_cmd\r\n0,1.5,-2\r\n0.004,1.75,-2.5\r\n0.008,2,-3\r\n");
+  row("tsv", "t_s\tx_cmd\ty_cmd\n0\t1.5\t-2\n0.004\t1.75\t-2.5\n0.008\t2\t-3\n");
+  row("comma decimals", "t_s;x_cmd;y_cmd\n0;1,5;-2\n0,004;1,75;-2,5\n0,008;2;-3\n");
+  row("comma decimals, tabs", "t_s\tx_cmd\ty_cmd\n0\t1,5\t-2\n0,004\t1,75\t-2,5\n0,008\t2\t-3\n");
+  row("quotes", "\"t_s\",\"x_cmd\",\"y_cmd\"\n0,\"1.5\",-2\n0.004,1.75,-2.5\n0.008,2,-3\n");
+  row("units in brackets", "t [ms];X cmd [um];Y cmd (mm)\n0;1500;-2\n4;1750;-2.5\n8;2000;-3\n");
+  row("row of units", "t;x_cmd;y_cmd\nms;um;mm\n0;1500;-2\n4;1750;-2.5\n8;2000;-3\n");
+  row("preamble",
+      "exported by somebody\n\nt_s,x_cmd,y_cmd\n0,1.5,-2\n0.004,1.75,-2.5\n0.008,2,-3\n");
+  row("separator at the end", "t_s;x_cmd;y_cmd;\n0;1.5;-2;\n0.004;1.75;-2.5;\n0.008;2;-3;\n");
+  row("time of day",
+      "time,x_cmd,y_cmd\n00:00:00.000,1.5,-2\n00:00:00.004,1.75,-2.5\n00:00:00.008,2,-3\n");
+  row("byte order mark", "\xEF\xBB\xBFt_s,x_cmd,y_cmd\n0,1.5,-2\n0.004,1.75,-2.5\n0.008,2,-3\n");
+}
+
+void TestImport::readsAnyLayout() {
+  QFETCH(QByteArray, text);
+  const ImportedTrace trace = imported(text.toStdString());
+  QCOMPARE(remarks(trace), std::string());
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.samples.size(), std::size_t{3});
+  QVERIFY(motion.hasSet && !motion.hasActual && !motion.hasSpeed);
+  QCOMPARE(motion.step, base::Duration{std::chrono::milliseconds{4}});
+  QVERIFY(base::distance(motion.samples[1].setMm, {1.75, -2.5, 0.0}) < 1e-9);
+  QVERIFY(base::distance(motion.samples[2].setMm, {2.0, -3.0, 0.0}) < 1e-9);
+}
+
+void TestImport::guessesRoles_data() {
+  QTest::addColumn<QString>("head");
+  QTest::addColumn<QString>("expected");
+  const auto row = [](const char* head, const char* expected) {
+    QTest::newRow(head) << QString(head) << QString(expected);
+  };
+  row("t_s,x_cmd,x_fb,vx,v_path,v_req,line",
+      "time=t_s:s,x_set=x_cmd,x_act=x_fb,x_speed=vx,path_speed=v_path,programmed_feed=v_req,line="
+      "line");
+  row("Zeit [s],X Soll [mm],X Ist [mm],Schleppabstand X [mm],Satz",
+      "time=Zeit [s]:s,x_set=X Soll [mm]:mm,x_act=X Ist [mm]:mm,line=Satz");
+  row("__time,/axis1/setpoint,/axis2/setpoint,/axis1/actual",
+      "time=__time:s,x_set=/axis1/setpoint,y_set=/axis2/setpoint,x_act=/axis1/actual");
+  row("time,joint.0.pos-cmd,joint.1.pos-cmd,joint.0.f-error,feed override",
+      "time=time:s,x_set=joint.0.pos-cmd,y_set=joint.1.pos-cmd,override=feed override");
+  row("timestamp,ActPosX,SetPosX,x acceleration", "time=timestamp:s,x_set=SetPosX,x_act=ActPosX");
+}
+
+void TestImport::guessesRoles() {
+  QFETCH(QString, head);
+  QFETCH(QString, expected);
+  std::string text = head.toStdString() + "\n";
+  const auto columns = std::count(text.begin(), text.end(), ',');
+  for (int i = 0; i < 5; ++i) {
+    text += fmt::format("{}", 0.01 * i);
+    for (int column = 0; column < columns; ++column) {
+      text += fmt::format(",{}", 0.5 * i);
+    }
+    text += '\n';
+  }
+  QCOMPARE(QString::fromStdString(roles(imported(text))), expected);
+}
+
+void TestImport::obeysTheMapping() {
+  ImportOptions options;
+  options.columns = *parseColumnRoles("time=clock:ms,x_set=a:um,y_act=#3");
+  const ImportedTrace trace = imported("clock,a,b\n0,1500,-2\n4,1750,-2.5\n", options);
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.step, base::Duration{std::chrono::milliseconds{4}});
+  QCOMPARE(motion.samples[1].setMm.x, 1.75);
+  QCOMPARE(motion.samples[1].actualMm.y, -2.5);
+  QCOMPARE(roles(trace), std::string("time=clock:ms,x_set=a:um,y_act=b"));
+}
+
+void TestImport::refusesAWrongMapping() {
+  QVERIFY(parseColumnRoles("x=a").error().message.find("x_set") != std::string::npos);
+  ImportOptions options;
+  options.columns = *parseColumnRoles("x_set=c");
+  const auto result = importTrace("t,a,b\n0,1,2\n1,2,3\n", options);
+  QCOMPARE(result.error().message,
+           std::string("The trace has no column \"c\". Its columns are t, a, b."));
+}
+
+void TestImport::keepsWhatCanBeRead() {
+  const ImportedTrace trace = imported(
+      "t_s,x_cmd,y_cmd\n0,1,2\n0.001,1,2\n*** overrun ***\n0.002,1,error\n0.003,,2\n0.004,1");
+  QCOMPARE(trace.trace.timeBases[0].at.size(), std::size_t{4});
+  QVERIFY(std::isnan(trace.trace.signalList[1].values[2]));
+  QVERIFY(std::isnan(trace.trace.signalList[0].values[3]));
+  QCOMPARE(remarks(trace),
+           std::string("1 rows do not have 3 columns and were left out; the first is line 4.\n"
+                       "1 cells are not numbers and were left empty; the first is in line 5.\n"
+                       "The file ends within a row: it was cut off there."));
+  QCOMPARE(motionOf(trace).samples.size(), std::size_t{2});
+}
+
+void TestImport::leavesOutTimeThatRunsBackwards() {
+  const ImportedTrace trace = imported(
+      "t_s,x_cmd\n0,1\n0.1,2\n0.05,3\n0.06,4\n0.1,5\n0.2,6\n0.3,7\n0.4,1\n0.5,1\n0.6,1\n"
+      "0.7,1\n0.8,1\n0.9,1\n1,1\n1.1,1\n1.2,1\n1.3,1\n1.4,1\n1.5,1\n1.6,1\n1.7,1\n1.8,1\n");
+  QCOMPARE(trace.trace.signalList[0].values[2], 6.0);
+  QCOMPARE(
+      remarks(trace),
+      std::string("The time \"t_s\" runs backwards at row 3: 2 rows were left out until it goes "
+                  "on.\n1 rows repeat the time of the row before and were left out."));
+}
+
+void TestImport::namesDuplicateColumns() {
+  const ImportedTrace trace = imported("t_s,x_cmd,x_cmd\n0,1,5\n0.1,2,6\n0.2,3,7\n");
+  QCOMPARE(trace.trace.signalList[1].name, std::string("x_cmd (2)"));
+  QCOMPARE(remarks(trace), std::string("The column \"x_cmd\" occurs more than once: this one is "
+                                       "called \"x_cmd (2)\"."));
+  QCOMPARE(motionOf(trace).samples[2].setMm.x, 3.0);
+}
+
+void TestImport::readsTwoTimeBases() {
+  const ImportedTrace trace =
+      imported("t1_ms,x_cmd,t2_ms,y_cmd\n0,0,0,0\n10,1,20,4\n20,2,40,8\n30,3,60,12\n40,4,80,16\n");
+  QCOMPARE(trace.trace.timeBases.size(), std::size_t{2});
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.samples.size(), std::size_t{5});
+  QVERIFY(base::distance(motion.samples[1].setMm, {1.0, 2.0, 0.0}) < 1e-9);
+  QVERIFY(base::distance(motion.samples[4].setMm, {4.0, 8.0, 0.0}) < 1e-9);
+}
+
+void TestImport::readsHalsampler() {
+  ImportOptions options;
+  options.rateHz = 500.0;
+  options.columns = *parseColumnRoles("x_set=#2,y_set=#3");
+  const ImportedTrace trace =
+      imported("100 1.5 2\n101 1.6 2\n102 1.7 2\noverrun\n110 1.8 2\n111 1.9 2\n", options);
+  const std::vector<base::Instant>& at = trace.trace.timeBases[0].at;
+  QCOMPARE(at.size(), std::size_t{5});
+  QCOMPARE(at[3] - at[2], base::Duration{std::chrono::milliseconds{16}});
+  QCOMPARE(motionOf(trace).samples[4].setMm.x, 1.9);
+}
+
+void TestImport::readsTwinCatScope() {
+  const ImportedTrace trace = imported(
+      "Name\tScope Project\nFile\tC:\\a.svdx\nStarttime of export\t133238090039920000\tMonday\n"
+      "Endtime of export\t133238090049920000\tMonday\n\n"
+      "Name\tAxis1.SetPos\tName\tAxis1.ActPos\nData-Type\tREAL64\tData-Type\tREAL64\n"
+      "SampleTime[ms]\t2\tSampleTime[ms]\t4\nUnit\tmm\tUnit\tmm\n\n"
+      "0\t1,5\t0\t1\n2\t1,6\t4\t2\n4\t1,7\t8\t3\n6\t1,8\t12\t4\n8\t1,9\t16\t5\n");
+  QCOMPARE(trace.trace.format, std::string("TwinCAT Scope"));
+  QCOMPARE(trace.trace.timeBases.size(), std::size_t{2});
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.step, base::Duration{std::chrono::milliseconds{2}});
+  QCOMPARE(motion.samples[1].setMm.x, 1.6);
+  QCOMPARE(motion.samples[1].actualMm.x, 1.5);
+}
+
+void TestImport::readsSinumerikXml() {
+  const std::string text =
+      "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n<traceSession version=\"01.00.03.02\">\n"
+      "<traceData><dataFrame>\n<frameHeader startTime=\"x\"/>\n"
+      "<dataSignal id=\"f1\" key=\"s1\" name=\"/Nck/!SD/a [u1, 1]\" description=\"Position "
+      "setpoint "
+      "(64 bit)\" interval=\"0.002\" unitsType=\"posn\"/>\n"
+      "<dataSignal id=\"f2\" key=\"s2\" name=\"/Nck/!SD/b [u1, 2]\" description=\"Position "
+      "setpoint "
+      "(64 bit)\" interval=\"0.004\" unitsType=\"posn\"/>\n"
+      "<dataSignal id=\"f3\" key=\"s3\" name=\"/Nck/!SD/c [u1, 1]\" description=\"Following "
+      "Error\" "
+      "unitsType=\"posn\"/>\n"
+      "<rec time=\"0\" f1=\"1.5\" f2=\"-3\" f3=\"0.1\"/>\n<rec time=\"0.002\" f1=\"1.6\"/>\n"
+      "<rec time=\"0.004\" f1=\"1.7\" f2=\"-4\" f3=\"9221120237041090560\"/>\n"
+      "<rec time=\"0.006\" f1=\"1.8\" f2=";
+  const ImportedTrace trace = imported(text);
+  QCOMPARE(trace.trace.format, std::string("SINUMERIK trace"));
+  QCOMPARE(trace.trace.signalList[2].values.size(), std::size_t{1});
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.samples.size(), std::size_t{3});
+  QVERIFY(base::distance(motion.samples[1].setMm, {1.6, -3.5, 0.0}) < 1e-9);
+  QVERIFY(remarks(trace).find("cut off") != std::string::npos);
+}
+
+void TestImport::readsCompressedFiles() {
+  std::string text = "t_s,x_cmd\n";
+  for (int i = 0; i < 50000; ++i) {
+    text += fmt::format("{},{}\n", 0.001 * i, 0.5 * i * i);
+  }
+  const std::string packed = pack(text, 3);
+  QCOMPARE(imported(packed).trace.signalList[0].values.size(), std::size_t{50000});
+  const ImportedTrace cut = imported(packed.substr(0, packed.size() / 2));
+  QVERIFY(cut.trace.signalList[0].values.size() > 1000);
+  QVERIFY(remarks(cut).find("cut or damaged") != std::string::npos);
+}
+
+void TestImport::refusesRubbish() {
+  for (const std::string& rubbish :
+       {std::string(), std::string("Dear Sir or Madam,\nplease find enclosed\n"),
+        std::string("\x7F\x45\x4C\x46\0\1\2\3 1 2 3\n4 5 6\n", 20),
+        std::string("<traceSession></traceSession>")}) {
+    const auto result = importTrace(rubbish);
+    QVERIFY(!result);
+    QVERIFY(!result.error().message.empty());
+  }
+}
+
+RIVULET_TEST(TestImport)
+#include "tst_import.moc"
