@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trace/analysis/program_path.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/contract.h"
+
+namespace rivulet::trace {
+
+namespace {
+
+base::Vec3 least(base::Vec3 a, base::Vec3 b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+base::Vec3 greatest(base::Vec3 a, base::Vec3 b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+}  // namespace
+
+ProgramPath::ProgramPath(std::vector<gcode::StreamPoint> points, base::Vec3 startMm)
+    : m_points(std::move(points)), m_startMm(startMm) {
+  RIVULET_ASSERT(!m_points.empty());
+  m_lengths.reserve(m_points.size() + 1);
+  m_lengths.push_back(0.0);
+  while (m_leaves < m_points.size()) {
+    m_leaves *= 2;
+  }
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  m_boxes.resize(2 * m_leaves, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}});
+  for (std::size_t i = 0; i < m_points.size(); ++i) {
+    const base::Vec3 from = begin(i);
+    const base::Vec3 to = m_points[i].positionMm;
+    m_lengths.push_back(m_lengths.back() + base::distance(from, to));
+    m_boxes[m_leaves + i] = {least(from, to), greatest(from, to)};
+  }
+  for (std::size_t node = m_leaves; node-- > 1;) {
+    const Box& a = m_boxes[2 * node];
+    const Box& b = m_boxes[2 * node + 1];
+    m_boxes[node] = {least(a.min, b.min), greatest(a.max, b.max)};
+  }
+}
+
+std::size_t ProgramPath::segmentAt(double lengthMm) const {
+  const auto found = std::lower_bound(m_lengths.begin() + 1, m_lengths.end(), lengthMm);
+  return std::min(static_cast<std::size_t>(found - m_lengths.begin() - 1), m_points.size() - 1);
+}
+
+base::Vec3 ProgramPath::at(double lengthMm) const {
+  const std::size_t segment = segmentAt(lengthMm);
+  const double length = m_lengths[segment + 1] - m_lengths[segment];
+  const double share =
+      length > 0.0 ? std::clamp((lengthMm - m_lengths[segment]) / length, 0.0, 1.0) : 1.0;
+  const base::Vec3 from = begin(segment);
+  return from + share * (m_points[segment].positionMm - from);
+}
+
+base::Vec3 ProgramPath::direction(std::size_t segment) const {
+  const base::Vec3 along = m_points[segment].positionMm - begin(segment);
+  const double length = base::norm(along);
+  return length > 0.0 ? (1.0 / length) * along : base::Vec3{};
+}
+
+bool ProgramPath::isBlockEnd(std::size_t segment) const {
+  const gcode::StreamPoint& point = m_points[segment];
+  const bool isChord =
+      point.kind == gcode::MoveKind::ArcPiece || point.kind == gcode::MoveKind::SplinePiece;
+  return !isChord || segment + 1 == m_points.size() || m_points[segment + 1].line != point.line ||
+         m_points[segment + 1].kind != point.kind;
+}
+
+PathPlace ProgramPath::placeOn(std::size_t segment, base::Vec3 position) const {
+  const base::Vec3 from = begin(segment);
+  const base::Vec3 along = m_points[segment].positionMm - from;
+  const double squares = base::dot(along, along);
+  const double share =
+      squares > 0.0 ? std::clamp(base::dot(position - from, along) / squares, 0.0, 1.0) : 1.0;
+  return {m_lengths[segment] + share * (m_lengths[segment + 1] - m_lengths[segment]),
+          base::distance(position, from + share * along), segment};
+}
+
+void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t count,
+                          base::Vec3 position, double radiusMm,
+                          std::vector<PathPlace>& found) const {
+  const Box& box = m_boxes[node];
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (position[axis] < box.min[axis] - radiusMm || position[axis] > box.max[axis] + radiusMm) {
+      return;
+    }
+  }
+  if (count == 1) {
+    const PathPlace place = placeOn(first, position);
+    if (place.distanceMm <= radiusMm) {
+      found.push_back(place);
+    }
+    return;
+  }
+  collect(2 * node, first, count / 2, position, radiusMm, found);
+  collect(2 * node + 1, first + count / 2, count / 2, position, radiusMm, found);
+}
+
+std::vector<PathPlace> ProgramPath::near(base::Vec3 position, double radiusMm) const {
+  std::vector<PathPlace> found;
+  collect(1, 0, m_leaves, position, radiusMm, found);
+  // Of neighbouring segments, the local minima of the distance.
+  std::vector<PathPlace> minima;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool hasBefore = i > 0 && found[i - 1].segment + 1 == found[i].segment;
+    const bool hasAfter = i + 1 < found.size() && found[i].segment + 1 == found[i + 1].segment;
+    // A vertex belongs to both of its segments.
+    const bool isAtBegin = found[i].lengthMm <= m_lengths[found[i].segment];
+    const bool isAtEnd = found[i].lengthMm >= m_lengths[found[i].segment + 1];
+    const bool isOfBefore = isAtBegin && hasBefore;
+    const bool isOfAfter = isAtEnd && hasAfter && found[i + 1].distanceMm < found[i].distanceMm;
+    if (!isOfBefore && !isOfAfter) {
+      minima.push_back(found[i]);
+    }
+  }
+  return minima;
+}
+
+PathPlace ProgramPath::nearest(base::Vec3 position, double fromMm, double toMm) const {
+  PathPlace best;
+  best.distanceMm = std::numeric_limits<double>::infinity();
+  const std::size_t last = segmentAt(toMm);
+  for (std::size_t segment = segmentAt(fromMm); segment <= last; ++segment) {
+    const PathPlace place = placeOn(segment, position);
+    if (place.distanceMm < best.distanceMm) {
+      best = place;
+    }
+  }
+  return best;
+}
+
+}  // namespace rivulet::trace

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The programmed path as a line over its length, with a quick search for what is near a place.
+/// @threadsafety immutable after construction.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/vec3.h"
+#include "gcode/trajectory.h"
+
+namespace rivulet::trace {
+
+/// A place on the path.
+struct PathPlace {
+  double lengthMm = 0.0;    ///< from the start of the path
+  double distanceMm = 0.0;  ///< of the position asked for
+  std::size_t segment = 0;  ///< ends at point `segment` of the list
+};
+
+/// Segment i leads to point i of the list; segment 0 comes from the start.
+class ProgramPath {
+ public:
+  /// @param points  not empty, finite  @param startMm  where the tool stood before the first
+  ProgramPath(std::vector<gcode::StreamPoint> points, base::Vec3 startMm);
+
+  [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const { return m_points; }
+  [[nodiscard]] double lengthMm() const { return m_lengths.back(); }
+  /// Of the path up to the end of a segment.
+  [[nodiscard]] double lengthTo(std::size_t segment) const { return m_lengths[segment + 1]; }
+  [[nodiscard]] base::Vec3 at(double lengthMm) const;
+  [[nodiscard]] std::size_t segmentAt(double lengthMm) const;
+  /// Unit vector; zero if the segment has no length.
+  [[nodiscard]] base::Vec3 direction(std::size_t segment) const;
+  /// False for the chords within an arc or spline: their ends are no programmed points.
+  [[nodiscard]] bool isBlockEnd(std::size_t segment) const;
+
+  /// The nearest place of each run of segments that lies within `radiusMm`, in the order of the
+  /// path: several if the path passes there more than once. O(log(points) + found).
+  [[nodiscard]] std::vector<PathPlace> near(base::Vec3 position, double radiusMm) const;
+  /// The nearest place of a part of the path.
+  [[nodiscard]] PathPlace nearest(base::Vec3 position, double fromMm, double toMm) const;
+
+ private:
+  struct Box {
+    base::Vec3 min;
+    base::Vec3 max;
+  };
+  [[nodiscard]] base::Vec3 begin(std::size_t segment) const {
+    return segment == 0 ? m_startMm : m_points[segment - 1].positionMm;
+  }
+  [[nodiscard]] PathPlace placeOn(std::size_t segment, base::Vec3 position) const;
+  void collect(std::size_t node, std::size_t first, std::size_t count, base::Vec3 position,
+               double radiusMm, std::vector<PathPlace>& found) const;
+
+  std::vector<gcode::StreamPoint> m_points;
+  base::Vec3 m_startMm;
+  std::vector<double> m_lengths;  ///< at the vertices: the start and every point
+  std::vector<Box> m_boxes;       ///< binary tree over runs of segments
+  std::size_t m_leaves = 1;       ///< a power of two
+};
+
+}  // namespace rivulet::trace

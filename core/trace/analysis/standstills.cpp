@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trace/analysis/standstills.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "trace/analysis/pauses.h"
+
+namespace rivulet::trace {
+
+namespace {
+
+using base::Duration;
+
+/// A moment of rest may be missing that share of a step: the ramps are not quite straight.
+constexpr double kRampSlack = 0.12;
+/// A dip to more than this share of the speed around it is none that leads to a stop.
+constexpr double kDipShare = 0.5;
+/// Speeds from actual positions: slower than this share of the usual speed, the tool stands. Axes
+/// at rest tremble.
+constexpr double kTrembleShare = 0.02;
+/// A turn of the path by more than this is a corner.
+constexpr double kCornerDegMin = 0.1;
+/// A longer stop is more than braking and accelerating at a corner.
+constexpr Duration kExactStopMax = std::chrono::milliseconds{30};
+/// Data that arrived this long before the end of a stop ended it.
+constexpr Duration kDataLeadMax = std::chrono::milliseconds{60};
+
+double standstillMmPerS(const Motion& motion) {
+  const double exact = PauseOptions{}.standstillMmPerSMax;
+  if (motion.hasSpeed || motion.hasSet) {
+    return exact;
+  }
+  std::vector<double> speeds;
+  for (const MotionSample& sample : motion.samples) {
+    if (sample.pathMmPerS > exact) {
+      speeds.push_back(sample.pathMmPerS);
+    }
+  }
+  if (speeds.empty()) {
+    return exact;
+  }
+  const auto usual = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), usual, speeds.end());
+  return std::max(exact, kTrembleShare * *usual);
+}
+
+/// How long the path stood between samples i and i + 1, by the ramps before and after; nothing: it
+/// did not stop. @param i >= 1, two samples follow
+std::optional<Duration> momentAfter(const std::vector<MotionSample>& samples, std::size_t i) {
+  const double before = samples[i - 1].pathMmPerS;
+  const double last = samples[i].pathMmPerS;
+  const double first = samples[i + 1].pathMmPerS;
+  const double after = samples[i + 2].pathMmPerS;
+  if (before <= last || after <= first ||
+      std::min(last, first) >= kDipShare * std::max(before, after)) {
+    return std::nullopt;
+  }
+  const double stepS = base::toSeconds(samples[i + 1].at - samples[i].at);
+  const double brakingS =
+      last * base::toSeconds(samples[i].at - samples[i - 1].at) / (before - last);
+  const double leavingS =
+      first * base::toSeconds(samples[i + 2].at - samples[i + 1].at) / (after - first);
+  const double restS = stepS - brakingS - leavingS;
+  if (restS < -kRampSlack * stepS) {
+    return std::nullopt;
+  }
+  return base::fromSeconds(std::max(0.0, restS));
+}
+
+Standstill standstillAt(const Motion& motion, std::size_t begin, Duration duration,
+                        Duration uncertainty) {
+  const MotionSample& sample = motion.samples[begin];
+  Standstill stop;
+  stop.start = sample.at;
+  stop.duration = duration;
+  stop.uncertainty = uncertainty;
+  stop.placeMm = motion.placeMm(sample);
+  stop.line = sample.line;
+  return stop;
+}
+
+/// First sample at the instant or later.
+std::size_t indexAt(const Motion& motion, base::Instant at) {
+  const auto found = std::lower_bound(
+      motion.samples.begin(), motion.samples.end(), at,
+      [](const MotionSample& sample, base::Instant instant) { return sample.at < instant; });
+  return static_cast<std::size_t>(found - motion.samples.begin());
+}
+
+/// Angle between the directions in which the tool arrives and leaves, degrees.
+std::optional<double> turnAt(const Motion& motion, const Standstill& stop) {
+  constexpr double kReachMm = 0.05;
+  const base::Vec3 place = stop.placeMm;
+  std::optional<base::Vec3> from;
+  std::optional<base::Vec3> to;
+  for (std::size_t i = std::min(indexAt(motion, stop.start), motion.samples.size() - 1);
+       i > 0 && !from; --i) {
+    const base::Vec3 at = motion.placeMm(motion.samples[i - 1]);
+    from = base::distance(at, place) > kReachMm ? std::optional(at) : std::nullopt;
+  }
+  for (std::size_t i = indexAt(motion, stop.start + stop.duration);
+       i < motion.samples.size() && !to; ++i) {
+    const base::Vec3 at = motion.placeMm(motion.samples[i]);
+    to = base::distance(at, place) > kReachMm ? std::optional(at) : std::nullopt;
+  }
+  if (!from || !to) {
+    return std::nullopt;
+  }
+  const base::Vec3 arriving = place - *from;
+  const base::Vec3 leaving = *to - place;
+  const double cosine = base::dot(arriving, leaving) / (base::norm(arriving) * base::norm(leaving));
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+}
+
+void setCause(Standstill& stop, StopCause cause, std::string evidence) {
+  stop.cause = cause;
+  stop.evidence = std::move(evidence);
+}
+
+bool findEvent(Standstill& stop, const Motion& motion) {
+  const base::Instant end = stop.start + stop.duration + motion.step;
+  for (const ControlEvent& event : motion.events) {
+    if (event.from >= end || event.to <= stop.start - motion.step) {
+      continue;
+    }
+    using Kind = ControlEvent::Kind;
+    const double seconds = base::toSeconds(event.to - event.from);
+    if (event.kind == Kind::Dwell) {
+      setCause(stop, StopCause::Dwell,
+               fmt::format("the control recorded a dwell of {:.3f} s in line {}", seconds,
+                           event.line.value));
+    } else if (event.kind == Kind::Stop) {
+      setCause(
+          stop, StopCause::ProgrammedStop,
+          fmt::format("the control recorded M{:.0f} in line {}", event.value, event.line.value));
+    } else {
+      setCause(stop, StopCause::ToolChange,
+               fmt::format("the control recorded an auxiliary function of {:.3f} s in line {}",
+                           seconds, event.line.value));
+    }
+    return true;
+  }
+  return false;
+}
+
+bool findHold(Standstill& stop, const Motion& motion) {
+  constexpr double kHeld = 1e-3;
+  const base::Instant end = stop.start + stop.duration;
+  for (std::size_t i = indexAt(motion, stop.start);
+       motion.hasOverride && i < motion.samples.size() && motion.samples[i].at <= end; ++i) {
+    if (motion.samples[i].overrideFactor <= kHeld) {
+      setCause(stop, StopCause::Hold, "the override was 0 while the axes stood");
+      return true;
+    }
+  }
+  return false;
+}
+
+bool findData(Standstill& stop, const Recording* recording) {
+  if (recording == nullptr) {
+    return false;
+  }
+  const base::Instant end = stop.start + stop.duration;
+  for (const Access& access : recording->accesses) {
+    const base::Instant answered = access.sent + access.took;
+    if (access.write && answered > stop.start && answered <= end &&
+        end - answered <= kDataLeadMax) {
+      setCause(
+          stop, StopCause::WaitingForData,
+          fmt::format("a write of {} values was answered {:.1f} ms before the axes moved again",
+                      access.nodes, base::toMilliseconds(end - answered)));
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The line before the stop is after the line behind it: the loop of a flexible program.
+bool findLoop(Standstill& stop, const Motion& motion) {
+  const std::size_t next = indexAt(motion, stop.start + stop.duration) + 1;
+  if (!motion.hasLine || next >= motion.samples.size()) {
+    return false;
+  }
+  const std::uint32_t after = motion.samples[next].line;
+  if (stop.line == 0 || after == 0 || after >= stop.line) {
+    return false;
+  }
+  setCause(stop, StopCause::PreprocessorStop,
+           fmt::format("the program on the control jumps from line {} back to line {}", stop.line,
+                       after));
+  return true;
+}
+
+}  // namespace
+
+std::string_view stopCauseName(StopCause cause) {
+  static constexpr std::array<std::string_view, 8> kNames{
+      "unknown",          "exact stop",       "dwell", "programmed stop", "tool change", "hold",
+      "waiting for data", "preprocessor stop"};
+  return kNames[static_cast<std::size_t>(cause)];
+}
+
+std::vector<Standstill> findStandstills(const Motion& motion) {
+  const std::vector<MotionSample>& samples = motion.samples;
+  const double standing = standstillMmPerS(motion);
+  // Speeds from actual positions are too uneven to be continued.
+  const bool seesMoments = motion.hasSpeed || motion.hasSet;
+  std::vector<Standstill> stops;
+  std::optional<std::size_t> moving;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].pathMmPerS <= standing) {
+      continue;
+    }
+    if (moving && i - *moving > 1) {
+      stops.push_back(
+          standstillAt(motion, *moving, samples[i - 1].at - samples[*moving].at, motion.step));
+    } else if (moving && seesMoments && *moving > 0 && i + 1 < samples.size()) {
+      const bool isNew = stops.empty() || stops.back().start < samples[*moving - 1].at;
+      if (const auto rest = momentAfter(samples, *moving); rest && isNew) {
+        stops.push_back(standstillAt(motion, *moving, *rest, motion.step));
+      }
+    }
+    moving = i;
+  }
+  return stops;
+}
+
+void findCauses(std::vector<Standstill>& stops, const Motion& motion, const Recording* recording) {
+  for (Standstill& stop : stops) {
+    if (findEvent(stop, motion) || findHold(stop, motion) || findData(stop, recording) ||
+        findLoop(stop, motion)) {
+      continue;
+    }
+    const auto turn = stop.duration <= kExactStopMax ? turnAt(motion, stop) : std::nullopt;
+    if (turn && *turn > kCornerDegMin) {
+      setCause(stop, StopCause::ExactStop,
+               fmt::format("the path turns by {:.1f} degrees there", *turn));
+    }
+  }
+}
+
+}  // namespace rivulet::trace

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Everything that is said of one trace: the same figures for command line, HMI and tests.
+/// @threadsafety pure.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gcode/program.h"
+#include "trace/analysis/integrity.h"
+#include "trace/analysis/motion_quality.h"
+#include "trace/analysis/path_match.h"
+#include "trace/analysis/standstills.h"
+#include "trace/motion.h"
+#include "trace/recording.h"
+
+namespace rivulet::trace {
+
+/// What there is of a run. All pointers may be null.
+struct TraceSubject {
+  const Recording* recording = nullptr;        ///< also gives the control's trace, if it has one
+  const ControlTrace* controlTrace = nullptr;  ///< without a recording
+  const ImportedTrace* imported = nullptr;     ///< of another tool
+  const gcode::Program* program = nullptr;     ///< not needed with a recording
+  double toleranceMm = 0.05;                   ///< `PathMatchOptions`
+};
+
+struct TraceAnalysis {
+  Motion motion;
+  std::vector<Standstill> stops;  ///< with their causes
+  Integrity blocks;               ///< judged from the blocks that the control executed
+  PathMatch path;                 ///< judged from the positions
+  std::shared_ptr<const ProgramPath> programPath;  ///< null: no program
+  MotionQuality quality;
+};
+
+[[nodiscard]] TraceAnalysis analyseTrace(const TraceSubject& subject);
+
+}  // namespace rivulet::trace

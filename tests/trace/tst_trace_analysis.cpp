@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+
+#include <QtTest>
+#include <cmath>
+
+#include "base/file.h"
+#include "gcode/program.h"
+#include "support/test_program.h"
+#include "trace/analysis/trace_analysis.h"
+#include "trace/import/import.h"
+
+using namespace rivulet;
+using namespace rivulet::trace;
+
+namespace {
+
+const QString kGroundTruth = QStringLiteral(RIVULET_SOURCE_DIR "/../shared/groundtruth");
+
+/// A motion at constant speed along straight lines.
+Motion motionAlong(const std::vector<base::Vec3>& corners, double mmPerS, double stepS) {
+  Motion motion;
+  motion.hasSet = true;
+  motion.step = base::fromSeconds(stepS);
+  double timeS = 0.0;
+  double rest = 0.0;  // of the step before, mm
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const double length = base::distance(corners[i], corners[i + 1]);
+    double at = rest;
+    for (; at < length; at += mmPerS * stepS) {
+      MotionSample sample;
+      sample.at = base::Instant{base::fromSeconds(timeS)};
+      sample.setMm = corners[i] + (at / length) * (corners[i + 1] - corners[i]);
+      sample.pathMmPerS = mmPerS;
+      motion.samples.push_back(sample);
+      timeS += stepS;
+    }
+    rest = at - length;
+  }
+  MotionSample last;
+  last.at = base::Instant{base::fromSeconds(timeS)};
+  last.setMm = corners.back();
+  last.pathMmPerS = mmPerS;
+  motion.samples.push_back(last);
+  return motion;
+}
+
+ProgramPath pathThrough(const std::vector<base::Vec3>& corners) {
+  std::vector<gcode::StreamPoint> points;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    gcode::StreamPoint point;
+    point.positionMm = corners[i];
+    point.line.value = static_cast<std::uint32_t>(i);
+    points.push_back(point);
+  }
+  return {points, corners.front()};
+}
+
+/// "executed 3 undecided 0 repeated 1 skipped 2 foreign 0, departs".
+QString printed(const PathMatch& match) {
+  return QStringLiteral("executed %1 undecided %2 repeated %3 skipped %4 foreign %5%6")
+      .arg(match.executed)
+      .arg(match.undecided)
+      .arg(match.repeated)
+      .arg(match.skipped)
+      .arg(match.foreign)
+      .arg(match.departure ? QStringLiteral(", departs") : QString());
+}
+
+const std::vector<base::Vec3> kZigzag{{0, 0, 0}, {10, 0, 0}, {10, 5, 0},
+                                      {0, 5, 0}, {0, 10, 0}, {10, 10, 0}};
+
+}  // namespace
+
+class TestTraceAnalysis : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void followsThePath_data() {
+    QTest::addColumn<double>("stepS");
+    for (const double hz : {10.0, 50.0, 250.0, 1000.0, 4000.0}) {
+      QTest::addRow("%g Hz", hz) << 1.0 / hz;
+    }
+  }
+  void followsThePath() {
+    QFETCH(double, stepS);
+    const PathMatch match = matchPath(motionAlong(kZigzag, 10.0, stepS), pathThrough(kZigzag));
+    QVERIFY(match.isFaultless());
+    QCOMPARE(match.executed + match.undecided, std::size_t{5});
+    QVERIFY(stepS > 0.01 || match.undecided == 0);
+  }
+
+  /// The same places in the opposite direction, and twice.
+  void followsAPathThatComesBack() {
+    const std::vector<base::Vec3> there{{0, 0, 0}, {10, 0, 0}, {0, 0, 0}, {10, 0, 0}, {20, 0, 0}};
+    const PathMatch match = matchPath(motionAlong(there, 10.0, 0.004), pathThrough(there));
+    QCOMPARE(printed(match),
+             QStringLiteral("executed 4 undecided 0 repeated 0 skipped 0 foreign 0"));
+  }
+
+  void findsFaults_data() {
+    QTest::addColumn<QList<int>>("course");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("skipped") << QList<int>{0, 1, 3, 4, 5}
+                             << "executed 4 undecided 0 repeated 0 skipped 1 foreign 0";
+    QTest::newRow("two skipped") << QList<int>{0, 1, 4, 5}
+                                 << "executed 3 undecided 0 repeated 0 skipped 2 foreign 0";
+    QTest::newRow("repeated") << QList<int>{0, 1, 2, 3, 1, 2, 3, 4, 5}
+                              << "executed 5 undecided 0 repeated 3 skipped 0 foreign 0";
+    QTest::newRow("stopped in the middle")
+        << QList<int>{0, 1, 2, 3} << "executed 3 undecided 0 repeated 0 skipped 0 foreign 0";
+    QTest::newRow("elsewhere") << QList<int>{0, 1, 2, 6, 7, 2, 3, 4, 5}
+                               << "executed 5 undecided 0 repeated 0 skipped 0 foreign 1";
+    QTest::newRow("another program from there")
+        << QList<int>{0, 1, 2, 6, 7, 8}
+        << "executed 2 undecided 0 repeated 0 skipped 0 foreign 0, departs";
+  }
+  void findsFaults() {
+    QFETCH(QList<int>, course);
+    QFETCH(QString, expected);
+    std::vector<base::Vec3> places = kZigzag;
+    places.insert(places.end(), {{15, 8, 0}, {15, 2, 0}, {30, 2, 0}});
+    std::vector<base::Vec3> corners;
+    for (const int place : course) {
+      corners.push_back(places[static_cast<std::size_t>(place)]);
+    }
+    const PathMatch match = matchPath(motionAlong(corners, 10.0, 0.004), pathThrough(kZigzag));
+    QCOMPARE(printed(match), expected);
+  }
+
+  /// A rounded corner is not a skipped point, however wide.
+  void roundingSkipsNothing() {
+    const std::vector<base::Vec3> round{{0, 0, 0},  {9, 0, 0},  {9.7, 0.3, 0},
+                                        {10, 1, 0}, {10, 5, 0}, {0, 5, 0}};
+    const PathMatch match = matchPath(motionAlong(round, 10.0, 0.001),
+                                      pathThrough({{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {0, 5, 0}}));
+    QCOMPARE(printed(match),
+             QStringLiteral("executed 3 undecided 0 repeated 0 skipped 0 foreign 0"));
+  }
+
+  void saysWhereAForeignProgramDeparts() {
+    const PathMatch match = matchPath(
+        motionAlong({{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {4, 5, 0}, {4, 30, 0}}, 10.0, 0.004),
+        pathThrough(kZigzag));
+    QVERIFY(match.departure.has_value());
+    QCOMPARE(match.departure->line.value, 3U);
+    QVERIFY(base::distance(match.departure->placeMm, {4.0, 5.0, 0.0}) < 0.2);
+  }
+
+  void measuresTheContourError() {
+    Motion motion = motionAlong(kZigzag, 10.0, 0.004);
+    motion.hasActual = true;
+    for (MotionSample& sample : motion.samples) {
+      sample.actualMm = sample.setMm + base::Vec3{0.0, 0.02, 0.0};
+    }
+    const ProgramPath path = pathThrough(kZigzag);
+    const PathMatch match = matchPath(motion, path);
+    const MotionQuality quality = judgeMotion(motion, {}, &path, &match);
+    QVERIFY(quality.setContour.maxMm < 1e-6);
+    QVERIFY(std::abs(quality.actualContour.maxMm - 0.02) < 1e-6);
+    QVERIFY(std::abs(quality.actualContour.leftMm - 0.02) < 1e-6);
+    QVERIFY(std::abs(quality.actualContour.rightMm + 0.02) < 1e-6);
+    QVERIFY(std::abs(quality.following[1].maxMm - 0.02) < 1e-6);
+    QCOMPARE(quality.corners.size(), std::size_t{4});
+  }
+
+  /// The recordings of another control: which stops there are is known from their programs.
+  void agreesWithTheGroundTruth_data() {
+    QTest::addColumn<QString>("trace");
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<int>("stops");
+    QTest::addColumn<double>("contourMmMax");
+    const auto row = [](const char* trace, const char* program, int stops, double contourMmMax) {
+      QTest::newRow(trace) << QString(trace) << QString(program) << stops << contourMmMax;
+    };
+    row("G1_g61_250hz", "G1_g61", 11, 0.001);
+    row("G1_g64_250hz", "G1_g64", 0, 0.1);
+    row("G3_g61_250hz", "G3_g61", 11, 0.001);
+    row("corners_F3000_g61", "corners_F3000_g61", 12, 0.001);
+    row("corners_F3000_g64p001", "corners_F3000_g64p001", 0, 0.0101);
+    row("star5_F3000_g64p001", "star5_F3000_g64p001", 0, 0.0101);
+  }
+  void agreesWithTheGroundTruth() {
+    QFETCH(QString, trace);
+    QFETCH(QString, program);
+    QFETCH(int, stops);
+    QFETCH(double, contourMmMax);
+    if (!QFileInfo::exists(kGroundTruth)) {
+      QSKIP("the folder ../shared/groundtruth is not there");
+    }
+    const auto bytes = base::readFile((kGroundTruth + "/data/" + trace + ".csv.zst").toStdString());
+    QVERIFY(bytes.has_value());
+    const auto imported = importTrace(*bytes);
+    QVERIFY(imported.has_value());
+    gcode::LoadOptions loading;
+    loading.chordToleranceMm = 0.0002;
+    const auto loaded =
+        gcode::loadProgram((kGroundTruth + "/programs/" + program + ".ngc").toStdString(), loading);
+    QVERIFY(loaded.has_value());
+    TraceSubject subject;
+    subject.imported = &*imported;
+    subject.program = &*loaded;
+    const TraceAnalysis analysis = analyseTrace(subject);
+    QCOMPARE(static_cast<int>(analysis.stops.size()), stops);
+    QVERIFY2(analysis.path.isFaultless(), qPrintable(printed(analysis.path)));
+    QCOMPARE(analysis.path.executed, analysis.path.points);
+    QVERIFY2(analysis.quality.setContour.maxMm <= contourMmMax,
+             qPrintable(QString::number(analysis.quality.setContour.maxMm)));
+    for (const Standstill& stop : analysis.stops) {
+      QCOMPARE(stopCauseName(stop.cause), std::string_view("exact stop"));
+    }
+  }
+};
+
+RIVULET_TEST(TestTraceAnalysis)
+#include "tst_trace_analysis.moc"
