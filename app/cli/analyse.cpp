@@ -3,25 +3,40 @@
 
 #include <fmt/format.h>
 
-#include "base/file.h"
+#include <array>
+#include <optional>
+
 #include "cli/commands.h"
+#include "cli/trace_source.h"
 #include "report/report_json.h"
+#include "report/rule.h"
+#include "report/trace_json.h"
 #include "streaming/run.h"
-#include "templates/cells.h"
-#include "trace/analysis/integrity.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
-#include "trace/recording.h"
+#include "trace/analysis/trace_analysis.h"
 
 namespace rivulet::cli {
 
 namespace {
 
+using nlohmann::ordered_json;
 using streaming::Outcome;
 using streaming::RunFinding;
 
+/// Chords of arcs must not add to the contour error.
+constexpr double kChordToleranceMm = 0.0002;
+
+/// The analysis of one file.
+struct Analysed {
+  ordered_json json;
+  std::string text;
+  bool isWrong = false;
+};
+
 /// The report of a recorded run, as far as the finding depends on it.
-streaming::RunReport reportOf(const trace::Recording& recording) {
+streaming::RunReport reportOf(const trace::Recording& recording,
+                              const trace::TraceAnalysis& analysis) {
   streaming::RunReport report;
   for (const Outcome outcome : {Outcome::Completed, Outcome::Stopped}) {
     if (recording.end && recording.end->outcome == streaming::outcomeName(outcome)) {
@@ -29,13 +44,7 @@ streaming::RunReport reportOf(const trace::Recording& recording) {
     }
   }
   report.counters.total = recording.points.points.size();
-  if (recording.controlTrace && recording.pointsComplete) {
-    templates::TemplateParameters axes;
-    const std::string letters = recording.start.axes.empty() ? "XYZ" : recording.start.axes;
-    static_cast<void>(templates::chooseAxes(axes, letters));
-    report.integrity =
-        trace::judgeRun(recording.points.points, *recording.controlTrace, axes.rotaryAxes);
-  }
+  report.integrity = analysis.blocks;
   return report;
 }
 
@@ -48,97 +57,309 @@ RunFinding findingOf(const trace::Recording& recording, const streaming::RunRepo
   return isWrong ? RunFinding::Faulty : RunFinding::NotJudged;
 }
 
-}  // namespace
+void addIntegrity(ordered_json& json, const trace::Integrity& integrity) {
+  json["judged"] = integrity.judged;
+  json["executed"] = integrity.executed;
+  json["repeated"] = integrity.repeated;
+  json["skipped"] = integrity.skipped;
+  json["foreign"] = integrity.foreign;
+  json["out_of_order"] = integrity.outOfOrder;
+}
 
-Exit analyse(const AnalyseOptions& options) {
-  const auto text = base::readFile(options.file);
-  if (!text) {
-    return reportError(text.error(), options.json);
-  }
-  const auto recording = trace::parseRecording(*text);
-  if (!recording) {
-    return reportError(recording.error(), options.json);
-  }
-  const streaming::RunReport report = reportOf(*recording);
-  const trace::Integrity& integrity = report.integrity;
-  const RunFinding finding = findingOf(*recording, report);
-  std::vector<trace::Pause> pauses = recording->pauses;
-  base::Instant origin{};
-  if (recording->controlTrace) {
-    if (!recording->controlTrace->truncated) {
-      pauses = trace::findPauses(*recording->controlTrace);
-    }
-    if (!recording->controlTrace->samples.empty()) {
-      origin = recording->controlTrace->samples.front().at;
-    }
-  }
-  std::vector<base::Duration> perNode;
-  for (const trace::Access& access : recording->accesses) {
-    perNode.push_back(access.took / std::max(access.nodes, 1));
-  }
-  const trace::DurationStatistics access = trace::durationStatistics(perNode);
+std::string integrityText(const trace::Integrity& integrity, std::size_t points) {
+  return fmt::format(
+      "  executed {} of {} points, repeated {}, skipped {}, foreign {}, out of order {}\n",
+      integrity.executed, points, integrity.repeated, integrity.skipped, integrity.foreign,
+      integrity.outOfOrder);
+}
+
+std::string pausesText(const std::vector<trace::Pause>& pauses) {
   base::Duration paused{};
   for (const trace::Pause& pause : pauses) {
     paused += pause.duration;
   }
-  const bool wrong = finding == RunFinding::Faulty || !recording->complete;
-  if (options.json) {
-    nlohmann::ordered_json json{
-        {"method", recording->start.method},
-        {"program", recording->start.programName},
-        {"endpoint", recording->start.endpoint},
-        {"complete", recording->complete},
-        {"unreadable_lines", recording->unreadableLines},
-        {"outcome", recording->end ? recording->end->outcome : std::string("unknown")},
-        {"finding", streaming::runFindingName(finding)},
-        {"faultless", finding == RunFinding::Faultless},
-        {"points", recording->points.points.size()},
-        {"judged", integrity.judged},
-        {"executed", integrity.executed},
-        {"repeated", integrity.repeated},
-        {"skipped", integrity.skipped},
-        {"foreign", integrity.foreign},
-        {"out_of_order", integrity.outOfOrder},
-        {"duration_s", recording->end
-                           ? nlohmann::ordered_json(base::toSeconds(recording->end->duration))
-                           : nlohmann::ordered_json(nullptr)},
-        {"pauses", report::pausesJson(pauses, origin)},
-        {"paused_s", base::toSeconds(paused)},
-        {"access_ms",
-         {{"mean", base::toMilliseconds(access.mean)},
-          {"p50", base::toMilliseconds(access.p50)},
-          {"p95", base::toMilliseconds(access.p95)},
-          {"p99", base::toMilliseconds(access.p99)},
-          {"max", base::toMilliseconds(access.max)}}}};
-    printJson(json);
-    return wrong ? Exit::Wrong : Exit::Done;
+  return fmt::format("  {} pauses, {:.3f} s in total\n", pauses.size(), base::toSeconds(paused));
+}
+
+void addPauses(ordered_json& json, const std::vector<trace::Pause>& pauses, base::Instant origin) {
+  base::Duration paused{};
+  for (const trace::Pause& pause : pauses) {
+    paused += pause.duration;
   }
-  fmt::print("{} with method {}, N {}, {}\n", recording->start.programName, recording->start.method,
-             recording->start.pointsPerLoop,
-             recording->end ? recording->end->outcome : std::string("outcome unknown"));
-  if (!recording->complete) {
-    fmt::print(
-        "  the recording was cut off before the end of the run: its disk was full, or the "
-        "program was ended\n");
+  json["pauses"] = report::pausesJson(pauses, origin);
+  json["paused_s"] = base::toSeconds(paused);
+}
+
+trace::DurationStatistics accessTimes(const trace::Recording& recording) {
+  std::vector<base::Duration> perNode;
+  for (const trace::Access& access : recording.accesses) {
+    perNode.push_back(access.took / std::max(access.nodes, 1));
   }
-  if (recording->unreadableLines > 0) {
-    fmt::print("  {} lines could not be read and were ignored\n", recording->unreadableLines);
+  return trace::durationStatistics(perNode);
+}
+
+std::string recordingText(const trace::Recording& recording, const trace::Integrity& integrity,
+                          const std::vector<trace::Pause>& pauses) {
+  std::string text =
+      fmt::format("{} with method {}, N {}, {}\n", recording.start.programName,
+                  recording.start.method, recording.start.pointsPerLoop,
+                  recording.end ? recording.end->outcome : std::string("outcome unknown"));
+  if (!recording.complete) {
+    text +=
+        "  the recording was cut off before the end of the run: its disk was full, or the program "
+        "was ended\n";
   }
-  if (integrity.judged) {
-    fmt::print("  executed {} of {} points, repeated {}, skipped {}, foreign {}, out of order {}\n",
-               integrity.executed, recording->points.points.size(), integrity.repeated,
-               integrity.skipped, integrity.foreign, integrity.outOfOrder);
-  } else {
-    fmt::print("  not judged: {}\n",
-               !recording->controlTrace             ? "the recording holds no trace of the control"
-               : recording->controlTrace->truncated ? "the trace of the control is incomplete"
-                                                    : "points are missing in the recording");
+  if (recording.unreadableLines > 0) {
+    text +=
+        fmt::format("  {} lines could not be read and were ignored\n", recording.unreadableLines);
   }
-  fmt::print("  {} pauses, {:.3f} s in total\n", pauses.size(), base::toSeconds(paused));
-  fmt::print("  access per node: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
-             base::toMilliseconds(access.mean), base::toMilliseconds(access.p99),
-             base::toMilliseconds(access.max));
-  return wrong ? Exit::Wrong : Exit::Done;
+  text += integrity.judged
+              ? integrityText(integrity, recording.points.points.size())
+              : fmt::format("  not judged: {}\n",
+                            !recording.controlTrace ? "the recording holds no trace of the control"
+                            : recording.controlTrace->truncated
+                                ? "the trace of the control is incomplete"
+                                : "points are missing in the recording");
+  const trace::DurationStatistics access = accessTimes(recording);
+  return text + pausesText(pauses) +
+         fmt::format("  access per node: mean {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n",
+                     base::toMilliseconds(access.mean), base::toMilliseconds(access.p99),
+                     base::toMilliseconds(access.max));
+}
+
+Analysed analyseRecording(const trace::Recording& recording, const trace::TraceAnalysis& analysis) {
+  const streaming::RunReport report = reportOf(recording, analysis);
+  const RunFinding finding = findingOf(recording, report);
+  std::vector<trace::Pause> pauses = recording.pauses;
+  base::Instant origin{};
+  if (recording.controlTrace) {
+    if (!recording.controlTrace->truncated) {
+      pauses = trace::findPauses(*recording.controlTrace);
+    }
+    if (!recording.controlTrace->samples.empty()) {
+      origin = recording.controlTrace->samples.front().at;
+    }
+  }
+  const trace::DurationStatistics access = accessTimes(recording);
+  Analysed analysed;
+  analysed.isWrong = finding == RunFinding::Faulty || !recording.complete;
+  analysed.json = {{"method", recording.start.method},
+                   {"program", recording.start.programName},
+                   {"endpoint", recording.start.endpoint},
+                   {"complete", recording.complete},
+                   {"unreadable_lines", recording.unreadableLines},
+                   {"outcome", recording.end ? recording.end->outcome : std::string("unknown")},
+                   {"finding", streaming::runFindingName(finding)},
+                   {"faultless", finding == RunFinding::Faultless},
+                   {"points", recording.points.points.size()}};
+  addIntegrity(analysed.json, report.integrity);
+  analysed.json["duration_s"] = recording.end
+                                    ? ordered_json(base::toSeconds(recording.end->duration))
+                                    : ordered_json(nullptr);
+  addPauses(analysed.json, pauses, origin);
+  analysed.json["access_ms"] = {{"mean", base::toMilliseconds(access.mean)},
+                                {"p50", base::toMilliseconds(access.p50)},
+                                {"p95", base::toMilliseconds(access.p95)},
+                                {"p99", base::toMilliseconds(access.p99)},
+                                {"max", base::toMilliseconds(access.max)}};
+  analysed.text = recordingText(recording, report.integrity, pauses);
+  return analysed;
+}
+
+Analysed analyseControlTrace(const trace::ControlTrace& controlTrace,
+                             const trace::TraceAnalysis& analysis) {
+  Analysed analysed;
+  analysed.json["format"] = "trace of the control";
+  analysed.json["complete"] = !controlTrace.truncated;
+  analysed.text =
+      fmt::format("trace of the control: {} samples, {} blocks{}\n", controlTrace.samples.size(),
+                  controlTrace.blocks.size(), controlTrace.truncated ? ", incomplete" : "");
+  const std::vector<trace::Pause> pauses = trace::findPauses(controlTrace);
+  if (analysis.programPath) {
+    const std::size_t points = analysis.programPath->points().size();
+    analysed.json["points"] = points;
+    analysed.isWrong = analysis.blocks.judged && !analysis.blocks.isFaultless();
+    analysed.text += analysis.blocks.judged ? integrityText(analysis.blocks, points)
+                                            : "  not judged: the trace is incomplete\n";
+  }
+  addIntegrity(analysed.json, analysis.blocks);
+  addPauses(analysed.json, pauses,
+            controlTrace.samples.empty() ? base::Instant{} : controlTrace.samples.front().at);
+  analysed.text += pausesText(pauses);
+  return analysed;
+}
+
+Analysed analyseImported(const trace::ImportedTrace& imported,
+                         const trace::TraceAnalysis& analysis) {
+  Analysed analysed;
+  ordered_json names = ordered_json::array();
+  for (const trace::Signal& signal : imported.trace.signalList) {
+    names.push_back({{"name", signal.name}, {"unit", signal.unit}});
+  }
+  analysed.json = {{"format", imported.trace.format},
+                   {"columns", trace::printColumnRoles(imported.columns)},
+                   {"signals", std::move(names)},
+                   {"remarks", imported.trace.remarks}};
+  const trace::PathMatch& path = analysis.path;
+  analysed.json["judged"] = path.judged;
+  if (path.judged) {
+    analysed.isWrong = !path.isFaultless();
+    analysed.json["points"] = path.points;
+    analysed.json["executed"] = path.executed;
+    analysed.json["repeated"] = path.repeated;
+    analysed.json["skipped"] = path.skipped;
+    analysed.json["foreign"] = path.foreign;
+  }
+  analysed.text =
+      fmt::format("{}: {} signals, {} samples of a position every {:g} ms\n", imported.trace.format,
+                  imported.trace.signalList.size(), analysis.motion.samples.size(),
+                  base::toMilliseconds(analysis.motion.step));
+  analysed.text += fmt::format("  columns: {}\n", trace::printColumnRoles(imported.columns));
+  for (const std::string& remark : imported.trace.remarks) {
+    analysed.text += fmt::format("  {}\n", remark);
+  }
+  if (analysis.motion.samples.empty()) {
+    analysed.text += "  no column is known as a position: say which with --map\n";
+  }
+  return analysed;
+}
+
+base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions& options,
+                                   const gcode::Program* program) {
+  const auto source = openTrace(file, options.columns, options.rateHz);
+  if (!source) {
+    return base::fail(source.error());
+  }
+  trace::TraceSubject subject;
+  subject.recording = source->recording ? &*source->recording : nullptr;
+  subject.controlTrace = source->controlTrace ? &*source->controlTrace : nullptr;
+  subject.imported = source->imported ? &*source->imported : nullptr;
+  subject.program = program;
+  subject.toleranceMm = options.toleranceMm > 0.0 ? options.toleranceMm : subject.toleranceMm;
+  const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
+  Analysed analysed = subject.recording != nullptr ? analyseRecording(*subject.recording, analysis)
+                      : subject.controlTrace != nullptr
+                          ? analyseControlTrace(*subject.controlTrace, analysis)
+                          : analyseImported(*subject.imported, analysis);
+  report::addTraceAnalysis(analysed.json, analysis);
+  analysed.text += report::traceAnalysisText(analysis);
+  return analysed;
+}
+
+/// What the table of many runs shows of each.
+constexpr std::array<std::string_view, 12> kSummaryColumns{
+    "finding",  "points", "executed", "repeated",   "skipped",          "foreign",
+    "paused_s", "access", "contour",  "duration_s", "standstill_count", "rule"};
+
+std::string summaryCell(const ordered_json& json, std::string_view column) {
+  const ordered_json* value = nullptr;
+  if (column == "access") {
+    value = json.contains("access_ms") ? &json["access_ms"]["p99"] : nullptr;
+  } else if (column == "contour") {
+    value = json.contains("contour_error") ? &json["contour_error"]["max_mm"] : nullptr;
+  } else if (json.contains(std::string(column))) {
+    value = &json[std::string(column)];
+  }
+  if (value == nullptr || value->is_null()) {
+    return "";
+  }
+  if (value->is_number_float()) {
+    return fmt::format("{:.4g}", value->get<double>());
+  }
+  return value->is_string() ? value->get<std::string>() : value->dump();
+}
+
+std::string_view summaryHeading(std::string_view column) {
+  return column == "access" ? "access_p99_ms" : (column == "contour" ? "contour_max_mm" : column);
+}
+
+std::string summaryField(std::string_view text, bool asCsv) {
+  return asCsv ? fmt::format(",{}", text) : fmt::format(" {:>16}", text);
+}
+
+void printSummary(const std::vector<ordered_json>& results, bool asCsv) {
+  std::string line = asCsv ? "file" : fmt::format("{:40}", "file");
+  for (const std::string_view column : kSummaryColumns) {
+    line += summaryField(summaryHeading(column), asCsv);
+  }
+  fmt::print("{}\n", line);
+  for (const ordered_json& result : results) {
+    const std::string file = result["file"].get<std::string>();
+    line = asCsv ? fmt::format("\"{}\"", file) : fmt::format("{:40}", file);
+    for (const std::string_view column : kSummaryColumns) {
+      std::string cell = summaryCell(result, column);
+      cell = column == "finding" && result.contains("error") ? "unreadable" : cell;
+      line += summaryField(cell, asCsv);
+    }
+    fmt::print("{}\n", line);
+  }
+}
+
+std::string ruleText(const report::Rule::Verdict& verdict) {
+  return verdict.applies ? "applies" : verdict.unknown.empty() ? "does not apply" : "unknown";
+}
+
+}  // namespace
+
+Exit analyse(const AnalyseOptions& options) {
+  std::optional<report::Rule> rule;
+  if (!options.failIf.empty()) {
+    auto parsed = report::Rule::parse(options.failIf);
+    if (!parsed) {
+      return reportError(parsed.error(), options.json);
+    }
+    rule = std::move(*parsed);
+  }
+  std::optional<gcode::Program> program;
+  if (!options.program.empty()) {
+    gcode::LoadOptions loading = options.loading.loadOptions();
+    loading.chordToleranceMm = std::min(loading.chordToleranceMm, kChordToleranceMm);
+    auto loaded = gcode::loadProgram(options.program, loading);
+    if (!loaded) {
+      return reportError(loaded.error(), options.json);
+    }
+    program = std::move(*loaded);
+  }
+  const bool isBatch = options.files.size() > 1 || options.summary;
+  std::vector<ordered_json> results;
+  Exit exit = Exit::Done;
+  bool applies = false;
+  for (const std::string& file : options.files) {
+    auto analysed = analyseFile(file, options, program ? &*program : nullptr);
+    if (!analysed) {
+      // One file that cannot be read does not end a batch.
+      if (!isBatch) {
+        return reportError(analysed.error(), options.json);
+      }
+      fmt::print(stderr, "{}\n", analysed.error().text());
+      results.push_back({{"file", file}, {"error", analysed.error().message}});
+      exit = Exit::BadInput;
+      continue;
+    }
+    exit = analysed->isWrong && exit == Exit::Done ? Exit::Wrong : exit;
+    ordered_json result{{"file", file}};
+    result.update(analysed->json);
+    if (rule) {
+      const report::Rule::Verdict verdict = rule->judge(result);
+      // What is not known is not allowed either.
+      applies = applies || verdict.applies || !verdict.unknown.empty();
+      result["rule"] = ruleText(verdict);
+      for (const std::string& figure : verdict.unknown) {
+        fmt::print(stderr, "{}: the rule asks for {}, which is not known of this file.\n", file,
+                   figure);
+      }
+    }
+    if (!options.json && !options.summary) {
+      fmt::print("{}{}", isBatch ? fmt::format("{}: ", file) : std::string(), analysed->text);
+    }
+    results.push_back(std::move(result));
+  }
+  if (options.summary && !options.json) {
+    printSummary(results, options.csv);
+  } else if (options.json) {
+    printJson(isBatch ? ordered_json(results) : results.front());
+  }
+  return applies ? Exit::RuleApplies : exit;
 }
 
 }  // namespace rivulet::cli

@@ -16,7 +16,7 @@
 namespace rivulet::cli {
 
 /// Exit codes of rivulet-cli (docs/cli.md).
-enum class Exit { Done = 0, Wrong = 1, BadInput = 2, Connection = 3 };
+enum class Exit { Done = 0, Wrong = 1, BadInput = 2, Connection = 3, RuleApplies = 4 };
 
 /// Prints the object on standard output, as one JSON text.
 void printJson(const nlohmann::ordered_json& json);

@@ -388,8 +388,28 @@ void addAuditCommand(CLI::App& app, Exit& exit) {
 
 void addAnalyseCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::AnalyseOptions>();
-  CLI::App* command = app.add_subcommand("analyse", "Analyse a recording");
-  command->add_option("RECORDING", options->file, "File of stream --record")->required();
+  CLI::App* command = app.add_subcommand("analyse", "Analyse recordings and traces");
+  command
+      ->add_option("FILE", options->files,
+                   "Recordings of stream, traces of the control, or traces of other tools (CSV, "
+                   "XML, also compressed with zstd)")
+      ->required();
+  command->add_option("--program", options->program, "NC program that the trace should show");
+  addLoading(command, options->loading);
+  command->add_option("--map", options->columns,
+                      "What columns mean, such as x_set=Pos1:um,time=t:ms; is remembered for files "
+                      "of the same layout");
+  command->add_option("--rate", options->rateHz, "Samples per second of a table without time, Hz")
+      ->check(kPositive);
+  command
+      ->add_option("--tolerance", options->toleranceMm,
+                   "Distance from the path that still is on it, mm (0.05)")
+      ->check(kPositive);
+  auto* summary = command->add_flag("--summary", options->summary, "One table of all files");
+  command->add_flag("--csv", options->csv, "The summary as comma-separated values")->needs(summary);
+  command->add_option("--fail-if", options->failIf,
+                      "Exit with 4 if the rule applies to a file, such as \"skipped>0 or "
+                      "contour_error.max>0.05\"");
   addJson(command, options->json);
   command->callback([options, &exit] { exit = rivulet::cli::analyse(*options); });
 }

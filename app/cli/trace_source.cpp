@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/trace_source.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "base/hash.h"
+#include "folders/user_folders.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+std::filesystem::path layoutsFile() {
+  return folders::configHome() / "rivulet" / "trace_layouts.json";
+}
+
+/// Mappings by the headings of their tables; a file that is damaged counts as empty.
+nlohmann::ordered_json readLayouts() {
+  const auto text = base::readFile(layoutsFile());
+  nlohmann::ordered_json layouts = text ? nlohmann::ordered_json::parse(*text, nullptr, false)
+                                        : nlohmann::ordered_json::object();
+  return layouts.is_object() ? layouts : nlohmann::ordered_json::object();
+}
+
+/// Failing to remember is no reason not to analyse.
+void rememberLayout(const std::string& layout, const std::string& columns) {
+  nlohmann::ordered_json layouts = readLayouts();
+  if (layouts.value(layout, std::string()) == columns) {
+    return;
+  }
+  layouts[layout] = columns;
+  std::error_code ignored;
+  std::filesystem::create_directories(layoutsFile().parent_path(), ignored);
+  if (const auto done = base::writeFile(layoutsFile(), layouts.dump(2) + "\n"); !done) {
+    fmt::print(stderr, "The meaning of the columns is not remembered: {}\n", done.error().text());
+  }
+}
+
+base::Result<trace::ImportedTrace> import(const std::string& bytes, const std::string& columns,
+                                          double rateHz) {
+  trace::ImportOptions options;
+  if (rateHz > 0.0) {
+    options.rateHz = rateHz;
+  }
+  auto roles = trace::parseColumnRoles(columns);
+  if (!roles) {
+    return base::fail(roles.error());
+  }
+  options.columns = *roles;
+  auto imported = trace::importTrace(bytes, options);
+  if (!imported) {
+    return imported;
+  }
+  if (!columns.empty()) {
+    rememberLayout(imported->layout, columns);
+    return imported;
+  }
+  const std::string remembered = readLayouts().value(imported->layout, std::string());
+  roles = trace::parseColumnRoles(remembered);
+  if (remembered.empty() || !roles) {
+    return imported;
+  }
+  options.columns = *roles;
+  auto mapped = trace::importTrace(bytes, options);
+  if (!mapped) {
+    return imported;
+  }
+  mapped->trace.remarks.push_back(
+      fmt::format("The columns mean what was said for this layout before: {}.", remembered));
+  return mapped;
+}
+
+}  // namespace
+
+base::Result<TraceSource> openTrace(const std::filesystem::path& file, const std::string& columns,
+                                    double rateHz) {
+  const auto bytes = base::readFile(file);
+  if (!bytes) {
+    return base::fail(bytes.error());
+  }
+  const auto inFile = [&file](base::Error error) {
+    error.context = file.string();
+    return base::fail(std::move(error));
+  };
+  TraceSource source;
+  if (bytes->substr(0, 17) == "rivulet-recording") {
+    auto recording = trace::parseRecording(*bytes);
+    if (!recording) {
+      return inFile(recording.error());
+    }
+    source.recording = std::move(*recording);
+  } else if (bytes->substr(0, 21) == "rivulet-control-trace") {
+    auto controlTrace = trace::parseControlTrace(*bytes);
+    if (!controlTrace) {
+      return inFile(controlTrace.error());
+    }
+    source.controlTrace = std::move(*controlTrace);
+  } else {
+    auto imported = import(*bytes, columns, rateHz);
+    if (!imported) {
+      return inFile(imported.error());
+    }
+    source.imported = std::move(*imported);
+  }
+  return source;
+}
+
+}  // namespace rivulet::cli

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Opens what `analyse` can analyse, and remembers what the columns of other tools' files mean.
+/// @threadsafety main thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "trace/control_trace.h"
+#include "trace/import/import.h"
+#include "trace/recording.h"
+
+namespace rivulet::cli {
+
+/// Exactly one of these.
+struct TraceSource {
+  std::optional<trace::Recording> recording;
+  std::optional<trace::ControlTrace> controlTrace;
+  std::optional<trace::ImportedTrace> imported;
+};
+
+/// @param columns  as `trace::parseColumnRoles`; empty: as remembered for this layout, or guessed
+/// @param rateHz   of a table without time; 0: not said
+[[nodiscard]] base::Result<TraceSource> openTrace(const std::filesystem::path& file,
+                                                  const std::string& columns, double rateHz);
+
+}  // namespace rivulet::cli
