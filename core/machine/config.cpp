@@ -296,6 +296,10 @@ void readControl(Reader& reader, MachineConfig& config) {
   config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
   config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));
   config.rapidMmPerS = base::mmPerSFromMmPerMin(reader.number("control.rapidMmPerMin", 1.0, 1e6));
+  if (reader.has("control.defaultFeedMmPerMin")) {
+    config.defaultFeedMmPerS =
+        base::mmPerSFromMmPerMin(reader.number("control.defaultFeedMmPerMin", 0.0, 1e6));
+  }
   config.traceLimit = base::fromSeconds(reader.number("control.traceMinutes", 0.0, 1440.0) * 60.0);
 }
 
@@ -322,12 +326,13 @@ void readAccess(Reader& reader, AccessCost& access) {
 
 constexpr double kLengthMmMax = 1e4;
 
-/// The key of G54 to G57 and G505 to G599. @return nothing for another word
+/// The key of G54 to G57 and G500 to G599. @return nothing for another word
 std::optional<int> workOffsetKey(std::string_view word) {
   const std::optional<int> number =
       word.starts_with('G') ? base::parseInteger(word.substr(1)) : std::nullopt;
   const bool isOne =
-      number && ((*number >= 54 && *number <= 57) || (*number >= 505 && *number <= 599));
+      number && ((*number >= 54 && *number <= 57) || *number * 10 == kNoWorkOffsetKey ||
+                 (*number >= 505 && *number <= 599));
   return isOne ? std::optional(*number * 10) : std::nullopt;
 }
 

@@ -24,6 +24,9 @@
 
 namespace rivulet::machine {
 
+/// Key of G500: no settable work offset is selected.
+inline constexpr int kNoWorkOffsetKey = 5000;
+
 enum class MachineError {
   PresetMissing = 1,
   PresetMalformed,  ///< TOML error, unknown key, wrong type or a value out of range
@@ -140,9 +143,12 @@ struct MachineConfig {
   /// MD36750 of X, Y and Z: 1 $AA_OFF adds up the values written, 2 it is kept at a reset of the
   /// channel and at the end of a program. Optional in a preset: 0.
   int overlayMode = 0;
-  double roundingMm = 0.0;      ///< deviation at corners that G64 and G642 allow
-  int rParameterCount = 0;      ///< MD28050
-  double rapidMmPerS = 0.0;     ///< path speed of G0
+  double roundingMm = 0.0;   ///< deviation at corners that G64 and G642 allow
+  int rParameterCount = 0;   ///< MD28050
+  double rapidMmPerS = 0.0;  ///< path speed of G0
+  /// SD42110: the feed of a program until it names one. Optional in a preset: 0, a move without F
+  /// is an alarm.
+  double defaultFeedMmPerS = 0.0;
   base::Duration traceLimit{};  ///< longest recording of the control's own trace
   AccessCost access;
 
@@ -150,11 +156,18 @@ struct MachineConfig {
   std::optional<SpindleConfig> spindle;
   std::optional<ToolTable> tools;
   std::optional<base::Duration> coolantTime;  ///< until the next block may begin
-  std::map<int, base::Vec3> workOffsetsMm;    ///< by key of G54 to G599 (nc/modal/vocabulary)
-  std::map<int, base::Vec3> fixedPointsMm;    ///< MD30600, of G75, by number; machine coordinates
-  bool programStop = false;                   ///< M0 waits for cycle start; else it does nothing
-  bool optionalStop = false;                  ///< M1 waits as well
+  /// By key of G500 and of G54 to G599 (nc/modal/vocabulary). G500 holds at the beginning of a
+  /// program and after its end.
+  std::map<int, base::Vec3> workOffsetsMm;
+  std::map<int, base::Vec3> fixedPointsMm;  ///< MD30600, of G75, by number; machine coordinates
+  bool programStop = false;                 ///< M0 waits for cycle start; else it does nothing
+  bool optionalStop = false;                ///< M1 waits as well
 
+  /// Of a work offset; zero if it has none. @param key  of its G function
+  [[nodiscard]] base::Vec3 workOffsetMm(int key) const {
+    const auto found = workOffsetsMm.find(key);
+    return found == workOffsetsMm.end() ? base::Vec3{} : found->second;
+  }
   [[nodiscard]] base::RotarySet rotarySet() const {
     return {rotaryAxes[0].has_value(), rotaryAxes[1].has_value(), rotaryAxes[2].has_value()};
   }

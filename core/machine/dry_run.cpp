@@ -37,6 +37,7 @@ class DryRunner {
     options.rapidMmPerS = m_config.rapidMmPerS;
     options.roundingMm = m_config.roundingMm;
     options.dynamics = m_config.resetDynamics;
+    options.feedMmPerS = m_config.defaultFeedMmPerS;
     options.machine = &m_config;
     options.library = [](const std::string&) { return nullptr; };
     Interpreter interpreter(nc::parseSinumerik(text), parameters, options);

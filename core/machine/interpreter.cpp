@@ -128,7 +128,12 @@ Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& p
   state.feedMmPerS = options.feedMmPerS;
   state.feedDegPerS = options.feedMmPerS;
   state.dynamics = options.dynamics;
-  m_executor.start().programmedMm = options.startMm;
+  if (options.machine != nullptr) {
+    state.workOffset = kNoWorkOffsetKey;
+    state.workOffsetMm = options.machine->workOffsetMm(kNoWorkOffsetKey);
+  }
+  m_executor.start().programmedMm = options.startMm - state.workOffsetMm;
+  m_executor.start().zeroMm = state.workOffsetMm;
   m_executor.start().rotaryDeg = options.startDeg;
 }
 

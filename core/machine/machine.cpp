@@ -57,6 +57,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
         m_equipment(m_config) {
     m_planner.setAuxiliaryRun(*this);
     m_trace.cycle = m_config.interpolationCycle;
+    m_planner.setZero(m_config.workOffsetMm(kNoWorkOffsetKey));
     m_trace.rotaryAxes = m_config.rotarySet();
   }
 
@@ -199,6 +200,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     options.startDeg = m_planner.endDeg();
     options.rotaryAxes = m_config.rotarySet();
     options.rapidMmPerS = m_config.rapidMmPerS;
+    options.feedMmPerS = m_config.defaultFeedMmPerS;
     options.roundingMm = m_config.roundingMm;
     options.dynamics = m_config.resetDynamics;
     options.mainRun = this;
@@ -458,7 +460,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
 
   void enterReset() {
     m_alarm = {};
-    m_planner.clearZero();
+    m_planner.setZero(m_config.workOffsetMm(kNoWorkOffsetKey));
     m_equipment.endProgram(m_now, m_trace.events);
     m_syncActions.endProgram();
     dropOffset();

@@ -98,10 +98,10 @@ class PathPlanner {
   [[nodiscard]] base::Vec3 commandMm() const { return m_commandMm; }
   /// Of the workpiece frame in the block in motion, or after the last one.
   [[nodiscard]] base::Vec3 zeroMm() const { return m_zeroMm; }
-  /// The machine's own frame holds, as after a reset.
-  void clearZero() {
-    m_zeroMm = {};
-    m_endZeroMm = {};
+  /// Of the frame that holds while no program runs, as after a reset.
+  void setZero(base::Vec3 zeroMm) {
+    m_zeroMm = zeroMm;
+    m_endZeroMm = zeroMm;
   }
   [[nodiscard]] const base::RotaryDeg& commandDeg() const { return m_commandDeg; }
   /// Path speed; deg/s in a block that only turns rotary axes.

@@ -182,6 +182,30 @@ class TestEquipment : public QObject {
     QVERIFY(isAt(bench.machineMm(), {x, y, z}));
   }
 
+  /// A program begins and ends in the frame of G500, which may have a value of its own.
+  void g500HasAValue() {
+    machine::MachineConfig config = *machine::loadPreset("dmu75-mill");
+    config.workOffsetsMm[machine::kNoWorkOffsetKey] = {100.0, 0.0, -10.0};
+    Bench bench("G91 G0 X1\nG90 Y2 Z3\nG54 Z3\nG500 Z3\nM0\nM30\n", config);
+    QVERIFY(isAt(bench->state().commandMm, {-100, 0, 60}));
+    bench.finish();
+    QCOMPARE(bench->state().alarm, 0);
+    QVERIFY(isAt(bench.machineMm(), {1, 2, -7}));
+    QVERIFY(isAt(bench->state().commandMm, {-99, 2, 3}));
+  }
+
+  /// SD42110.
+  void feedBeforeAnyF() {
+    machine::MachineConfig config = *machine::loadPreset("dmu75-mill");
+    Bench without("G1 X1\nM0\nM30\n", config);
+    without.finish();
+    QCOMPARE(without->state().alarm, 10860);
+    config.defaultFeedMmPerS = 1.0;
+    Bench moving("G1 X1\nM0\nM30\n", config);
+    QVERIFY(moving.finish() > 1.0);
+    QCOMPARE(moving->state().alarm, 0);
+  }
+
   /// The trace and the display are in the frame of the program.
   void traceIsInTheWorkpiece() {
     Bench bench("G55\nG1 X10 Y0 Z5 F5000\nX20\nM0\nM30\n");
