@@ -93,6 +93,12 @@ class Interpreter {
       state.planeFirstAxis = 2;
       m_findings.reportProgram(Severity::Warning, DiagnosticCode::LatheAssumed, guess.turningCycle);
     }
+    if (options.defaultFeedMmPerS > 0.0) {
+      nc::ModalState& state = m_executor.state();
+      state.feedMmPerS = options.defaultFeedMmPerS;
+      state.feedDegPerS = options.defaultFeedMmPerS;
+      state.feedIsDefault = true;
+    }
     m_out.dialect = guess.dialect;
     m_out.dialectEvidence = std::move(guess.evidence);
   }

@@ -45,6 +45,8 @@ struct LoadOptions {
   double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
   CentreReading centres = CentreReading::AsProgrammed;  ///< what I, J and K of arcs are
   bool blockSkip = false;          ///< blocks with "/" are left out, as with the switch on
+  /// Of a machine (SD42110): holds until the program names a feed, which stays a finding. 0: none.
+  double defaultFeedMmPerS = 0.0;
   bool keepArcs = false;           ///< arcs stay one point each, see `Trajectory::arcs`
   std::optional<Dialect> dialect;  ///< nothing: as detected from the text
   /// Names (`acceptableName`) of what Rivulet does not understand and the user knows to be

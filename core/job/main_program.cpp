@@ -48,6 +48,22 @@ bool mayWaitBefore(NativeReason reason) {
   return reason >= NativeReason::Tool;
 }
 
+/// After such a block the same coordinates may be another place.
+bool mayShift(const NativeBlock& native) {
+  switch (native.reason) {
+    case NativeReason::Transformation:
+    case NativeReason::Cycle:
+    case NativeReason::Subprogram:
+    case NativeReason::Retract:  // D0
+    case NativeReason::Tool:
+    case NativeReason::WorkOffset:
+    case NativeReason::Other:
+      return true;
+    default:
+      return native.setsFrame;
+  }
+}
+
 /// Goes through a plan: what stands before a native block, so that it runs in the modal state of
 /// the source program, and the frame that a stretch must not have.
 class PlanWriter {
@@ -303,7 +319,8 @@ base::Result<void> requireWhole(const Plan& plan) {
   }
   // An increment also passes the shift of a tool, offset or frame, unless the axis has been placed
   // since: which streaming does with every axis.
-  std::array<bool, base::kAxisCount> losesShift{};
+  std::array<bool, base::kAxisCount> isShifted{};   ///< the axis has not been placed since
+  std::array<bool, base::kAxisCount> losesShift{};  ///< and a stretch has been streamed
   bool isAfterNative = false;
   for (const Part& part : plan.parts) {
     const auto* const native = std::get_if<NativeBlock>(&part);
@@ -311,7 +328,9 @@ base::Result<void> requireWhole(const Plan& plan) {
       const auto& stretch = std::get<Stretch>(part);
       for (std::size_t axis = 0; axis < base::kAxisCount && stretch.number > 0; ++axis) {
         const std::size_t last = stretch.firstPoint + stretch.pointCount - 1;
-        losesShift[axis] = std::isnan(plan.program.trajectory.points[last].positionMm[axis]);
+        isShifted[axis] =
+            isShifted[axis] && std::isnan(plan.program.trajectory.points[last].positionMm[axis]);
+        losesShift[axis] = isShifted[axis];
       }
       isAfterNative = false;
       continue;
@@ -331,12 +350,13 @@ base::Result<void> requireWhole(const Plan& plan) {
                     "position after it is not known for certain. Split the program there: ");
     }
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      const bool isShifted = !native->frame.empty() || native->before.incrementFrom[axis];
-      if (native->increments[axis] && (losesShift[axis] || (isShifted && !isAfterNative))) {
+      const bool hasFrame = !native->frame.empty() || native->before.incrementFrom[axis];
+      if (native->increments[axis] && (losesShift[axis] || (hasFrame && !isAfterNative))) {
         return refuse(JobError::IncrementInFrame,
                       "A block for the control moves by an increment after a tool, an offset or a "
                       "frame has shifted the axis. Write it with G90: ");
       }
+      isShifted[axis] = (isShifted[axis] || mayShift(*native)) && !native->places[axis];
       losesShift[axis] = losesShift[axis] && !native->places[axis];
     }
     isAfterNative = true;

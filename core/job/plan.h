@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -77,11 +78,18 @@ struct Refusal {
 /// One English sentence.
 [[nodiscard]] std::string describe(const Refusal& refusal);
 
+inline constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+
 struct Plan {
   /// The streamed points alone, and the findings about streamed blocks.
   gcode::Program program;
   std::vector<Part> parts;
   std::vector<Refusal> refusals;  ///< at most `gcode::kDiagnosticsMax`
+  int lastEdge = 0;  ///< greatest D of a SINUMERIK
+  /// What all moves reach, native ones too, as far as they are known; workpiece frame, mm; NaN: the
+  /// axis is not named.
+  base::Vec3 minMm{kNowhere, kNowhere, kNowhere};
+  base::Vec3 maxMm{kNowhere, kNowhere, kNowhere};
 
   /// True if control and Rivulet together execute every block.
   [[nodiscard]] bool isWhole() const { return refusals.empty() && program.isUnderstood(); }

@@ -17,6 +17,8 @@
 #include "base/text.h"
 #include "gcode/block_observer.h"
 #include "gcode/interpreter.h"
+#include "job/hole_cycles.h"
+#include "job/motion_text.h"
 #include "job/plan.h"
 #include "job/regions.h"
 #include "job/translation.h"
@@ -31,6 +33,9 @@ using nc::Motion;
 using nc::Severity;
 using nc::Token;
 using nc::TokenKind;
+
+/// Chords of an arc, where only what it reaches counts.
+constexpr double kReachMm = 0.1;
 
 /// The motion of a block can be streamed without such a word.
 bool isSeparable(NativeReason reason) {
@@ -97,6 +102,10 @@ struct BlockNotes {
   std::vector<ForeignWord> words;
   std::optional<HomeMove> home;
   bool toFixedPoint = false;
+  bool isInHoleCycle = false;       ///< the position after it is known
+  std::vector<std::string> motion;  ///< its moves as lines for the control (not SINUMERIK)
+  /// It moves the axis by an increment from where only the control knows it to stand.
+  std::array<bool, base::kAxisCount> isUnknown{};
   std::vector<Heard> heard;
   std::map<const Token*, std::string> values;  ///< what stands for a calculation
 };
@@ -144,11 +153,16 @@ class Splitter final : public gcode::BlockObserver,
     block.given = words.axes.given;
     block.setsFrame = words.rare && !words.rare->frame.empty();
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      block.increments[axis] = words.axes.given[axis] && words.axes.isIncrement[axis];
+      block.increments[axis] = isForeign() ? block.isUnknown[axis]
+                                           : words.axes.given[axis] && words.axes.isIncrement[axis];
     }
     if ((words.ends || (words.rare && words.rare->returns)) && !block.isInSubprogram) {
       add(NativeReason::End);
       block.words.push_back({ForeignWord::Kind::M, 30.0, "M30"});
+    }
+    if (isForeign()) {
+      drillHoles(words, executor);
+      keepIncrements(words, executor);
     }
     if (!isForeign() && executor.state().planeFirstAxis != block.before.planeFirstAxis) {
       add(NativeReason::Tool);  // its length now acts on another axis
@@ -200,9 +214,120 @@ class Splitter final : public gcode::BlockObserver,
   void take(Plan& plan) {
     plan.parts = std::move(m_parts);
     plan.refusals = std::move(m_refusals);
+    for (const gcode::TrajectoryPoint& point : plan.program.trajectory.points) {
+      reach(point.positionMm);
+    }
+    plan.lastEdge = m_lastEdge;
+    plan.minMm = m_minMm;
+    plan.maxMm = m_maxMm;
   }
 
  private:
+  // --- moves of other dialects that the control makes
+  // ---------------------------------------------
+
+  /// Canned cycles.
+  void drillHoles(const nc::BlockWords& words, nc::Executor& executor) {
+    BlockNotes& block = *m_block;
+    if (executor.state().motion != Motion::Unsupported) {
+      m_holes.end();
+    }
+    if (!m_holes.isOn()) {
+      return;
+    }
+    block.isInHoleCycle = true;
+    const bool isElsewhere = words.taken || words.dwell || words.machineToken != nullptr ||
+                             words.hasRotary || block.toFixedPoint;
+    if (isElsewhere) {
+      return;
+    }
+    const auto lines = m_holes.drill(words, dwellSeconds(words), executor);
+    if (lines) {
+      block.motion = *lines;
+    } else {
+      block.isInHoleCycle = false;
+      block.words.push_back({ForeignWord::Kind::Other, 0.0, m_cycleWord});
+    }
+  }
+
+  /// P of a cycle. @return nothing: there is none
+  [[nodiscard]] std::optional<double> dwellSeconds(const nc::BlockWords& words) const {
+    const auto& tokens = m_block->tokens;
+    const auto token = std::find_if(tokens.begin(), tokens.end(),
+                                    [](const Token& each) { return each.address == 'P'; });
+    if (!words.p || token == tokens.end()) {
+      return std::nullopt;
+    }
+    // Fanuc counts milliseconds where there is no point.
+    return m_language->dwellInMilliseconds && !token->hasPoint ? *words.p / 1000.0 : *words.p;
+  }
+
+  /// A straight move by increments from where only the control knows the axes to stand.
+  void keepIncrements(const nc::BlockWords& words, nc::Executor& executor) {
+    const BlockNotes& block = *m_block;
+    const nc::ModalState& state = executor.state();
+    if (std::find(block.isUnknown.begin(), block.isUnknown.end(), true) == block.isUnknown.end()) {
+      return;
+    }
+    std::array<std::optional<double>, base::kAxisCount> incrementsMm;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (block.isUnknown[axis]) {
+        incrementsMm[axis] = words.axes.value[axis] * state.lengthFactor;
+      }
+    }
+    const nc::Position& at = executor.start();
+    const bool isRapid = state.motion == Motion::Rapid;
+    const bool isPlain = !words.hasRotary && !state.diameter && !state.polar &&
+                         m_regions.reason() != NativeReason::RadiusCompensation;
+    keepMotion(isPlain
+                   ? incrementText(at.frame, block.startMm, at.frame.toWorkpiece(at.programmedMm),
+                                   incrementsMm,
+                                   isRapid ? std::nullopt : std::optional(executor.feedMmPerS()))
+                   : std::nullopt);
+  }
+
+  [[nodiscard]] bool isStraight() const {
+    const Motion motion = m_executor->state().motion;
+    return motion == Motion::Rapid || motion == Motion::Line;
+  }
+
+  /// A move that is not streamed, as the control gets it.
+  void keepLine(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) {
+    if (nativeReason() != NativeReason::RadiusCompensation) {
+      return;
+    }
+    const bool isRapid = move.motion == Motion::Rapid;
+    keepMotion(move.turns ? std::nullopt
+                          : std::optional(
+                                lineText(from.frame.toWorkpiece(from.programmedMm),
+                                         from.frame.toWorkpiece(targetMm),
+                                         isRapid ? std::nullopt : std::optional(move.feedMmPerS))));
+  }
+  /// @param line  nothing: there is none for the control
+  void keepMotion(std::optional<std::string> line) {
+    if (line && !line->empty()) {
+      m_block->motion.push_back(*std::move(line));
+    } else if (line) {
+      return;  // nothing moves
+    } else {
+      m_block->words.push_back(
+          {ForeignWord::Kind::Other, 0.0, std::string(base::trim(m_block->text))});
+    }
+  }
+  void refuseCurve() {
+    if (isForeign() && nativeReason() == NativeReason::RadiusCompensation) {
+      keepMotion(std::nullopt);
+    }
+  }
+
+  /// fmin and fmax pass over the NaN of an axis that is not known.
+  void reach(base::Vec3 placeMm) {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      m_minMm.set(axis, std::fmin(m_minMm[axis], placeMm[axis]));
+      m_maxMm.set(axis, std::fmax(m_maxMm[axis], placeMm[axis]));
+    }
+  }
+
   [[nodiscard]] bool isForeign() const { return m_language->dialect != nc::Dialect::Sinumerik; }
 
   [[nodiscard]] bool isAccepted(const std::string& name) const {
@@ -252,10 +377,10 @@ class Splitter final : public gcode::BlockObserver,
     if (!m_block) {
       return std::nullopt;
     }
-    if (m_block->reason) {
-      return m_block->reason;
-    }
-    return m_block->region ? m_block->region : regionReason();
+    const std::optional<NativeReason> region = m_block->region ? m_block->region : regionReason();
+    // Nothing may stop the control within a compensation, whatever else a block says.
+    const bool encloses = region && *region <= NativeReason::RadiusCompensation;
+    return m_block->reason && !encloses ? m_block->reason : region;
   }
 
   /// The motion of the present block is part of the path.
@@ -285,6 +410,9 @@ class Splitter final : public gcode::BlockObserver,
 
   void forgetPosition(NativeReason reason) {
     const BlockNotes& block = *m_block;
+    if (block.isInHoleCycle && reason == NativeReason::Cycle) {
+      return;
+    }
     if (block.forgetsAll || (!block.reason && rowOf(reason).after == PositionAfter::ControlOnly)) {
       if (!isForeign() || !isSeparable(reason)) {
         forgetAll();
@@ -317,28 +445,48 @@ class Splitter final : public gcode::BlockObserver,
   void line(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) override {
     if (isStreamed()) {
       m_own->path.line(from, targetMm, move);
+    } else {
+      reach(from.frame.toWorkpiece(targetMm));
+      if (isForeign()) {
+        keepLine(from, targetMm, move);
+      }
     }
   }
   void arc(const nc::Position& from, const nc::Arc& arc, const nc::Move& move) override {
     if (isStreamed()) {
       m_own->path.arc(from, arc, move);
+    } else {
+      std::vector<base::Vec3> chords;
+      (void)nc::flattenArc(arc, kReachMm, chords);
+      for (const base::Vec3& chord : chords) {
+        reach(from.frame.toWorkpiece(chord));
+      }
+      if (isForeign() && nativeReason() == NativeReason::RadiusCompensation) {
+        keepMotion(move.turns ? std::nullopt : arcText(from, arc, move));
+      }
     }
   }
   void spaceArc(const nc::Position& from, const nc::SpaceArc& arc, base::Vec3 targetMm,
                 const nc::Move& move) override {
     if (isStreamed()) {
       m_own->path.spaceArc(from, arc, targetMm, move);
+    } else {
+      refuseCurve();
     }
   }
   void spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move) override {
     const bool isEarlier = !m_block || m_block->continuesCurve;
     if (isEarlier ? m_curveIsStreamed : isStreamed()) {
       m_own->path.spline(from, spline, move);
+    } else if (m_block) {
+      refuseCurve();
     }
   }
   void unknownWay(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) override {
     if (isStreamed()) {
       m_own->path.unknownWay(from, targetMm, move);
+    } else {
+      refuseCurve();
     }
   }
   void feed(double mmPerMin) override { m_own->path.feed(mmPerMin); }
@@ -353,6 +501,9 @@ class Splitter final : public gcode::BlockObserver,
         break;
       case MachineWord::M: {
         const int number = static_cast<int>(value);
+        if (number == 3 || number == 4) {
+          m_holes.spindleTurns(number);
+        }
         add(reasonOfM(number));
         words.push_back({ForeignWord::Kind::M, value, fmt::format("M{}", number)});
         break;
@@ -370,6 +521,7 @@ class Splitter final : public gcode::BlockObserver,
         words.push_back({ForeignWord::Kind::Dwell, value, "G4"});
         break;
       case MachineWord::Edge:  // a letter without effect on the path, as H: `ignoreLetter`
+        m_lastEdge = std::max(m_lastEdge, static_cast<int>(std::clamp(value, 0.0, 1e4)));
         break;
     }
   }
@@ -398,7 +550,16 @@ class Splitter final : public gcode::BlockObserver,
     add(*reason);
     m_regions.word(argument, false);
     m_block->isMissing = m_block->isMissing || code == FaultCode::SubprogramMissing;
-    if (*reason == NativeReason::Retract) {
+    const std::optional<int> key = keyOfG(argument);
+    if (isForeign() && code == FaultCode::CycleNotRun && key && m_holes.begin(*key)) {
+      m_cycleWord = std::move(argument);
+    } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
+               argument.size() == 1 && argument.front() >= 'X' && argument.front() <= 'Z') {
+      m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
+    } else if (*reason == NativeReason::RadiusCompensation && (key == 410 || key == 420)) {
+      m_block->words.push_back(
+          {ForeignWord::Kind::G, static_cast<double>(*key), std::move(argument)});
+    } else if (*reason == NativeReason::Retract) {
       m_block->toFixedPoint = code != FaultCode::MachineCoordinates;
     } else if (*reason == NativeReason::WorkOffset && keyOfG(argument)) {
       m_block->words.push_back(
@@ -430,7 +591,15 @@ class Splitter final : public gcode::BlockObserver,
   void ignoreG(int key, const Token& token) override {
     constexpr int kCompensationOff = 400;
     if (key == kCompensationOff) {
+      if (isForeign() && m_block && m_regions.reason() == NativeReason::RadiusCompensation) {
+        m_block->words.push_back({ForeignWord::Kind::G, static_cast<double>(key), "G40"});
+      }
       m_regions.compensationOff();
+    }
+    constexpr int kToStart = 980;
+    constexpr int kToRetractPlane = 990;
+    if (key == kToStart || key == kToRetractPlane) {
+      m_holes.retractToStart(key == kToStart);
     }
     const std::optional<NativeReason> reason = reasonOfG(m_language->dialect, key);
     if (!reason || !m_block) {
@@ -451,11 +620,12 @@ class Splitter final : public gcode::BlockObserver,
   void ignoreLetter(const Token& token) override {
     if (!m_block) {
       m_own->faults.ignoreLetter(token);
+    } else if (token.address == 'D' && isForeign()) {
+      // The cell of a radius: the control takes that of the tool, with G41.
+      hear({Heard::Kind::Letter, Severity::Note, 0, FaultCode::IgnoredCode, {}, token});
     } else if (token.address == 'D' || token.address == 'H') {
       add(token.address == 'D' || isForeign() ? NativeReason::Tool : NativeReason::Other);
-      if (token.address == 'H' || m_language->dialect == nc::Dialect::Sinumerik) {
-        m_block->words.push_back({ForeignWord::Kind::LengthCell, token.value, nc::wordText(token)});
-      }
+      m_block->words.push_back({ForeignWord::Kind::LengthCell, token.value, nc::wordText(token)});
     }
   }
 
@@ -621,23 +791,26 @@ class Splitter final : public gcode::BlockObserver,
         refuse(RefusalCode::NotTranslated, word);
       }
     }
-    const std::string before = fmt::format("{}", fmt::join(translation.before, "\n"));
-    const std::string after = fmt::format("{}", fmt::join(translation.after, "\n"));
+    const auto lines = [](const std::vector<std::string>& of) {
+      return fmt::format("{}", fmt::join(of, "\n"));
+    };
     const bool isHalf = m_points > block.firstPoint;
     if (!isHalf) {
+      std::vector<std::string> all = translation.before;
+      all.insert(all.end(), block.motion.begin(), block.motion.end());
+      all.insert(all.end(), translation.after.begin(), translation.after.end());
       closeStretch(m_points);
-      pushNative(reason, before + (before.empty() || after.empty() ? "" : "\n") + after,
-                 block.before);
+      pushNative(reason, lines(all), block.before);
       return;
     }
-    if (!before.empty()) {
+    if (!translation.before.empty()) {
       closeStretch(block.firstPoint);
-      pushNative(reason, before, block.before);
+      pushNative(reason, lines(translation.before), block.before);
     }
     stretch().blocks.push_back(block.place);
-    if (!after.empty()) {
+    if (!translation.after.empty()) {
       closeStretch(m_points);
-      pushNative(reason, after, m_executor->state());
+      pushNative(reason, lines(translation.after), m_executor->state());
     }
     noteInterruption();
   }
@@ -684,6 +857,8 @@ class Splitter final : public gcode::BlockObserver,
   const std::string* m_fileName = nullptr;
   Regions m_regions;
   std::optional<BlockNotes> m_block;  ///< nothing: between two blocks
+  HoleCycles m_holes;
+  std::string m_cycleWord;  ///< as written, e.g. "G81"
   std::vector<std::string> m_frame;
   bool m_curveIsStreamed = false;
   std::size_t m_points = 0;
@@ -693,6 +868,9 @@ class Splitter final : public gcode::BlockObserver,
   int m_stretches = 0;
   std::vector<Part> m_parts;
   std::vector<Refusal> m_refusals;
+  int m_lastEdge = 0;
+  base::Vec3 m_minMm{kNowhere, kNowhere, kNowhere};
+  base::Vec3 m_maxMm{kNowhere, kNowhere, kNowhere};
 };
 
 }  // namespace

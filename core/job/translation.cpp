@@ -134,8 +134,8 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
         if (key == kLengthOff) {
           m_length = 0;
           addWord(line, "D0");
-        } else if (key == 970) {
-          addWord(line, "G97");
+        } else if (key == 970 || key == 400 || key == 410 || key == 420) {
+          addWord(line, fmt::format("G{}", key / 10));
         } else if (const auto offset = workOffsetOf(key)) {
           addWord(line, *offset);
         } else if (key != kLengthOn) {  // its H says the rest

@@ -22,7 +22,7 @@ namespace {
 const QString kCorpus = QStringLiteral(RIVULET_SOURCE_DIR "/../shared/corpus/");
 
 /// Share of the valid milling programs that must split without a refusal.
-constexpr double kShare = 0.6;
+constexpr double kShare = 0.67;
 
 /// Files that are no valid milling program of a dialect Rivulet reads, and why.
 const QMap<QString, QString>& noMillingPrograms() {

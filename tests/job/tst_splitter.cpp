@@ -150,7 +150,8 @@ class TestSplitter : public QObject {
         text(test::printParts(plan)),
         QStringLiteral(
             "stretch 1 1-2: 2 points from ? | native 3 radius-compensation G41 G1 X10 Y0 | native "
-            "4 radius-compensation G1 X20 | native 5 coolant M8 | native 6 radius-compensation "
+            "4 radius-compensation G1 X20 | native 5 radius-compensation M8 | native 6 "
+            "radius-compensation "
             "G40 | native 7 radius-compensation G0 Z5 | native 8 radius-compensation G0 X30 Y0 | "
             "stretch 2 9: 1 point"));
   }
@@ -345,14 +346,83 @@ class TestSplitter : public QObject {
 
   /// What the table lacks is named.
   void notTranslated() {
-    const job::Plan plan = planOf(
-        "G0 X0. Y0. Z5.\nG81 X1. Y1. Z-5. R1. F100.\nG80\nM60\nG41 D1 X5.\n", gcode::Dialect::Iso);
+    const job::Plan plan =
+        planOf("G0 X0. Y0. Z5.\nG87 X1. Y1. Z-5. R1. F100.\nG80\nM60\nG81 X1. Z-5. F100.\n",
+               gcode::Dialect::Iso);
     QVERIFY(!plan.isWhole());
-    QCOMPARE(refusals(plan),
-             QStringLiteral("2 not-translated G81 | 4 not-translated M60 | 5 not-translated G41"));
+    QCOMPARE(refusals(plan),  // a cycle without R
+             QStringLiteral("2 not-translated G87 | 4 not-translated M60 | 5 not-translated G81"));
     QCOMPARE(QString::fromStdString(job::describe(plan.refusals.front())),
-             QStringLiteral("There is no translation of G81 for the control: leave it out "
-                            "(--accept G81)."));
+             QStringLiteral("There is no translation of G87 for the control: leave it out "
+                            "(--accept G87)."));
+  }
+
+  void cannedCycles_data() {
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QString>("lines");  ///< for the control, of all cycles
+    QTest::newRow("to the height before it")
+        << "G98 G81 X1. Y1. Z-5. R1. F100.\nX2.\nG80\n"
+        << "G0 X1 Y1;G0 Z1;G1 Z-5 F100;G0 Z1;G0 Z9;G0 X2;G0 Z1;G1 Z-5 F100;G0 Z1;G0 Z9";
+    QTest::newRow("to the retraction plane")
+        << "G99 G82 X1. Z-5. R1. P500 F100.\nX2. Z-6.\n"
+        << "G0 X1;G0 Z1;G1 Z-5 F100;G4 F0.5;G0 Z1;G0 X2;G1 Z-6 F100;G4 F0.5;G0 Z1";
+    QTest::newRow("increments, repeated") << "G91 G99 G81 X1. Z-3. R-5. K2 F100.\n"
+                                          << "G0 X1;G0 Z4;G1 Z1 F100;G0 Z4;G0 X2;G1 Z1 F100;G0 Z4";
+    QTest::newRow("pecking") << "G99 G83 X1. Z-5. R1. Q4. F100.\n"
+                             << "G0 X1;G0 Z1;G1 Z-3 F100;G0 Z1;G0 Z-2.75;G1 Z-5 F100;G0 Z1";
+    QTest::newRow("chip breaking") << "G99 G73 X1. Z-5. R1. Q4. F100.\n"
+                                   << "G0 X1;G0 Z1;G1 Z-3 F100;G0 Z-2.75;G1 Z-5 F100;G0 Z1";
+    QTest::newRow("tapping") << "G99 S500 M3 G84 X1. Z-5. R1. F625.\n"
+                             << "S500 M3;G0 X1;G0 Z1;CYCLE84(1,1,0,-5,,0,3,,1.25,,500,500)";
+    QTest::newRow("boring") << "G99 G85 X1. Z-5. R1. F100.\nG86 X2.\n"
+                            << "G0 X1;G0 Z1;G1 Z-5 F100;G1 Z1 F100;G0 X2;G1 Z-5 F100;M5;G0 Z1;M3";
+    QTest::newRow("inch") << "G20 G99 G81 X1. Z-1. R0. F10.\n"
+                          << "G0 X25.4;G0 Z0;G1 Z-25.4 F254;G0 Z0";
+    QTest::newRow("with an offset") << "G52 X100. Z1.\nG99 G81 X1. Z-5. R1. F100.\n"
+                                    << "G0 X101;G0 Z2;G1 Z-4 F100;G0 Z2";
+  }
+  void cannedCycles() {
+    QFETCH(const QString, program);
+    QFETCH(const QString, lines);
+    const job::Plan plan = planOf(
+        ("G0 X0. Y0. Z9.\n" + program + "G0 X50.\n").toStdString().c_str(), gcode::Dialect::Iso);
+    QCOMPARE(refusals(plan), QString());
+    QStringList found;
+    for (const job::Part& part : plan.parts) {
+      const auto* const native = std::get_if<job::NativeBlock>(&part);
+      if (native != nullptr && !native->text.empty()) {
+        found << QString::fromStdString(native->text).split(QLatin1Char('\n'));
+      }
+    }
+    QCOMPARE(found.join(QLatin1Char(';')), lines);
+    // What follows begins above the last hole.
+    const auto& last = std::get<job::Stretch>(plan.parts.back());
+    QVERIFY(last.startIsKnown());
+  }
+
+  /// Between G41 and G40 the control moves, with arcs to their centres.
+  void compensationOfIso() {
+    const job::Plan plan = planOf(
+        "T3 M6\nG0 G90 X0. Y0. Z2.\nG1 Z-1. F100.\nG41 D13 X10. Y0.\nX20. M8\n"
+        "G3 X30. Y10. R10.\nG40 G1 X40.\nG0 Z2.\n",
+        gcode::Dialect::Iso);
+    QCOMPARE(refusals(plan), QString());
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral("native 1 tool T3 M6 | stretch 1 2-3: 2 points from ? | native 4 "
+                            "radius-compensation G41\nG1 X10 F100 | native 5 radius-compensation "
+                            "M8\nG1 X20 F100 | native 6 radius-compensation G3 X30 Y10 I=AC(20) "
+                            "J=AC(10) F100 | native 7 radius-compensation G40\nG1 X40 F100 | "
+                            "stretch 2 8: 1 point"));
+  }
+
+  void incrementsFromUnknownPosition() {
+    const job::Plan plan =
+        planOf("G20 G91 G0 X1. Z.5\nG90 Y2.\nG91 G1 X1. Y1. F10.\nG90 X0.\n", gcode::Dialect::Iso);
+    QCOMPARE(refusals(plan), QString());
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral("native 1 unknown-position G0 X=IC(25.4) Z=IC(12.7) | stretch 1 2: 1 "
+                            "point from ? | native 3 unknown-position G1 X=IC(25.4) Y76.2 F254 | "
+                            "stretch 2 4: 1 point from ?"));
   }
 
   void leftOutByTheUser() {

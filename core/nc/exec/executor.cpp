@@ -236,13 +236,17 @@ void Executor::setFeed(const BlockWords& words) {
   } else if (m_state.feedMode != FeedMode::PerMinute) {
     return;  // known block by block, or not at all
   }
-  if (!(mmPerMin <= kCoordinateMmMax)) {
+  // A SINUMERIK refuses such a number; others move as fast as the machine can.
+  constexpr double kReducedMmPerMinMax = 1e9;
+  const bool reduces = m_language.dialect != Dialect::Sinumerik;
+  if (!(mmPerMin <= (reduces ? kReducedMmPerMinMax : kCoordinateMmMax))) {
     m_to.faults.error(*words.feed, FaultCode::ValueOutOfRange);
     return;
   }
   m_to.path.feed(mmPerMin);
   m_state.feedMmPerS = base::mmPerSFromMmPerMin(mmPerMin);
   m_state.feedDegPerS = feed / 60.0;
+  m_state.feedIsDefault = false;
 }
 
 }  // namespace rivulet::nc

@@ -54,6 +54,12 @@ class Executor {
   void execute(BlockWords& words);
   /// A step of a cycle: straight there, whatever is modal. @param feedMmPerS  nothing: rapid
   void moveTo(base::Vec3 programmedMm, std::optional<double> feedMmPerS, base::LineNumber line);
+  /// Where a block names a place across the tool: the tool's own axis stays. For a cycle, whose
+  /// words the executor does not carry out.
+  [[nodiscard]] base::Vec3 placeInPlane(BlockWords words) {
+    words.axes.given[m_state.planeThirdAxis()] = false;
+    return targetOf(words);
+  }
   /// The programmed feed along the path; 0: none, or it is not known without a block.
   [[nodiscard]] double feedMmPerS() const;
   /// Ends a curve that goes over several blocks.

@@ -127,7 +127,8 @@ void Executor::move(BlockWords& words) {
   const Vec3 target = targetOf(words);
   const Move move = moveOf(words, target);
   m_pathBegun = m_pathBegun || words.movesLinear() || words.rare || words.hasAnyCentre();
-  if (move.feedMmPerS == 0.0 && move.motion != Motion::Rapid && !m_feedMissingReported) {
+  const bool namesNone = move.feedMmPerS == 0.0 || m_state.feedIsDefault;
+  if (namesNone && move.motion != Motion::Rapid && !m_feedMissingReported) {
     noteMissingFeed(words);
   }
   switch (m_state.motion) {

@@ -190,6 +190,7 @@ void BlockReader::readBlockG(GEffect effect, int key, const Token& token, BlockW
 void BlockReader::setFeedMode(FeedMode mode) {
   if (mode != m_state.feedMode) {
     m_state.feedMode = mode;
+    m_state.feedIsDefault = false;
     m_state.feedMmPerS = 0.0;
     m_state.feedMmPerRev = 0.0;
     m_state.feedDegPerRev = 0.0;

@@ -75,6 +75,7 @@ struct ModalState {
   FeedMode feedMode = FeedMode::PerMinute;
   double feedMmPerS = 0.0;   ///< 0: none is programmed
   double feedDegPerS = 0.0;  ///< the same number, for blocks that only turn
+  bool feedIsDefault = false;  ///< of the machine: the program has named none
   double spindlePerMin = 0.0;
   double feedMmPerRev = 0.0;   ///< with G95
   double feedDegPerRev = 0.0;  ///< the same number
