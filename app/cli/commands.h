@@ -111,7 +111,7 @@ struct JobOptions {
   std::string output;    ///< folder for the files of the job; empty: none are written
   std::string endpoint;  ///< empty: the job is not run, unless `simulate`
   bool simulate = false;
-  std::string preset = "dmu75";
+  std::string preset = "dmu75-mill";
   std::uint64_t seed = 1;
   double stopAfterS = 0.0;  ///< 0: not
   bool json = false;

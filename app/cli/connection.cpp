@@ -49,12 +49,14 @@ base::Result<Connection> connectTo([[maybe_unused]] const std::string& endpoint)
 
 base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed) {
   auto config = machine::loadPreset(preset);
-  if (!config) {
-    return base::fail(config.error());
-  }
-  const auto cell = std::make_shared<SimulatedCell>(std::move(*config), seed);
+  return config ? base::Result<Connection>(simulate(std::move(*config), preset, seed))
+                : base::fail(config.error());
+}
+
+Connection simulate(machine::MachineConfig config, const std::string& name, std::uint64_t seed) {
+  const auto cell = std::make_shared<SimulatedCell>(std::move(config), seed);
   return Connection{cell, &cell->link, &cell->link,
-                    fmt::format("simulated {} seed {}", preset, seed)};
+                    fmt::format("simulated {} seed {}", name, seed)};
 }
 
 void watchForInterrupt() {

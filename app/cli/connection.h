@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "machine/config.h"
 #include "opcua/connection.h"
 
 namespace rivulet::cli {
@@ -21,6 +22,8 @@ using opcua::Connection;
 
 /// @param preset  name or file
 [[nodiscard]] base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed);
+[[nodiscard]] Connection simulate(machine::MachineConfig config, const std::string& name,
+                                  std::uint64_t seed);
 
 /// From now on Ctrl-C, SIGTERM, SIGHUP and SIGXFSZ do not end the program; `wasInterrupted` reports
 /// them.

@@ -26,6 +26,7 @@
 #include "streaming/access_policy.h"
 #include "streaming/control_axes.h"
 #include "streaming/feed_plan.h"
+#include "streaming/simulation/fitted_machine.h"
 #include "streaming/whole_job.h"
 
 namespace rivulet::cli {
@@ -124,6 +125,8 @@ class JobCommand {
   void print(const streaming::WholeJobReport& done) const;
 
   const JobOptions& m_options;
+  machine::MachineConfig m_machine;  ///< of --preset
+  std::vector<std::string> m_notes;  ///< how the virtual machine has been set up for the job
   job::Plan m_plan;
   streaming::RunSettings m_settings;
   job::JobPrograms m_programs;
@@ -137,13 +140,26 @@ base::Result<void> JobCommand::prepare() {
   if (!program) {
     return base::fail(program.error());
   }
+  auto machine = machine::loadPreset(m_options.preset);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  m_machine = std::move(*machine);
   gcode::LoadOptions options = m_options.loading.loadOptions();
   options.subprogram = gcode::subprogramsBeside(m_options.file);
+  if (m_options.simulate) {
+    options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
+  }
   auto plan = job::makePlan(std::move(program->name), std::move(program->text), options);
   if (!plan) {
     return base::fail(plan.error());
   }
   m_plan = std::move(*plan);
+  if (m_options.simulate) {
+    streaming::FittedMachine fitted = streaming::fitMachine(std::move(m_machine), m_plan);
+    m_machine = std::move(fitted.config);
+    m_notes = std::move(fitted.notes);
+  }
   m_settings.parameters = m_options.point.parameters();
   if (m_options.point.axes.empty()) {
     m_settings.parameters =
@@ -169,12 +185,8 @@ base::Result<void> JobCommand::planFeeds() {
     m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_options.point.feedMmPerMin);
     return {};
   }
-  const auto machine = machine::loadPreset(m_options.preset);
-  if (!machine) {
-    return base::fail(machine.error());
-  }
   m_settings.programFeeds =
-      report::programFeedsOf(*machine, m_options.point.overridePercent / 100.0,
+      report::programFeedsOf(m_machine, m_options.point.overridePercent / 100.0,
                              base::mmPerSFromMmPerMin(m_options.point.rapidMmPerMin));
   const gcode::Trajectory& trajectory = m_plan.program.trajectory;
   if (base::Result<void> known = streaming::requireFeeds(trajectory, m_settings); !known) {
@@ -214,8 +226,10 @@ base::Result<void> JobCommand::writeFiles() const {
 }
 
 base::Result<void> JobCommand::connect() {
-  auto connection = m_options.simulate ? simulate(m_options.preset, m_options.seed)
-                                       : connectTo(m_options.endpoint);
+  auto connection =
+      m_options.simulate
+          ? base::Result<Connection>(simulate(m_machine, m_options.preset, m_options.seed))
+          : connectTo(m_options.endpoint);
   if (!connection) {
     return base::fail(connection.error());
   }
@@ -237,17 +251,17 @@ base::Result<void> JobCommand::connect() {
 /// What is known of the machine that is to run the job; nothing: it reports nothing that is known
 /// here.
 base::Result<std::optional<machine::MachineConfig>> JobCommand::machine() {
-  std::string preset = m_options.preset;
-  if (!m_options.simulate) {
-    const auto identity = m_connection.control->identity();
-    if (!identity) {
-      return base::fail(identity.error());
-    }
-    preset = identity->buildNumber;
-    const std::vector<std::string> known = machine::presetNames();
-    if (std::find(known.begin(), known.end(), preset) == known.end()) {
-      return std::nullopt;
-    }
+  if (m_options.simulate) {
+    return std::optional(m_machine);
+  }
+  const auto identity = m_connection.control->identity();
+  if (!identity) {
+    return base::fail(identity.error());
+  }
+  const std::string preset = identity->buildNumber;
+  const std::vector<std::string> known = machine::presetNames();
+  if (std::find(known.begin(), known.end(), preset) == known.end()) {
+    return std::nullopt;
   }
   auto config = machine::loadPreset(preset);
   if (!config) {
@@ -299,6 +313,9 @@ void JobCommand::print(const streaming::WholeJobReport& done) const {
 }
 
 Exit JobCommand::run() {
+  for (std::size_t i = 0; i < m_notes.size() && !m_options.json; ++i) {
+    fmt::print("{}\n", m_notes[i]);
+  }
   JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
   const streaming::WholeJobReport done = streaming::runWholeJob(
       *m_connection.link, *m_connection.control, m_plan, m_settings, console, console);
@@ -309,6 +326,7 @@ Exit JobCommand::run() {
     if (m_forecast) {
       json["estimated"] = report::jobTimesJson(m_forecast->times);
     }
+    json["machine_notes"] = m_notes;
     printJson(json);
   } else {
     print(done);

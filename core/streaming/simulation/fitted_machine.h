@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A virtual machine set up for a job, as an operator sets up a real one: tools in the magazine,
+/// the workpiece where the program fits into the travel. @threadsafety pure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "job/plan.h"
+#include "machine/config.h"
+
+namespace rivulet::streaming {
+
+/// SD42110 of such a machine: the feed of a program until it names one, 1000 mm/min. The job is to
+/// be planned with it (`gcode::LoadOptions::defaultFeedMmPerS`).
+inline constexpr double kFittedFeedMmPerS = 1000.0 / 60.0;
+
+struct FittedMachine {
+  machine::MachineConfig config;
+  std::vector<std::string> notes;  ///< what was set up, one English sentence each
+};
+
+/// Tools and cutting edges that the job names are in the table afterwards, rotary axes that it
+/// turns exist, a work offset at which its motion leaves the travel is moved to the middle, and
+/// motion before any F has a feed.
+[[nodiscard]] FittedMachine fitMachine(machine::MachineConfig config, const job::Plan& plan);
+
+}  // namespace rivulet::streaming

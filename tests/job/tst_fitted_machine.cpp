@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include "streaming/simulation/fitted_machine.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+streaming::FittedMachine fitted(const char* text) {
+  gcode::LoadOptions options;
+  options.dialect = gcode::Dialect::Sinumerik;
+  options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
+  const auto plan = job::makePlan("PART.MPF", text, options);
+  if (!plan) {
+    qFatal("%s", plan.error().text().c_str());
+  }
+  return streaming::fitMachine(*machine::loadPreset("dmu75-mill"), *plan);
+}
+
+}  // namespace
+
+class TestFittedMachine : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void leavesWhatFits() {
+    const auto made = fitted("G54\nT3 D2 M6\nG0 X1 Y1 Z10\nG1 Z-5 F100\nM30\n");
+    QCOMPARE(QString::fromStdString(made.notes.empty() ? "" : made.notes.front()), QString());
+    QCOMPARE(made.config.workOffsetMm(540).z, -200.0);
+    QCOMPARE(made.config.tools->tools.size(), std::size_t{10});
+  }
+
+  void loadsTools() {
+    const auto made = fitted("T3 M6\nD4\nT42 M6\nT=\"SPECIAL\" M6\nG0 X1 Y1 Z10\nM30\n");
+    QVERIFY(made.config.tools->find(42)->hasEdge(4));
+    QVERIFY(made.config.tools->find("SPECIAL")->hasEdge(1));
+    QCOMPARE(made.notes.size(), std::size_t{2});
+    QVERIFY(made.notes[0].find("SPECIAL, T42") != std::string::npos);
+    QVERIFY(made.config.tools->find(3)->hasEdge(4));
+    QCOMPARE(made.config.tools->find(3)->edges[3].lengthMm, 102.5);
+  }
+
+  /// Where the program does not fit, the workpiece lies in the middle; the rest stays.
+  void placesTheWorkpiece() {
+    const auto made = fitted("G54\nG0 X900 Y1 Z10\nG1 X1000 F100\nM30\n");
+    QCOMPARE(made.notes.size(), std::size_t{1});
+    QCOMPARE(made.config.workOffsetMm(540).x, -950.0);
+    QCOMPARE(made.config.workOffsetMm(540).z, -200.0);
+    // Native motion counts as well.
+    const auto native = fitted("G0 X0 Y0 Z10\nG41 G1 X600 F100\nG40 X700\nM30\n");
+    QCOMPARE(native.config.workOffsetMm(540).x, -350.0);
+  }
+
+  void doesNotStretchTheTravel() {
+    const auto made = fitted("G0 X0 Y0 Z10\nX2000\nM30\n");
+    QVERIFY(made.notes.empty());
+    QCOMPARE(made.config.axes[0].positionMmMax, 375.0);
+  }
+
+  void hasAFeedBeforeAnyF() {
+    const auto made = fitted("G0 X0 Y0 Z10\nG1 X5\nM30\n");
+    QCOMPARE(made.notes.size(), std::size_t{1});
+    QVERIFY(made.notes.front().find("Line 2") == 0);
+    QCOMPARE(made.config.defaultFeedMmPerS, streaming::kFittedFeedMmPerS);
+    QCOMPARE(fitted("G0 X0 Y0 Z10\nG1 X5 F100\nM30\n").config.defaultFeedMmPerS, 0.0);
+  }
+
+  void addsRotaryAxes() {
+    const auto made = fitted("G0 X0 Y0 Z10 A0 B0\nG1 A300 B10 F100\nM30\n");
+    QVERIFY(made.config.rotaryAxes[1].has_value());
+    QCOMPARE(made.config.rotaryAxes[0]->positionDegMax, 36000.0);
+    QCOMPARE(made.notes.size(), std::size_t{2});
+  }
+};
+
+RIVULET_TEST(TestFittedMachine)
+#include "tst_fitted_machine.moc"
