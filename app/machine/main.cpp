@@ -56,93 +56,61 @@ int complain(const rivulet::base::Error& error, int exitCode) {
   return exitCode;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  installSignalHandlers();
-
-  rivulet::machine::ServerOptions options;
-  options.port = 4840;
-  std::string preset = "dmu75";
+struct Arguments {
+  rivulet::machine::ServerOptions server;
+  std::string preset = rivulet::machine::kDefaultPreset;
   std::uint64_t seed = 1;
-  CLI::App app{
-      "A virtual CNC machine with an OPC UA server like that of a SINUMERIK. Prints its endpoint "
-      "when it is ready and runs until it is interrupted."};
-  app.add_option("--host", options.host,
-                 "Address to listen on; 0.0.0.0 allows other computers to connect")
-      ->capture_default_str();
-  app.add_option("--port", options.port, "TCP port; 0: any free port")->capture_default_str();
-  app.add_option("--preset", preset, "Machine: a built-in preset or a TOML file")
-      ->capture_default_str();
   bool noFileRights = false;
   std::string program;
-  app.add_flag("--no-file-rights", noFileRights,
+  std::string stateFolder;
+  std::string logLevel;
+};
+
+/// @param arguments  outlives the app
+void addOptions(CLI::App& app, Arguments& arguments) {
+  arguments.server.port = 4840;
+  app.add_option("--host", arguments.server.host,
+                 "Address to listen on; 0.0.0.0 allows other computers to connect")
+      ->capture_default_str();
+  app.add_option("--port", arguments.server.port, "TCP port; 0: any free port")
+      ->capture_default_str();
+  app.add_option("--preset", arguments.preset, "Machine: a built-in preset or a TOML file")
+      ->capture_default_str();
+  app.add_flag("--no-file-rights", arguments.noFileRights,
                "Clients may not write, read and select part programs");
-  app.add_option("--program", program,
+  app.add_option("--program", arguments.program,
                  "Part program that is stored and selected at the start, as by an operator");
-  app.add_option("--seed", seed, "Seed of the machine's random numbers")->capture_default_str();
-  std::string folder;
-  app.add_option("--state", folder,
+  app.add_option("--seed", arguments.seed, "Seed of the machine's random numbers")
+      ->capture_default_str();
+  app.add_option("--state", arguments.stateFolder,
                  "Folder that keeps R-parameters, part programs and the places of the axes, as a "
                  "control does when it is switched off");
-  std::string logLevel;
-  app.add_option("--log-level", logLevel,
+  app.add_option("--log-level", arguments.logLevel,
                  "What is logged on standard error (default: warning) and in the log file "
                  "(default: info)")
       ->check(CLI::IsMember(rivulet::log::levelNames()));
   app.set_version_flag("--version", "rivulet-machine " RIVULET_VERSION);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitOk : kExitUsage;
-  }
+}
 
-  if (const auto done =
-          rivulet::log::setUp({"rivulet-machine", logLevel, rivulet::log::recordingsFolder()});
-      !done) {
-    rivulet::log::logger().info(done.error().text());
+/// Stores the program of `file` on the machine and selects it.
+rivulet::base::Result<void> select(rivulet::machine::Machine& machine, const std::string& file) {
+  const auto text = rivulet::base::readFile(file);
+  if (!text) {
+    return tl::unexpected(text.error());
   }
-  auto config = rivulet::machine::loadPreset(preset);
-  if (!config) {
-    return complain(config.error(), kExitUsage);
+  const std::string name = std::filesystem::path(file).filename().string();
+  if (auto stored = machine.storeProgram(name, *text, true); !stored) {
+    return stored;
   }
-  std::optional<rivulet::machine::KeptState> kept;
-  if (!folder.empty()) {
-    auto opened = rivulet::machine::KeptState::open(folder, *config);
-    if (!opened) {
-      return complain(opened.error(), kExitUsage);
-    }
-    kept.emplace(std::move(*opened));
-  }
-  rivulet::machine::Machine machine(*config, seed);
-  if (kept) {
-    kept->restore(machine);
-  }
-  options.fileRights = !noFileRights;
-  if (!program.empty()) {
-    const auto text = rivulet::base::readFile(program);
-    const std::string name = std::filesystem::path(program).filename().string();
-    if (!text) {
-      return complain(text.error(), kExitUsage);
-    }
-    if (const auto stored = machine.storeProgram(name, *text, true); !stored) {
-      return complain(stored.error(), kExitUsage);
-    }
-    if (const auto selected = machine.selectProgram(name); !selected) {
-      return complain(selected.error(), kExitUsage);
-    }
-  }
-  const auto server = rivulet::machine::Server::start(machine, options);
-  if (!server) {
-    const bool isAddress = server.error().code == rivulet::machine::FrontError::AddressUnusable;
-    return complain(server.error(), isAddress ? kExitUsage : kExitNoPort);
-  }
-  fmt::print("{}\n", (*server)->endpoint());
-  std::fflush(stdout);
-  rivulet::log::logger().info("{} serves {} with seed {}", (*server)->endpoint(), preset, seed);
+  return machine.selectProgram(name);
+}
+
+/// Serves until the program is interrupted. @return the exit code
+int serve(rivulet::machine::Server& server, const rivulet::machine::Machine& machine,
+          rivulet::machine::KeptState* kept) {
   while (!g_stop.load()) {
-    (*server)->iterate(kStep);
-    if (kept) {
+    server.iterate(kStep);
+    if (kept != nullptr) {
       if (const auto done = kept->keep(machine); !done) {
         return complain(done.error(), kExitUsage);
       }
@@ -150,4 +118,59 @@ int main(int argc, char** argv) {
   }
   rivulet::log::logger().info("stopped");
   return kExitOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  installSignalHandlers();
+
+  Arguments arguments;
+  CLI::App app{
+      "A virtual CNC machine with an OPC UA server like that of a SINUMERIK. Prints its endpoint "
+      "when it is ready and runs until it is interrupted."};
+  addOptions(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+
+  if (const auto done = rivulet::log::setUp(
+          {"rivulet-machine", arguments.logLevel, rivulet::log::recordingsFolder()});
+      !done) {
+    rivulet::log::logger().info(done.error().text());
+  }
+  auto config = rivulet::machine::loadPreset(arguments.preset);
+  if (!config) {
+    return complain(config.error(), kExitUsage);
+  }
+  std::optional<rivulet::machine::KeptState> kept;
+  if (!arguments.stateFolder.empty()) {
+    auto opened = rivulet::machine::KeptState::open(arguments.stateFolder, *config);
+    if (!opened) {
+      return complain(opened.error(), kExitUsage);
+    }
+    kept.emplace(std::move(*opened));
+  }
+  rivulet::machine::Machine machine(*config, arguments.seed);
+  if (kept) {
+    kept->restore(machine);
+  }
+  if (!arguments.program.empty()) {
+    if (const auto selected = select(machine, arguments.program); !selected) {
+      return complain(selected.error(), kExitUsage);
+    }
+  }
+  arguments.server.fileRights = !arguments.noFileRights;
+  const auto server = rivulet::machine::Server::start(machine, arguments.server);
+  if (!server) {
+    const bool isAddress = server.error().code == rivulet::machine::FrontError::AddressUnusable;
+    return complain(server.error(), isAddress ? kExitUsage : kExitNoPort);
+  }
+  fmt::print("{}\n", (*server)->endpoint());
+  std::fflush(stdout);
+  rivulet::log::logger().info("{} serves {} with seed {}", (*server)->endpoint(), arguments.preset,
+                              arguments.seed);
+  return serve(**server, machine, kept ? &*kept : nullptr);
 }

@@ -11,23 +11,31 @@
 
 namespace rivulet::report {
 
-streaming::RunSettings runSettingsOf(Members& members) {
-  streaming::RunSettings settings;
-  templates::TemplateParameters& parameters = settings.parameters;
-  const auto text = [&members](const char* at) { return members.text(at); };
-  const auto flag = [&members](const char* at) { return members.flag(at); };
-  const auto refuseUnless = [&members](bool isGood, const char* at) {
-    if (!isGood) {
-      members.refuse(at);
-    }
-  };
-  std::string method = "window";
-  members.ifThere("/settings/method", method, text);
-  const auto kind = base::methodFromName(method);
-  if (!kind) {
-    members.refuse("/settings/method");
+namespace {
+
+double above0(Members& members, const char* at) {
+  constexpr double kMax = 1e9;
+  const double number = members.number(at, 0.0, kMax);
+  if (!(number > 0.0)) {
+    members.refuse(at);
   }
-  parameters.method = kind.value_or(base::MethodKind::Window);
+  return number;
+}
+
+/// The value that `fromName` gives to the word at `at`; it stays if there is none.
+template <class Value, class FromName>
+void readNamed(Members& members, const char* at, Value& value, FromName fromName) {
+  if (!members.has(at)) {
+    return;
+  }
+  const auto known = fromName(members.text(at));
+  value = known.value_or(value);
+  if (!known) {
+    members.refuse(at);
+  }
+}
+
+void readCells(Members& members, templates::TemplateParameters& parameters) {
   parameters.pointsPerLoop = members.integer<int>("/settings/points_per_loop", 1, kJsonCellMax);
   parameters.windows =
       members.integer<int>("/settings/windows", 1, templates::WindowProtocol::kWindowsMax);
@@ -38,57 +46,48 @@ streaming::RunSettings runSettingsOf(Members& members) {
   members.ifThere("/settings/slot_stride", parameters.slotStride, cells);
   members.ifThere("/settings/r_parameters", parameters.rParameterCount, cells);
   members.ifThere("/settings/windows_ahead", parameters.windowsAhead, cells);
+}
+
+void readFeeds(Members& members, streaming::RunSettings& settings) {
+  const auto positive = [&members](const char* at) { return above0(members, at); };
+  double feedMmPerMin = base::mmPerMinFromMmPerS(settings.feedMmPerS);
+  members.ifThere("/settings/feed_mm_per_min", feedMmPerMin, positive);
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  members.ifThere("/settings/feed_per_point", settings.parameters.feedPerPoint,
+                  [&members](const char* at) { return members.flag(at); });
+  if (members.has("/settings/program_feeds")) {
+    settings.programFeeds =
+        gcode::ProgramFeeds{members.number("/settings/program_feeds/override", gcode::kOverrideMin,
+                                           gcode::kOverrideMax),
+                            positive("/settings/program_feeds/rapid_mm_per_s"),
+                            positive("/settings/program_feeds/limit_mm_per_s")};
+  }
+  members.ifThere("/settings/delta_mm", settings.deltaMm, positive);
+}
+
+}  // namespace
+
+streaming::RunSettings runSettingsOf(Members& members) {
+  streaming::RunSettings settings;
+  templates::TemplateParameters& parameters = settings.parameters;
+  const auto flag = [&members](const char* at) { return members.flag(at); };
+  parameters.method = base::MethodKind::Window;
+  readNamed(members, "/settings/method", parameters.method, base::methodFromName);
+  readCells(members, parameters);
   members.ifThere("/settings/slow_down", parameters.slowDown, flag);
   members.ifThere("/settings/correction_limit_mm", parameters.correctionLimitMm,
                   [&members](const char* at) {
                     return members.number(at, 0.0, templates::kCorrectionLimitMmMax);
                   });
-  constexpr double kFeedMax = 1e9;
-  const auto above0 = [&members](const char* at) {
-    const double number = members.number(at, 0.0, kFeedMax);
-    if (!(number > 0.0)) {
-      members.refuse(at);
-    }
-    return number;
-  };
-  double feedMmPerMin = base::mmPerMinFromMmPerS(settings.feedMmPerS);
-  members.ifThere("/settings/feed_mm_per_min", feedMmPerMin, above0);
-  settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
-  members.ifThere("/settings/feed_per_point", parameters.feedPerPoint, flag);
-  if (members.has("/settings/program_feeds")) {
-    settings.programFeeds =
-        gcode::ProgramFeeds{members.number("/settings/program_feeds/override", gcode::kOverrideMin,
-                                           gcode::kOverrideMax),
-                            above0("/settings/program_feeds/rapid_mm_per_s"),
-                            above0("/settings/program_feeds/limit_mm_per_s")};
-  }
+  readFeeds(members, settings);
   std::string axes = "XYZ";
-  members.ifThere("/settings/axes", axes, text);
+  members.ifThere("/settings/axes", axes, [&members](const char* at) { return members.text(at); });
   if (!templates::chooseAxes(parameters, axes)) {
     members.refuse("/settings/axes");
   }
-  members.ifThere("/settings/delta_mm", settings.deltaMm, above0);
-  std::string word;
-  members.ifThere("/settings/layout", word, text);
-  if (!word.empty()) {
-    const auto layout = templates::layoutFromName(word);
-    parameters.layout = layout.value_or(parameters.layout);
-    refuseUnless(layout.has_value(), "/settings/layout");
-  }
-  word.clear();
-  members.ifThere("/settings/passed_by", word, text);
-  if (!word.empty()) {
-    const auto passedBy = streaming::passedByFromName(word);
-    settings.passedBy = passedBy.value_or(settings.passedBy);
-    refuseUnless(passedBy.has_value(), "/settings/passed_by");
-  }
-  word.clear();
-  members.ifThere("/settings/grouping", word, text);
-  if (!word.empty()) {
-    const auto grouping = opcua::groupingFromName(word);
-    settings.grouping = grouping.value_or(settings.grouping);
-    refuseUnless(grouping.has_value(), "/settings/grouping");
-  }
+  readNamed(members, "/settings/layout", parameters.layout, templates::layoutFromName);
+  readNamed(members, "/settings/passed_by", settings.passedBy, streaming::passedByFromName);
+  readNamed(members, "/settings/grouping", settings.grouping, opcua::groupingFromName);
   members.ifThere("/settings/monitor", settings.monitor, flag);
   if (members.bad().empty() && !templates::planCells(parameters)) {
     members.refuse("/settings");
