@@ -13,6 +13,7 @@
 
 #include "cli/console.h"
 #include "gcode/program.h"
+#include "machine/config.h"
 
 namespace rivulet::cli {
 
@@ -62,7 +63,8 @@ struct FeasibilityOptions {
   std::string calibration;  ///< file of `calibrate` to be used instead; empty: none
   std::string endpoint;     ///< machine whose calibration is used instead; empty: none
   double deltaSafety = 1.5;
-  std::string preset = "dmu75";  ///< machine whose axes determine the cost of pauses
+  std::string preset =
+      machine::kDefaultPreset;  ///< machine whose axes determine the cost of pauses
   bool json = false;
 };
 [[nodiscard]] Exit feasibility(const FeasibilityOptions& options);
@@ -73,7 +75,7 @@ struct TemplateOptions {
   std::string output;  ///< file; empty: standard output
   std::string lint;    ///< program to be checked instead of generating one; empty: none
   bool verify = false;
-  std::string preset = "dmu75";  ///< machine of `verify`
+  std::string preset = machine::kDefaultPreset;  ///< machine of `verify`
   bool json = false;
 };
 [[nodiscard]] Exit makeTemplate(const TemplateOptions& options);
@@ -85,7 +87,7 @@ struct StreamOptions {
   ResamplingOptions resampling;
   std::string endpoint;
   bool simulate = false;
-  std::string preset = "dmu75";
+  std::string preset = machine::kDefaultPreset;
   std::uint64_t seed = 1;
   std::string record;
   double stopAfterS = 0.0;            ///< 0: not
@@ -156,7 +158,7 @@ struct AnalyseOptions {
 struct CalibrateOptions {
   std::string endpoint;
   bool simulate = false;
-  std::string preset = "dmu75";
+  std::string preset = machine::kDefaultPreset;
   std::uint64_t seed = 1;
   int firstCell = 0;
   int lastCell = 0;
@@ -172,7 +174,7 @@ struct CalibrateOptions {
 struct CommissionOptions {
   std::string endpoint;
   bool simulate = false;
-  std::string preset = "dmu75";
+  std::string preset = machine::kDefaultPreset;
   std::uint64_t seed = 1;
   int baseCell = 0;
   std::string transfer = "auto";  ///< auto, by-hand
@@ -185,7 +187,7 @@ struct CommissionOptions {
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"
   std::size_t seeds = 0;           ///< 0: the usual number
-  std::string preset = "dmu75";
+  std::string preset = machine::kDefaultPreset;
   std::string endpoint;    ///< empty: virtual time
   std::string recordings;  ///< folder for experiment lookahead
   unsigned threads = 0;    ///< 0: one per core

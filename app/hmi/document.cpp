@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "feasibility/client_turn.h"
+#include "machine/config.h"
 #include "report/calibration_json.h"
 #include "report/operating_point.h"
 #include "streaming/access_policy.h"
@@ -24,12 +25,11 @@ constexpr double kToolMovedMm = 0.01;
 /// The times of a run are estimated again this long after the last change of a setting.
 constexpr int kEstimateMs = 400;
 constexpr std::size_t kPointsMin = 2;
-constexpr const char* kMachine = "dmu75";
 
 }  // namespace
 
 Document::Document(const widgets::StreamSettings& settings)
-    : m_machineFeeds(report::programFeedsOf(*machine::loadPreset(kMachine), 1.0)),
+    : m_machineFeeds(report::programFeedsOf(*machine::loadPreset(machine::kDefaultPreset), 1.0)),
       m_settings(settings) {
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   connect(&m_loader, &session::ProgramLoader::progressed, this,

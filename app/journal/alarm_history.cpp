@@ -45,11 +45,6 @@ ordered_json jsonOf(const Transition& transition) {
   return json;
 }
 
-std::string textOf(const ordered_json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 std::optional<Transition> transitionOf(const std::string& line,
                                        const AlarmHistory::CodeOf& codeOf) {
   const ordered_json json = ordered_json::parse(line, nullptr, false);

@@ -57,11 +57,6 @@ std::optional<std::pair<std::string_view, std::string_view>> splitHash(std::stri
                    line.substr(line.size() - tail + kHashKey.size(), kHashDigits));
 }
 
-std::string textOf(const ordered_json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 struct Parsed {
   AuditEntry entry;
   std::string previous;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/descriptor.h"
@@ -96,6 +97,11 @@ int openLocked(const fs::path& path) {
 
 fs::path stateFolderOfUser() {
   return folders::stateHome() / "rivulet";
+}
+
+std::string textOf(const nlohmann::ordered_json& line, const char* key) {
+  const auto found = line.find(key);
+  return found != line.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 base::Result<Lines> readLines(const fs::path& path) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ struct Lines {
   std::vector<std::string> lines;  ///< without their ends
   bool isCut = false;              ///< a last line without an end was left out
 };
+
+/// The text at `key` of a line that is JSON; empty if there is none.
+[[nodiscard]] std::string textOf(const nlohmann::ordered_json& line, const char* key);
 
 /// A file that does not exist has no lines. @return Unreadable
 [[nodiscard]] base::Result<Lines> readLines(const std::filesystem::path& path);

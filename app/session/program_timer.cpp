@@ -10,15 +10,12 @@
 
 #include "base/units.h"
 #include "experiments/path_time.h"
+#include "machine/config.h"
 #include "streaming/pause_placement.h"
 
 namespace rivulet::session {
 
 namespace {
-
-/// No control reports the limits of its axes: all times are computed with those of the paper's
-/// machine.
-constexpr const char* kMachine = "dmu75";
 
 /// Of the points that are streamed. @param atS  one per point of the trajectory
 std::vector<float> ofStreamed(const widgets::ProgramView& view, const std::vector<float>& atS) {
@@ -103,7 +100,8 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
   QThreadPool::globalInstance()->start([self = QPointer<ProgramTimer>(this), stop = m_stop,
                                         view = std::move(view), known = m_times,
                                         unpaused = m_unpaused, settings]() mutable {
-    const auto machine = machine::loadPreset(kMachine);
+    // No control reports the limits of its axes: times are those of the paper's machine.
+    const auto machine = machine::loadPreset(machine::kDefaultPreset);
     const auto progress = [&](double) { return !stop->load(); };
     // The context of the call is the application: `self` is only touched on its own thread.
     const auto tell = [&](auto change) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "experiments/region.h"
+#include "machine/config.h"
 
 namespace rivulet::session {
 
@@ -25,7 +26,7 @@ struct RegionJob {
   std::vector<double> abscissas;  ///< see experiments::RegionRequest
   std::vector<double> feedsMmPerS;
   std::size_t seedsPerPoint = 4;
-  std::string preset = "dmu75";  ///< of the virtual machine
+  std::string preset = machine::kDefaultPreset;  ///< of the virtual machine
 };
 
 /// Feeds at which one run of a thousand and half of the runs fail, by the extended model.

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "experiments/region.h"
+#include "machine/config.h"
 
 namespace rivulet::session {
 
@@ -18,9 +19,6 @@ namespace {
 constexpr std::size_t kRuns = 3;
 /// Shares of the wanted feed that are tried if it fails, until one does not.
 constexpr std::array<double, 7> kSlower{0.9, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1};
-
-/// No control reports its limits: all simulations are made with those of the paper's machine.
-constexpr const char* kMachine = "dmu75";
 
 class SameThread final : public base::Executor {
  public:
@@ -50,7 +48,8 @@ void charge(machine::AccessCost& cost, const feasibility::MeasuredAccess& measur
 
 RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop) {
   RehearsalOutcome outcome;
-  auto machine = machine::loadPreset(kMachine);
+  // No control reports its limits: the simulation has those of the paper's machine.
+  auto machine = machine::loadPreset(machine::kDefaultPreset);
   if (!machine) {
     outcome.error = machine.error();
     return outcome;

@@ -38,6 +38,9 @@ namespace rivulet::base {
 [[nodiscard]] std::string_view trim(std::string_view text);
 
 /// ASCII upper case; other bytes stay.
+[[nodiscard]] constexpr char toUpper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
 [[nodiscard]] std::string toUpper(std::string_view text);
 
 }  // namespace rivulet::base

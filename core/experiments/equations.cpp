@@ -16,6 +16,7 @@
 #include "base/contract.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "experiments/figures.h"
 #include "feasibility/equations.h"
 
 namespace rivulet::experiments {
@@ -34,7 +35,6 @@ constexpr std::size_t kFactors = 20;
 constexpr double kAllowedShare = 1e-3;
 /// Requirement on the verdict as it is.
 constexpr double kVerdictShare = 1e-2;
-constexpr double kTwoSigma = 1.96;
 
 /// One combination of method, d_min, N and δ.
 struct Setting {
@@ -132,26 +132,6 @@ struct Run {
   RunFate fate = RunFate::Cancelled;
 };
 
-/// 95 % bounds of a share (Wilson).
-struct Share {
-  double value = 0.0;
-  double lowest = 0.0;
-  double highest = 1.0;
-};
-
-Share shareOf(std::size_t hits, std::size_t total) {
-  if (total == 0) {
-    return {};
-  }
-  const auto n = static_cast<double>(total);
-  const double p = static_cast<double>(hits) / n;
-  const double z2 = kTwoSigma * kTwoSigma;
-  const double centre = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
-  const double half =
-      kTwoSigma / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
-  return {p, std::max(0.0, centre - half), std::min(1.0, centre + half)};
-}
-
 /// A run as one rule sees it: how far its feed was above the rule's limit.
 struct Seen {
   double excess = 0.0;  ///< feed / limit; the rule allows it below 1
@@ -174,13 +154,13 @@ Threshold thresholdOf(std::vector<Seen> runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     failed += runs[i].failed ? 1 : 0;
     const Share share = shareOf(failed, i + 1);
-    if (share.value <= kAllowedShare) {
+    if (share.seen <= kAllowedShare) {
       threshold.best = runs[i].excess;
     }
-    if (share.highest <= kAllowedShare) {
+    if (share.high <= kAllowedShare) {
       threshold.lowest = runs[i].excess;
     }
-    if (share.lowest <= kAllowedShare) {
+    if (share.low <= kAllowedShare) {
       threshold.highest = runs[i].excess;
     }
   }
@@ -406,8 +386,8 @@ class Equations {
       const Share share = shareOf(counts[1][1], counts[1][0] + counts[1][1]);
       confusion.rows.push_back({ruleName(rule), std::to_string(counts[1][0]),
                                 std::to_string(counts[1][1]), std::to_string(counts[0][0]),
-                                std::to_string(counts[0][1]), percent(share.value),
-                                percent(share.lowest) + " to " + percent(share.highest)});
+                                std::to_string(counts[0][1]), percent(share.seen),
+                                percent(share.low) + " to " + percent(share.high)});
       const Threshold threshold = thresholdOf(seen);
       const std::optional<double> half = halfOf(seen);
       const auto text = [](double excess) {
@@ -418,7 +398,7 @@ class Equations {
                               half ? number(1.0 / *half, 2) : std::string("none found")});
       if (rule == Rule::VerdictPosition || rule == Rule::ThreeReal) {
         experiment.checks.push_back({ruleName(rule) + ", share of the allowed runs that failed", "",
-                                     "[P1] VI.A", 0.0, share.value, 0.0, kVerdictShare});
+                                     "[P1] VI.A", 0.0, share.seen, 0.0, kVerdictShare});
       }
       if (rule == Rule::ThreeReal) {
         // [P1] VI.A: (3) ignores the standstill.

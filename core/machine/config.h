@@ -180,6 +180,12 @@ struct MachineConfig {
   [[nodiscard]] base::AxisPosition start() const;
 };
 
+/// The number after G that cancels the settable work offset.
+inline constexpr int kNoWorkOffset = 500;
+
+/// The virtual machine that is meant where none is named.
+inline constexpr const char* kDefaultPreset = "dmu75";
+
 /// Names of the presets that are built in, sorted.
 [[nodiscard]] std::vector<std::string> presetNames();
 

@@ -14,8 +14,6 @@ namespace {
 
 using trace::ControlEvent;
 
-constexpr int kNoWorkOffset = 500;
-
 }  // namespace
 
 base::Duration Spindle::command(const SpindleConfig& config, double perMin, base::Instant at) {

@@ -62,7 +62,7 @@ class Equipment {
   Tool m_tool;
   Tool m_next;  ///< selected by T
   int m_edge = 0;
-  int m_workOffset = 500;
+  int m_workOffset = kNoWorkOffset;
   bool m_flood = false;
   bool m_mist = false;
 };

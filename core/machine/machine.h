@@ -38,7 +38,7 @@ struct EquipmentState {
   bool spindleLimited = false;        ///< S is greater than the spindle can turn
   bool flood = false;                 ///< M8
   bool mist = false;                  ///< M7
-  int workOffset = 500;               ///< number of the G function
+  int workOffset = kNoWorkOffset;     ///< number of the G function
 };
 
 /// What the control shows at one moment.

@@ -16,7 +16,6 @@ namespace {
 constexpr int kNoSuchTool = 17190;
 constexpr int kNoSuchEdge = 17180;
 constexpr int kChangesTool = 6;
-constexpr int kNoWorkOffset = 500;
 
 int rounded(double value) {
   return static_cast<int>(std::lround(std::clamp(value, -1.0, 1e8)));

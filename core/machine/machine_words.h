@@ -61,7 +61,7 @@ class MachineWords {
   Tool m_inSpindle;
   Tool m_next;  ///< selected by T
   int m_edge = 0;
-  int m_workOffset = 500;
+  int m_workOffset = kNoWorkOffset;
   Actions m_actions;
   AlarmSink& m_alarms;
 };

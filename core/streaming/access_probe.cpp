@@ -23,11 +23,9 @@ using opcua::LinkError;
 /// Forms in the order of preference.
 constexpr std::array kPreferred{Grouping::ArrayCount, Grouping::ArrayRange, Grouping::List,
                                 Grouping::Single};
-/// A value that was confirmed may be readable only from the next interpolation cycle on.
-constexpr int kReadBackTries = 3;
 
 /// Single access costs one round trip per cell: over a slow network fewer cells are tried.
-constexpr Duration kSlowAccess = std::chrono::milliseconds{50};
+constexpr Duration kSlowRoundTrip = std::chrono::milliseconds{50};
 constexpr std::size_t kSlowCells = 8;
 
 /// The deadline of a request with this many items. @param access  duration of a single one
@@ -105,7 +103,7 @@ class Probe {
       return base::fail(status.error());
     }
     const Duration access = m_link.now() - asked;
-    if (access > kSlowAccess) {
+    if (access > kSlowRoundTrip) {
       m_cells.resize(std::min(m_cells.size(), kSlowCells));
     }
     m_deadline = deadlineOf(m_deadline, m_cells.size(), access);

@@ -23,6 +23,10 @@ struct ScratchCells {
   int last = 0;
 };
 
+/// A value that was confirmed may be readable only from the next interpolation cycle on: it is read
+/// this often before it counts as not written.
+inline constexpr int kReadBackTries = 3;
+
 /// Tries every form. The channel must be in reset. Costs about three accesses per cell for single
 /// access and two requests for each other form.
 /// @return VariableMissing (fewer than four cells, or one does not exist), ChannelBusy,

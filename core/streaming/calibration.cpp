@@ -35,8 +35,6 @@ constexpr int kFirstShots = 5;
 constexpr int kIdleShots = 1;
 /// [P1] Table I.
 constexpr double kAssumedNodeNs = 4.3e6;
-/// A value that was confirmed may be readable only from the next interpolation cycle on.
-constexpr int kReadBackTries = 3;
 /// Deviation from a straight line, as a share of a duration; see `AccessFit`.
 constexpr double kLineShare = 0.005;
 constexpr double kLineMs = 0.001;

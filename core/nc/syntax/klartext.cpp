@@ -16,14 +16,12 @@ namespace rivulet::nc {
 namespace {
 
 using base::isDigit;
+using base::toUpper;
 
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
-class LineReader {
+class KlartextLine {
  public:
-  LineReader(std::string_view line, std::vector<Token>& tokens) : m_line(line), m_tokens(tokens) {}
+  KlartextLine(std::string_view line, std::vector<Token>& tokens)
+      : m_line(line), m_tokens(tokens) {}
 
   void read() {
     skipBlanks();
@@ -74,7 +72,7 @@ class LineReader {
   std::string takeWord() {
     skipBlanks();
     const std::size_t from = m_at;
-    while (m_at < m_end && upper(m_line[m_at]) >= 'A' && upper(m_line[m_at]) <= 'Z') {
+    while (m_at < m_end && toUpper(m_line[m_at]) >= 'A' && toUpper(m_line[m_at]) <= 'Z') {
       ++m_at;
     }
     return base::toUpper(m_line.substr(from, m_at - from));
@@ -304,11 +302,11 @@ void readKlartext(std::string_view line, bool& continues, std::vector<Token>& to
   const std::string_view all = base::trim(line);
   continues = (!shown.empty() && shown.back() == '~') || (!all.empty() && all.back() == '~');
   // The parameters of a cycle: "Q200=2 ;SET-UP CLEARANCE ~".
-  const bool isParameter = shown.size() > 1 && upper(shown[0]) == 'Q' && isDigit(shown[1]);
+  const bool isParameter = shown.size() > 1 && toUpper(shown[0]) == 'Q' && isDigit(shown[1]);
   if (belongs || isParameter) {
     return;
   }
-  LineReader(line, tokens).read();
+  KlartextLine(line, tokens).read();
 }
 
 }  // namespace rivulet::nc

@@ -20,6 +20,8 @@ namespace rivulet::nc {
 
 namespace {
 
+using base::toUpper;
+
 enum Class : std::uint8_t { kOther, kBlank, kDigit, kLetter };
 
 constexpr std::array<std::uint8_t, 256> makeClasses() {
@@ -44,10 +46,6 @@ std::uint8_t classOf(char c) {
   return kClasses[static_cast<unsigned char>(c)];
 }
 
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 bool isOneOf(char c, std::string_view set) {
   return set.find(c) != std::string_view::npos;
 }
@@ -69,7 +67,7 @@ template <std::size_t Count>
 bool isOneOfWords(std::string_view name, const std::array<std::string_view, Count>& words) {
   return std::any_of(words.begin(), words.end(), [name](std::string_view word) {
     return std::equal(name.begin(), name.end(), word.begin(), word.end(),
-                      [](char a, char b) { return upper(a) == b; });
+                      [](char a, char b) { return toUpper(a) == b; });
   });
 }
 
@@ -300,7 +298,7 @@ class LineReader {
       readName(from);
       return;
     }
-    const char address = upper(*from);
+    const char address = toUpper(*from);
     skipBlanks();
     const char c = peek();
     if (c == '=') {

@@ -427,7 +427,7 @@ base::Result<TemplateProof> proveTemplate(std::string_view text,
 
 base::Result<void> requireProven(const templates::TemplateParameters& parameters) {
   const auto text = templates::generateTemplate(parameters);
-  const auto machine = machine::loadPreset("dmu75");
+  const auto machine = machine::loadPreset(machine::kDefaultPreset);
   if (!text || !machine) {
     return base::fail(text ? machine.error() : text.error());
   }
