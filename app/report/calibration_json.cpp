@@ -14,12 +14,11 @@ namespace rivulet::report {
 namespace {
 
 using base::Duration;
-using nlohmann::json;
 using nlohmann::ordered_json;
 using streaming::MachineFileError;
 
 /// 1 had the average of each kind only.
-constexpr int kFormatVersion = 2;
+constexpr int kCalibrationFormat = 2;
 
 /// "50", "99", "99.9".
 std::string percentText(int perMille) {
@@ -57,9 +56,9 @@ ordered_json seriesJson(const streaming::AccessSeries& series) {
 class Reader {
  public:
   template <class T>
-  T get(const json& from, const char* key) {
+  T get(const nlohmann::json& from, const char* key) {
     if (from.is_object() && from.contains(key)) {
-      const json& value = from[key];
+      const nlohmann::json& value = from[key];
       if constexpr (std::is_same_v<T, std::string>) {
         if (value.is_string()) {
           return value.get<T>();
@@ -75,7 +74,7 @@ class Reader {
     m_bad = m_bad.empty() ? key : m_bad;
     return T{};
   }
-  Duration milliseconds(const json& from, const char* key) {
+  Duration milliseconds(const nlohmann::json& from, const char* key) {
     const double value = get<double>(from, key);
     // Longer than any request: no such number is converted.
     constexpr double kMostMs = 1e9;
@@ -85,15 +84,15 @@ class Reader {
     }
     return base::fromMilliseconds(value);
   }
-  opcua::Grouping form(const json& from) {
+  opcua::Grouping form(const nlohmann::json& from) {
     const auto form = opcua::groupingFromName(get<std::string>(from, "form"));
     if (!form) {
       m_bad = m_bad.empty() ? "form" : m_bad;
     }
     return form.value_or(opcua::Grouping::List);
   }
-  const json& list(const json& from, const char* key) {
-    static const json none = json::array();
+  const nlohmann::json& list(const nlohmann::json& from, const char* key) {
+    static const nlohmann::json none = nlohmann::json::array();
     if (from.is_object() && from.contains(key) && from[key].is_array()) {
       return from[key];
     }
@@ -106,7 +105,7 @@ class Reader {
   std::string m_bad;
 };
 
-streaming::AccessSeries seriesOf(Reader& reader, const json& one) {
+streaming::AccessSeries seriesOf(Reader& reader, const nlohmann::json& one) {
   streaming::AccessSeries series;
   series.write = reader.get<bool>(one, "write");
   series.grouping = reader.form(one);
@@ -129,19 +128,19 @@ streaming::AccessSeries seriesOf(Reader& reader, const json& one) {
       }
     }
   }
-  const json bins = one.value("histogram", json::object());
+  const nlohmann::json bins = one.value("histogram", nlohmann::json::object());
   series.histogram.from = reader.milliseconds(bins, "from_ms");
   series.histogram.width = reader.milliseconds(bins, "width_ms");
   series.histogram.above = reader.get<std::size_t>(bins, "above");
-  for (const json& count : reader.list(bins, "counts")) {
+  for (const nlohmann::json& count : reader.list(bins, "counts")) {
     series.histogram.counts.push_back(count.is_number_unsigned() ? count.get<std::size_t>() : 0);
   }
   return series;
 }
 
-streaming::AccessForms formsOf(Reader& reader, const json& list) {
+streaming::AccessForms formsOf(Reader& reader, const nlohmann::json& list) {
   streaming::AccessForms forms;
-  for (const json& one : list) {
+  for (const nlohmann::json& one : list) {
     forms.proofs.push_back(
         {reader.form(one), reader.get<bool>(one, "writes"), reader.get<bool>(one, "reads"),
          one.contains("why_not") ? reader.get<std::string>(one, "why_not") : std::string()});
@@ -153,7 +152,7 @@ streaming::AccessForms formsOf(Reader& reader, const json& list) {
 
 ordered_json calibrationJson(const streaming::CalibrationRecord& record) {
   const streaming::Calibration& calibration = record.calibration;
-  ordered_json result{{"rivulet_calibration", kFormatVersion},
+  ordered_json result{{"rivulet_calibration", kCalibrationFormat},
                       {"measured_at_utc", record.measuredAtUtc},
                       {"tool_version", record.toolVersion},
                       {"endpoint", record.endpoint},
@@ -189,13 +188,13 @@ ordered_json calibrationJson(const streaming::CalibrationRecord& record) {
   return result;
 }
 
-base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
+base::Result<streaming::CalibrationRecord> calibrationOf(const nlohmann::json& from,
                                                          const std::string& origin) {
   if (!from.is_object() || !from.contains("rivulet_calibration")) {
     return base::fail(MachineFileError::NotAMachineFile,
                       "This file has no calibration. Choose another.", origin);
   }
-  if (from["rivulet_calibration"] != kFormatVersion) {
+  if (from["rivulet_calibration"] != kCalibrationFormat) {
     return base::fail(MachineFileError::OtherVersion,
                       "The calibration was written by another version of Rivulet. Measure again.",
                       origin);
@@ -205,7 +204,7 @@ base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
   record.measuredAtUtc = reader.get<std::string>(from, "measured_at_utc");
   record.toolVersion = reader.get<std::string>(from, "tool_version");
   record.endpoint = reader.get<std::string>(from, "endpoint");
-  const json server = from.value("server", json::object());
+  const nlohmann::json server = from.value("server", nlohmann::json::object());
   record.server.applicationUri = reader.get<std::string>(server, "application_uri");
   record.server.productName = reader.get<std::string>(server, "product_name");
   record.server.softwareVersion = reader.get<std::string>(server, "software_version");
@@ -220,7 +219,7 @@ base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
   if (from.contains("access_forms")) {
     calibration.forms = formsOf(reader, reader.list(from, "access_forms"));
   }
-  for (const json& one : reader.list(from, "fits")) {
+  for (const nlohmann::json& one : reader.list(from, "fits")) {
     streaming::AccessFit fit;
     fit.write = reader.get<bool>(one, "write");
     fit.grouping = reader.form(one);
@@ -231,7 +230,7 @@ base::Result<streaming::CalibrationRecord> calibrationOf(const json& from,
     fit.nodeDeviationMs = reader.get<double>(one, "node_deviation_ms");
     calibration.fits.push_back(fit);
   }
-  for (const json& one : reader.list(from, "series")) {
+  for (const nlohmann::json& one : reader.list(from, "series")) {
     calibration.series.push_back(seriesOf(reader, one));
   }
   const auto usable = [&calibration](bool write) {
@@ -252,9 +251,10 @@ base::Result<streaming::CalibrationRecord> readCalibration(const std::filesystem
   if (!text) {
     return base::fail(text.error());
   }
-  const json file = json::parse(*text, nullptr, false);
+  const nlohmann::json file = nlohmann::json::parse(*text, nullptr, false);
   const bool isMachine = file.is_object() && file.contains("rivulet_machine");
-  return calibrationOf(isMachine ? file.value("calibration", json()) : file, path.string());
+  return calibrationOf(isMachine ? file.value("calibration", nlohmann::json()) : file,
+                       path.string());
 }
 
 feasibility::AccessModel accessModel(const streaming::Calibration& calibration,

@@ -14,11 +14,11 @@ namespace {
 using nlohmann::ordered_json;
 
 template <class T>
-T valueOf(const ordered_json& json, const char* key) {
-  if (!json.is_object() || !json.contains(key)) {
+T valueOf(const ordered_json& from, const char* key) {
+  if (!from.is_object() || !from.contains(key)) {
     return {};
   }
-  const ordered_json& value = json[key];
+  const ordered_json& value = from[key];
   if constexpr (std::is_same_v<T, std::string>) {
     return value.is_string() ? value.get<T>() : T{};
   } else if constexpr (std::is_same_v<T, bool>) {
@@ -50,19 +50,19 @@ ordered_json creditTestJson(const streaming::CreditTest& test) {
           {"checks", std::move(checks)}};
 }
 
-streaming::CreditTest creditTestOf(const ordered_json& json) {
+streaming::CreditTest creditTestOf(const ordered_json& from) {
   streaming::CreditTest test;
-  test.endpoint = valueOf<std::string>(json, "endpoint");
-  test.testedAtUtc = valueOf<std::string>(json, "tested_at_utc");
-  test.toolVersion = valueOf<std::string>(json, "tool_version");
-  test.result.asked = valueOf<int>(json, "asked");
-  test.result.answered = valueOf<int>(json, "answered");
-  test.result.slowestAnswer = base::fromMilliseconds(valueOf<double>(json, "slowest_answer_ms"));
-  const ordered_json server = json.value("server", ordered_json::object());
+  test.endpoint = valueOf<std::string>(from, "endpoint");
+  test.testedAtUtc = valueOf<std::string>(from, "tested_at_utc");
+  test.toolVersion = valueOf<std::string>(from, "tool_version");
+  test.result.asked = valueOf<int>(from, "asked");
+  test.result.answered = valueOf<int>(from, "answered");
+  test.result.slowestAnswer = base::fromMilliseconds(valueOf<double>(from, "slowest_answer_ms"));
+  const ordered_json server = from.value("server", ordered_json::object());
   test.server = {valueOf<std::string>(server, "application_uri"),
                  valueOf<std::string>(server, "product"), valueOf<std::string>(server, "version"),
                  valueOf<std::string>(server, "build")};
-  if (const auto checks = json.find("checks"); checks != json.end() && checks->is_array()) {
+  if (const auto checks = from.find("checks"); checks != from.end() && checks->is_array()) {
     for (const ordered_json& check : *checks) {
       test.result.checks.push_back({valueOf<std::string>(check, "name"),
                                     valueOf<bool>(check, "passed"),

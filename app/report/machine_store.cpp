@@ -24,8 +24,8 @@ namespace {
 using nlohmann::ordered_json;
 using streaming::MachineFileError;
 
-constexpr int kFormatVersion = 1;
-constexpr const char* kFormatKey = "rivulet_machine";
+constexpr int kMachineFormat = 1;
+constexpr const char* kMachineFormatKey = "rivulet_machine";
 constexpr const char* kCalibrationKey = "calibration";
 constexpr const char* kCreditTestKey = "credit_test";
 /// Files of earlier versions: a calibration by itself, and a profile with a `credit_test`.
@@ -50,11 +50,11 @@ std::optional<ordered_json> findEarlier(const fs::path& folder, Pick pick) {
     if (entry.path().extension() != ".json" || !text) {
       continue;
     }
-    const ordered_json json = ordered_json::parse(*text, nullptr, false);
-    if (!json.is_object()) {
+    const ordered_json file = ordered_json::parse(*text, nullptr, false);
+    if (!file.is_object()) {
       continue;
     }
-    if (std::optional<ordered_json> found = pick(json)) {
+    if (std::optional<ordered_json> found = pick(file)) {
       return found;
     }
   }
@@ -93,17 +93,17 @@ base::Result<ordered_json> MachineStore::read(const std::string& endpoint,
   const fs::path path = pathOf(endpoint, server);
   std::error_code ignored;
   if (!fs::exists(path, ignored)) {
-    ordered_json machine{{kFormatKey, kFormatVersion}};
+    ordered_json machine{{kMachineFormatKey, kMachineFormat}};
     const auto own = [&](const ordered_json& fact) { return isOf(fact, endpoint, server); };
-    const auto calibration = findEarlier(m_folders.earlierCalibrations, [&](const auto& json) {
-      return json.contains(kEarlierCalibrationKey) && own(json) ? std::optional(json)
+    const auto calibration = findEarlier(m_folders.earlierCalibrations, [&](const auto& fact) {
+      return fact.contains(kEarlierCalibrationKey) && own(fact) ? std::optional(fact)
                                                                 : std::nullopt;
     });
     // The whole profile is taken over: other members of it may be somebody's, too.
-    const auto profile = findEarlier(m_folders.earlierProfiles, [&](const auto& json) {
-      return json.contains(kEarlierProfileKey) && json.contains(kCreditTestKey) &&
-                     own(json[kCreditTestKey])
-                 ? std::optional(json)
+    const auto profile = findEarlier(m_folders.earlierProfiles, [&](const auto& fact) {
+      return fact.contains(kEarlierProfileKey) && fact.contains(kCreditTestKey) &&
+                     own(fact[kCreditTestKey])
+                 ? std::optional(fact)
                  : std::nullopt;
     });
     if (profile) {
@@ -120,12 +120,12 @@ base::Result<ordered_json> MachineStore::read(const std::string& endpoint,
     return base::fail(text.error());
   }
   ordered_json machine = ordered_json::parse(*text, nullptr, false);
-  if (!machine.is_object() || !machine.contains(kFormatKey) ||
-      !machine[kFormatKey].is_number_integer()) {
+  if (!machine.is_object() || !machine.contains(kMachineFormatKey) ||
+      !machine[kMachineFormatKey].is_number_integer()) {
     return base::fail(MachineFileError::NotAMachineFile,
                       "This is not a machine file of Rivulet. Move the file away.", path.string());
   }
-  if (machine[kFormatKey].get<int>() > kFormatVersion) {
+  if (machine[kMachineFormatKey].get<int>() > kMachineFormat) {
     return base::fail(MachineFileError::OtherVersion,
                       "The machine file was written by a later version of Rivulet. Use that one.",
                       path.string());

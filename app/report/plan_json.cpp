@@ -20,16 +20,16 @@ ordered_json stretchJson(const job::Stretch& stretch) {
 }
 
 ordered_json nativeJson(const job::NativeBlock& native) {
-  ordered_json json{{"kind", "native"},
-                    {"line", native.place.line.value},
-                    {"reason", job::nativeReasonName(native.reason)},
-                    {"source", native.source},
-                    {"text", native.text},
-                    {"moves", native.moves}};
+  ordered_json block{{"kind", "native"},
+                     {"line", native.place.line.value},
+                     {"reason", job::nativeReasonName(native.reason)},
+                     {"source", native.source},
+                     {"text", native.text},
+                     {"moves", native.moves}};
   if (!native.file.empty()) {
-    json["file"] = native.file;
+    block["file"] = native.file;
   }
-  return json;
+  return block;
 }
 
 }  // namespace

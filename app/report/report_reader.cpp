@@ -21,11 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr int kFormatVersion = 1;
-constexpr const char* kFormatKey = "rivulet_finished_run";
+constexpr int kFinishedFormat = 1;
+constexpr const char* kFinishedFormatKey = "rivulet_finished_run";
 constexpr double kSecondsMax = 1e9;
 constexpr double kMillisecondsMax = 1e12;
 
@@ -77,7 +76,7 @@ trace::DurationStatistics durationsOf(Members& members, const std::string& at) {
 /// Calls `read` with the members of each item of a list. Without the list nothing happens.
 template <class Read>
 void forEach(Members& members, const char* at, Read read) {
-  const json* list = members.find(at);
+  const nlohmann::json* list = members.find(at);
   if (list == nullptr) {
     return;
   }
@@ -85,7 +84,7 @@ void forEach(Members& members, const char* at, Read read) {
     members.refuse(at);
     return;
   }
-  for (const json& item : *list) {
+  for (const nlohmann::json& item : *list) {
     Members inner(item);
     read(inner);
     if (!inner.bad().empty()) {
@@ -221,7 +220,7 @@ streaming::RunSummary knownOf(Members& members) {
 
 ordered_json knownJson(const streaming::RunSummary& known) {
   const streaming::RunOrigin& origin = known.origin;
-  return {{kFormatKey, kFormatVersion},
+  return {{kFinishedFormatKey, kFinishedFormat},
           {"id", known.id},
           {"program_file", known.programFile},
           {"program_hash", known.programHash},
@@ -249,9 +248,9 @@ std::vector<gcode::SketchPoint> sketchOf(Members& members) {
 
 /// Nothing if a file of this version, or of one before there were versions, may be read on.
 std::optional<base::Error> refusal(Members& members, const fs::path& file) {
-  const bool hasVersion = members.has((std::string("/") + kFormatKey).c_str());
-  if (hasVersion && members.integer<int>((std::string("/") + kFormatKey).c_str(), 1, kJsonCellMax) >
-                        kFormatVersion) {
+  const bool hasVersion = members.has((std::string("/") + kFinishedFormatKey).c_str());
+  if (hasVersion && members.integer<int>((std::string("/") + kFinishedFormatKey).c_str(), 1,
+                                         kJsonCellMax) > kFinishedFormat) {
     return base::makeError(
         ReportError::NewerVersion,
         "The report was written by a later version of Rivulet. Use that one to open it.",
@@ -302,7 +301,7 @@ ordered_json finishedRunJson(const FinishedRun& run) {
   return json;
 }
 
-base::Result<FinishedRun> finishedRunOf(const json& json, const fs::path& file) {
+base::Result<FinishedRun> finishedRunOf(const nlohmann::json& json, const fs::path& file) {
   Members members(json);
   if (const auto refused = refusal(members, file)) {
     return base::fail(*refused);
@@ -317,7 +316,7 @@ base::Result<FinishedRun> finishedRunOf(const json& json, const fs::path& file) 
 
 base::Result<FinishedRun> readFinishedRun(const fs::path& file) {
   const base::Result<std::string> text = base::readFile(file, kJsonBytesMax);
-  return text ? finishedRunOf(json::parse(*text, nullptr, false), file)
+  return text ? finishedRunOf(nlohmann::json::parse(*text, nullptr, false), file)
               : base::Result<FinishedRun>(base::fail(text.error()));
 }
 
@@ -347,10 +346,10 @@ ordered_json summaryJson(const streaming::RunSummary& summary) {
   return json;
 }
 
-base::Result<streaming::RunSummary> summaryOf(const json& json, const fs::path& file) {
+base::Result<streaming::RunSummary> summaryOf(const nlohmann::json& json, const fs::path& file) {
   using streaming::RunFinding;
   Members members(json);
-  members.integer<int>((std::string("/") + kFormatKey).c_str(), 1, kFormatVersion);
+  members.integer<int>((std::string("/") + kFinishedFormatKey).c_str(), 1, kFinishedFormat);
   streaming::RunSummary summary = knownOf(members);
   summary.programName = members.text("/program");
   summary.origin = {members.text("/started_by/user"), members.text("/started_by/computer"),

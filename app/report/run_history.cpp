@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::string_view kReportEnding = ".report.json";
@@ -153,7 +152,7 @@ HistoryList RunHistory::list() const {
     const std::string id = name.substr(0, name.size() - kReportEnding.size());
     const base::Result<std::string> text = base::readFile(indexFile(id));
     if (text) {
-      if (auto summary = summaryOf(json::parse(*text, nullptr, false), indexFile(id))) {
+      if (auto summary = summaryOf(nlohmann::json::parse(*text, nullptr, false), indexFile(id))) {
         summary->id = id;
         list.runs.push_back(std::move(*summary));
         continue;
@@ -192,7 +191,7 @@ HistoryLimits RunHistory::limits() const {
   if (!text) {
     return limits;
   }
-  const json root = json::parse(*text, nullptr, false);
+  const nlohmann::json root = nlohmann::json::parse(*text, nullptr, false);
   Members members(root);
   const HistoryLimits read{members.integer<std::size_t>("/runs_max", 1, kJsonCountMax),
                            members.integer<std::uintmax_t>("/bytes_max", 0, kBytesMax)};

@@ -32,12 +32,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 using streaming::StreamError;
 
-constexpr int kFormatVersion = 1;
-constexpr const char* kFormatKey = "rivulet_run";
+constexpr int kRunFormat = 1;
+constexpr const char* kRunFormatKey = "rivulet_run";
 /// Runs that nobody resumed are removed, the oldest first.
 constexpr std::size_t kRunsMax = 20;
 
@@ -74,7 +73,7 @@ ordered_json readingJson(const gcode::LoadOptions& reading) {
 
 ordered_json savedRunJson(const SavedRun& run) {
   const streaming::RunOrigin& origin = run.settings.origin;
-  return {{kFormatKey, kFormatVersion},
+  return {{kRunFormatKey, kRunFormat},
           {"program", run.programName},
           {"program_file", run.programFile},
           {"endpoint", run.endpoint},
@@ -176,7 +175,7 @@ streaming::RunOrigin thisUser() {
           fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)))};
 }
 
-base::Result<SavedRun> savedRunOf(const json& json, const fs::path& file) {
+base::Result<SavedRun> savedRunOf(const nlohmann::json& json, const fs::path& file) {
   Members members(json);
   if (!members.has("/checkpoint") || !members.has("/settings")) {
     return base::fail(StreamError::CannotResume,
@@ -186,7 +185,7 @@ base::Result<SavedRun> savedRunOf(const json& json, const fs::path& file) {
                       file.string());
   }
   if (members.has("/rivulet_run") &&
-      members.integer<int>("/rivulet_run", 1, kJsonCellMax) > kFormatVersion) {
+      members.integer<int>("/rivulet_run", 1, kJsonCellMax) > kRunFormat) {
     return base::fail(StreamError::CannotResume,
                       "The run was kept by a later version of Rivulet. Use that one.",
                       file.string());
@@ -223,7 +222,7 @@ base::Result<SavedRun> readSavedRun(const fs::path& file) {
   if (!text) {
     return base::fail(text.error());
   }
-  return savedRunOf(json::parse(*text, nullptr, false), file);
+  return savedRunOf(nlohmann::json::parse(*text, nullptr, false), file);
 }
 
 fs::path RunStore::folderOfUser() {

@@ -68,7 +68,7 @@ struct ReadinessText {
 };
 
 ReadinessText textOf(Readiness readiness) {
-  static constexpr std::array<ReadinessText, 4> kTexts{{
+  static constexpr std::array<ReadinessText, 4> kReadinessTexts{{
       {"streamable", "The whole path is known: the program can be streamed."},
       {"not understood",
        "Parts of the path are not known: the program cannot be streamed. Correct the errors "
@@ -78,7 +78,7 @@ ReadinessText textOf(Readiness readiness) {
        "The whole path is known, but it needs a transformation of the control: no method can "
        "stream it."},
   }};
-  return kTexts[static_cast<std::size_t>(readiness)];
+  return kReadinessTexts[static_cast<std::size_t>(readiness)];
 }
 
 bool isError(const Diagnostic& diagnostic) {

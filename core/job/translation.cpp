@@ -26,12 +26,12 @@ std::optional<std::string> workOffsetOf(int key) {
     int key;
     const char* word;
   };
-  static constexpr std::array kRows{Row{540, "G54"},  Row{550, "G55"},  Row{560, "G56"},
-                                    Row{570, "G57"},  Row{580, "G505"}, Row{590, "G506"},
-                                    Row{591, "G507"}, Row{592, "G508"}, Row{593, "G509"}};
-  const auto* const found =
-      std::find_if(kRows.begin(), kRows.end(), [key](const Row& row) { return row.key == key; });
-  return found == kRows.end() ? std::nullopt : std::optional<std::string>(found->word);
+  static constexpr std::array kOffsets{Row{540, "G54"},  Row{550, "G55"},  Row{560, "G56"},
+                                       Row{570, "G57"},  Row{580, "G505"}, Row{590, "G506"},
+                                       Row{591, "G507"}, Row{592, "G508"}, Row{593, "G509"}};
+  const auto* const found = std::find_if(kOffsets.begin(), kOffsets.end(),
+                                         [key](const Row& row) { return row.key == key; });
+  return found == kOffsets.end() ? std::nullopt : std::optional<std::string>(found->word);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr int kPlaneChanged = 10757;
 constexpr int kNotMade = 12550;
 
 /// A motion that moves less in the plane is none there.
-constexpr double kLengthMmMin = 1e-9;
+constexpr double kNoLengthMm = 1e-9;
 /// An arc of the tool's radius leaves a point. As much may lie between its radii (MD21000).
 constexpr double kPointMm = 0.01;
 /// Blocks whose directions differ by less continue each other, rad.
@@ -95,7 +95,7 @@ RadiusCompensation::Point RadiusCompensation::endDirection(const Element& elemen
 bool RadiusCompensation::isBehind(Point place, const Element& element, double way) {
   const Point at = way > 0.0 ? element.from : element.to;
   const Point direction = way > 0.0 ? startDirection(element) : endDirection(element);
-  return way * ((place.u - at.u) * direction.u + (place.v - at.v) * direction.v) > kLengthMmMin;
+  return way * ((place.u - at.u) * direction.u + (place.v - at.v) * direction.v) > kNoLengthMm;
 }
 
 /// Of the path of the tool's centre; not positive: the tool does not fit.
@@ -231,7 +231,7 @@ std::optional<RadiusCompensation::Point> RadiusCompensation::innerCorner(
   const auto reaches = [](const Element& element, Point from, Point to) {
     if (element.turn == 0.0) {
       const Point way = startDirection(element);
-      return (to.u - from.u) * way.u + (to.v - from.v) * way.v > -kLengthMmMin;
+      return (to.u - from.u) * way.u + (to.v - from.v) * way.v > -kNoLengthMm;
     }
     const auto angle = [&](Point p) {
       return std::atan2(p.v - element.centre.v, p.u - element.centre.u);
@@ -305,7 +305,7 @@ void RadiusCompensation::passOver(const Corner& corner, const Element& next,
   } else if (corner.waypoint) {
     for (const Point place : {*corner.waypoint, corner.start}) {
       const Point at = inPlane(m_atMm);
-      if (std::hypot(place.u - at.u, place.v - at.v) > kLengthMmMin) {
+      if (std::hypot(place.u - at.u, place.v - at.v) > kNoLengthMm) {
         PreparedMotion motion = to(place);
         m_atMm = motion.targetMm;
         ready.emplace_back(std::move(motion));
@@ -348,7 +348,7 @@ std::optional<Alarm> RadiusCompensation::addMotion(PreparedMotion motion,
   const base::Vec3 target = motion.targetMm;
   const bool moves =
       element->turn != 0.0 ||
-      std::hypot(element->to.u - element->from.u, element->to.v - element->from.v) > kLengthMmMin;
+      std::hypot(element->to.u - element->from.u, element->to.v - element->from.v) > kNoLengthMm;
   std::optional<Alarm> alarm;
   if (!moves && !m_active) {
     m_atMm = target;

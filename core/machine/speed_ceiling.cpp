@@ -17,7 +17,7 @@ namespace {
 /// A search that moves by no more than this share of its accuracy is at its end.
 constexpr double kAccurateShare = 0.1;
 /// Halvings where only the safe side matters, not the last bit.
-constexpr int kRoughHalvings = 10;
+constexpr int kCeilingHalvings = 10;
 /// Steps of the search for the moment at which the climb must end.
 constexpr int kSearchSteps = 60;
 /// A motion this close to the ceiling is on it, where the jerk limit is that of a usual axis; where
@@ -312,7 +312,7 @@ SpeedState SpeedCeiling::chooseJoint(std::size_t index) const {
   double unsafe = best.accelerationMmPerS2;
   best.accelerationMmPerS2 = lowest(v);
   if (isSafeAt(best)) {
-    for (int i = 0; i < kRoughHalvings; ++i) {
+    for (int i = 0; i < kCeilingHalvings; ++i) {
       const double middle = 0.5 * (best.accelerationMmPerS2 + unsafe);
       if (isSafeAt({v, middle})) {
         best.accelerationMmPerS2 = middle;
@@ -324,7 +324,7 @@ SpeedState SpeedCeiling::chooseJoint(std::size_t index) const {
   }
   double tooFast = v;
   best = {};
-  for (int i = 0; i < kRoughHalvings; ++i) {
+  for (int i = 0; i < kCeilingHalvings; ++i) {
     const double middle = 0.5 * (best.speedMmPerS + tooFast);
     const SpeedState state{middle, lowest(middle)};
     if (isSafeAt(state)) {

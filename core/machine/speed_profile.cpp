@@ -13,7 +13,7 @@ namespace rivulet::machine {
 namespace {
 
 /// Steps of a search that closes in by halving at worst; it ends earlier.
-constexpr int kSearchSteps = 100;
+constexpr int kBisectionSteps = 100;
 /// Halvings of an interval; more would be below the last bit.
 constexpr int kHalvings = 60;
 
@@ -44,7 +44,7 @@ double secondsFor(double mm, const SpeedState& begin, double jerk, double durati
   double low = 0.0;
   double high = durationS;
   double t = v > 0.0 ? std::min(durationS, mm / v) : 0.5 * durationS;
-  for (int i = 0; i < kSearchSteps && high > low; ++i) {
+  for (int i = 0; i < kBisectionSteps && high > low; ++i) {
     const double error = lengthOf(t, begin, jerk) - mm;
     (error > 0.0 ? high : low) = t;
     const double speed = v + t * (a + 0.5 * t * jerk);

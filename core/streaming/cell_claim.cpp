@@ -18,7 +18,7 @@ using base::Duration;
 using base::Instant;
 using base::Result;
 
-constexpr Duration kPollInterval = std::chrono::milliseconds{100};
+constexpr Duration kClaimPoll = std::chrono::milliseconds{100};
 /// A claim is −(number + this · beats).
 constexpr double kPerBeat = kRunNumberMax + 1.0;
 /// Times that the cell may be found changed by something else than a claim.
@@ -59,7 +59,7 @@ Result<void> CellClaim::pause(const Hooks& hooks) {
   if (hooks.isCancelled && hooks.isCancelled()) {
     return base::fail(StreamError::Cancelled, "Stopped before the run was started.");
   }
-  return opcua::sleepUntil(m_link, m_link.now() + kPollInterval);
+  return opcua::sleepUntil(m_link, m_link.now() + kClaimPoll);
 }
 
 Result<CellClaim::Seen> CellClaim::awaitFree(const Hooks& hooks, std::optional<int>& holder) {

@@ -43,7 +43,7 @@ constexpr int kQuestions = 20;
 constexpr int kAnswersMin = 5;
 /// From the beginning of the dwells to the end of the program.
 constexpr Duration kRunMax = std::chrono::minutes{3};
-constexpr Duration kPollInterval = std::chrono::milliseconds{50};
+constexpr Duration kDwellPoll = std::chrono::milliseconds{50};
 
 /// R-parameters of the test, counted from its first.
 enum Cell { Question, Echo, Begin, Cycles, Layout, Phase, Passes, Buffer, CyclesSeen, Mark };
@@ -101,7 +101,7 @@ class Test {
   }
 
   void pause() {
-    const Instant until = m_link.now() + kPollInterval;
+    const Instant until = m_link.now() + kDwellPoll;
     while (m_link.now() < until) {
       m_link.wait(until);
     }

@@ -25,7 +25,7 @@ using opcua::VariableKind;
 using templates::WindowProtocol;
 
 constexpr Duration kDeadline = kSetupDeadline;
-constexpr Duration kPollInterval = std::chrono::milliseconds{100};
+constexpr Duration kRunPoll = std::chrono::milliseconds{100};
 constexpr std::size_t kLabelFieldMax = 60;
 
 Variable cell(int baseCell, WindowProtocol::Header place) {
@@ -160,7 +160,7 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
     if (!found || !*found || (*found)->hasClient || link.now() >= until) {
       return found;
     }
-    if (Result<void> slept = opcua::sleepUntil(link, std::min(until, link.now() + kPollInterval));
+    if (Result<void> slept = opcua::sleepUntil(link, std::min(until, link.now() + kRunPoll));
         !slept) {
       return base::fail(slept.error());
     }
@@ -194,7 +194,7 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
         return done;
       }
     }
-    if (Result<void> slept = opcua::sleepUntil(link, link.now() + kPollInterval); !slept) {
+    if (Result<void> slept = opcua::sleepUntil(link, link.now() + kRunPoll); !slept) {
       return slept;
     }
   }

@@ -35,7 +35,7 @@ using templates::WindowProtocol;
 
 /// Where the axes stand and where they should are this close: servo and exact stop.
 constexpr double kStartToleranceMm = 0.05;
-constexpr Duration kPollInterval = std::chrono::milliseconds{20};
+constexpr Duration kPartPoll = std::chrono::milliseconds{20};
 /// `VariableKind::ChannelStatus` while the program waits for cycle start, at M0.
 constexpr double kChannelInterrupted = 2.0;
 
@@ -648,7 +648,7 @@ class WholeJob {
   }
 
   void pause() {
-    const Instant until = m_link.now() + kPollInterval;
+    const Instant until = m_link.now() + kPartPoll;
     while (m_link.now() < until) {
       if (!m_claim.link().wait(until)) {
         return;

@@ -25,9 +25,9 @@ std::string loopName(const TemplateParameters& parameters) {
 
 /// A method's program as a subprogram.
 template <class Base>
-class LoopTemplate final : public Base {
+class SubprogramTemplate final : public Base {
  public:
-  explicit LoopTemplate(std::string name) : m_name(std::move(name)) {}
+  explicit SubprogramTemplate(std::string name) : m_name(std::move(name)) {}
 
  protected:
   [[nodiscard]] std::string_view endWord() const override { return "M17"; }
@@ -91,9 +91,9 @@ base::Result<JobLoop> generateJobLoop(const TemplateParameters& parameters) {
   loop.callCell = callCellOf(*cells);
   const int number = layoutNumber(parameters);
   if (parameters.method == base::MethodKind::Window) {
-    loop.text = LoopTemplate<WindowTemplate>(loop.name).program(parameters, *cells, number);
+    loop.text = SubprogramTemplate<WindowTemplate>(loop.name).program(parameters, *cells, number);
   } else if (parameters.method == base::MethodKind::Credit) {
-    loop.text = LoopTemplate<CreditTemplate>(loop.name).program(parameters, *cells, number);
+    loop.text = SubprogramTemplate<CreditTemplate>(loop.name).program(parameters, *cells, number);
   } else {
     return base::fail(TemplateError::BadCells, "A whole job runs with method window or credit.");
   }

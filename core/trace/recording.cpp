@@ -18,10 +18,10 @@ namespace {
 
 using lines::Fields;
 
-constexpr std::string_view kName = "rivulet-recording";
-constexpr int kVersion = 2;
+constexpr std::string_view kRecordingName = "rivulet-recording";
+constexpr int kRecordingVersion = 2;
 /// Rotary axes came with format 2; a recording without them is still one of format 1.
-constexpr int kVersionWithoutRotary = 1;
+constexpr int kRecordingVersionWithoutRotary = 1;
 /// Long lists go to the sink in pieces of about this size.
 constexpr std::size_t kFlushBytes = 64 * 1024;
 
@@ -378,8 +378,8 @@ bool RecordingWriter::flushIfLarge() {
 
 bool RecordingWriter::start(const RunStart& start) {
   m_rotaryAxes = rotaryOf(start.axes);
-  fmt::format_to(std::back_inserter(m_lines), "{} {}\nrun", kName,
-                 base::any(m_rotaryAxes) ? kVersion : kVersionWithoutRotary);
+  fmt::format_to(std::back_inserter(m_lines), "{} {}\nrun", kRecordingName,
+                 base::any(m_rotaryAxes) ? kRecordingVersion : kRecordingVersionWithoutRotary);
   appendText(m_lines, "tool", start.toolVersion);
   appendText(m_lines, "method", start.method);
   appendNumber(m_lines, "points_per_loop", start.pointsPerLoop);
@@ -535,11 +535,11 @@ base::Result<Recording> parseRecording(std::string_view text) {
   lines::LineReader reader(text);
   const auto first = reader.next();
   const std::string_view begin = first ? first->text : std::string_view();
-  const lines::Header header = lines::readHeader(begin, kName);
+  const lines::Header header = lines::readHeader(begin, kRecordingName);
   if (first && !first->whole &&
-      (header.known || kName.substr(0, begin.size()) == begin ||
-       (begin.substr(0, kName.size()) == kName && begin.size() == kName.size() + 1 &&
-        begin.back() == ' '))) {
+      (header.known || kRecordingName.substr(0, begin.size()) == begin ||
+       (begin.substr(0, kRecordingName.size()) == kRecordingName &&
+        begin.size() == kRecordingName.size() + 1 && begin.back() == ' '))) {
     return base::fail(TraceError::Damaged,
                       "The recording was cut off in its first line: it holds nothing of the run.");
   }
@@ -547,13 +547,13 @@ base::Result<Recording> parseRecording(std::string_view text) {
     return base::fail(
         TraceError::NotATrace,
         fmt::format("This is not a recording of a run: its first line does not begin with \"{}\".",
-                    kName));
+                    kRecordingName));
   }
-  if (header.version > kVersion) {
+  if (header.version > kRecordingVersion) {
     return base::fail(TraceError::NewerVersion,
                       fmt::format("The recording has format {}; this Rivulet reads formats up to "
                                   "{}. Use a newer Rivulet.",
-                                  header.version, kVersion));
+                                  header.version, kRecordingVersion));
   }
   Reader recording;
   std::size_t unreadable = 0;

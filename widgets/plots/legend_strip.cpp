@@ -14,7 +14,7 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr int kSymbolPx = 28;
-constexpr int kGapPx = 6;
+constexpr int kSymbolGapPx = 6;
 constexpr int kSpacingPx = 18;
 
 }  // namespace
@@ -89,7 +89,7 @@ void LegendStrip::paintEvent(QPaintEvent* /*event*/) {
         break;
     }
     painter.setPen(colors.text);
-    painter.drawText(rects[index].adjusted(kSymbolPx + kGapPx, 0, 0, 0),
+    painter.drawText(rects[index].adjusted(kSymbolPx + kSymbolGapPx, 0, 0, 0),
                      Qt::AlignLeft | Qt::AlignVCenter, entry.text);
   }
 }
@@ -101,7 +101,7 @@ std::vector<QRect> LegendStrip::places(int width) const {
   int x = 0;
   int y = 0;
   for (const LegendEntry& entry : m_entries) {
-    const int entryWidth = kSymbolPx + kGapPx + metrics.horizontalAdvance(entry.text) + 2;
+    const int entryWidth = kSymbolPx + kSymbolGapPx + metrics.horizontalAdvance(entry.text) + 2;
     if (x > 0 && x + entryWidth > width) {
       x = 0;
       y += height;

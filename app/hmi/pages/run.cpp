@@ -85,15 +85,16 @@ widgets::RunProgress progressOf(const Document& document, std::size_t executed) 
 void connectFeed(CorrectionPanel* panel, const Models& models) {
   auto* feed = new CorrectionFeed(panel);
   RunController* runs = &models.runs;
-  QObject::connect(
-      panel, &CorrectionPanel::inputChanged, feed, [feed](const widgets::CorrectionInput& input) {
-        constexpr double kMsPerS = 1000.0;
-        if (input.isLive) {
-          feed->open(static_cast<quint16>(input.port), static_cast<int>(input.silenceS * kMsPerS));
-        } else {
-          feed->close();
-        }
-      });
+  QObject::connect(panel, &CorrectionPanel::inputChanged, feed,
+                   [feed](const widgets::CorrectionInput& input) {
+                     constexpr double kMsOfSecond = 1000.0;
+                     if (input.isLive) {
+                       feed->open(static_cast<quint16>(input.port),
+                                  static_cast<int>(input.silenceS * kMsOfSecond));
+                     } else {
+                       feed->close();
+                     }
+                   });
   QObject::connect(feed, &CorrectionFeed::valueArrived, runs, &RunController::correct);
   QObject::connect(
       feed, &CorrectionFeed::stateChanged, panel, [panel](const session::FeedState& state) {

@@ -13,7 +13,7 @@ namespace rivulet::templates {
 namespace {
 
 /// About 40 kB a window.
-constexpr int kPointsMax = 1000;
+constexpr int kLoopPointsMax = 1000;
 
 std::string subprogram(int file) {
   return fmt::format("RIVULET_W{}", file + 1);
@@ -36,10 +36,10 @@ base::Result<void> FileTemplate::check(const TemplateParameters& parameters) con
   if (base::Result<void> windows = WindowedTemplate::check(parameters); !windows) {
     return windows;
   }
-  if (parameters.pointsPerLoop > kPointsMax) {
+  if (parameters.pointsPerLoop > kLoopPointsMax) {
     return base::fail(TemplateError::DoesNotFit,
                       fmt::format("{} points per file: choose at most {}.",
-                                  parameters.pointsPerLoop, kPointsMax));
+                                  parameters.pointsPerLoop, kLoopPointsMax));
   }
   return {};
 }
@@ -54,7 +54,7 @@ CellMap FileTemplate::cells(const TemplateParameters& parameters) const {
 
 int FileTemplate::pointsMax(const TemplateParameters& parameters) const {
   const int needed = parameters.baseCell + WindowProtocol::HeaderCells;
-  return needed <= parameters.rParameterCount ? kPointsMax : 0;
+  return needed <= parameters.rParameterCount ? kLoopPointsMax : 0;
 }
 
 int FileTemplate::longestWrite(const TemplateParameters& /*parameters*/) const {

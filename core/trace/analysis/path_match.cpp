@@ -14,7 +14,7 @@ namespace rivulet::trace {
 
 namespace {
 
-using Kind = PathFault::Kind;
+using FaultKind = PathFault::Kind;
 
 constexpr std::size_t kNoNode = static_cast<std::size_t>(-1);
 constexpr std::size_t kPathFaultsMax = 100;
@@ -251,7 +251,7 @@ class CourseJudge {
   [[nodiscard]] bool isAtPoint(double lengthMm) const;
   [[nodiscard]] double farthestOff(std::size_t from, std::size_t to) const;
   void addForeign(std::size_t step, double atMm);
-  [[nodiscard]] PathFault fault(Kind kind, std::size_t point, std::size_t step) const;
+  [[nodiscard]] PathFault fault(FaultKind kind, std::size_t point, std::size_t step) const;
   void findSkipped();
   void findDeparture(std::size_t lastOn);
   void collectSamples();
@@ -285,7 +285,7 @@ CourseJudge::Interval CourseJudge::pointsIn(double fromMm, double toMm) const {
   return interval;
 }
 
-PathFault CourseJudge::fault(Kind kind, std::size_t point, std::size_t step) const {
+PathFault CourseJudge::fault(FaultKind kind, std::size_t point, std::size_t step) const {
   const Step& at = m_steps[step];
   return {kind, base::PointIndex{static_cast<std::uint32_t>(point)}, m_path.points()[point].line,
           m_motion.samples[at.sample].at, at.placeMm};
@@ -293,7 +293,7 @@ PathFault CourseJudge::fault(Kind kind, std::size_t point, std::size_t step) con
 
 void CourseJudge::addForeign(std::size_t step, double atMm) {
   ++m_match.foreign;
-  m_match.faults.push_back(fault(Kind::Foreign, m_path.segmentAt(atMm), step));
+  m_match.faults.push_back(fault(FaultKind::Foreign, m_path.segmentAt(atMm), step));
 }
 
 void CourseJudge::pass(std::size_t point, std::size_t step) {
@@ -302,7 +302,7 @@ void CourseJudge::pass(std::size_t point, std::size_t step) {
   }
   if (m_passes[point]++ > 0) {
     ++m_match.repeated;
-    m_match.faults.push_back(fault(Kind::Repeated, point, step));
+    m_match.faults.push_back(fault(FaultKind::Repeated, point, step));
   }
 }
 
@@ -434,7 +434,7 @@ void CourseJudge::findSkipped() {
       ++m_match.undecided;
     } else if (m_skippedAt[point] != kNoNode && last != kNoNode && point < last) {
       ++m_match.skipped;
-      m_match.faults.push_back(fault(Kind::Skipped, point, m_skippedAt[point]));
+      m_match.faults.push_back(fault(FaultKind::Skipped, point, m_skippedAt[point]));
     }
   }
 }
@@ -448,7 +448,7 @@ void CourseJudge::findDeparture(std::size_t lastOn) {
   // A retraction at the end is no other program, unless it is long.
   const double lengthMm = m_course[lastOn].place.lengthMm;
   if (restMm > 2.0 * m_toleranceMm && lengthMm < m_path.lengthMm() - 2.0 * m_toleranceMm) {
-    m_match.departure = fault(Kind::Foreign, m_path.segmentAt(lengthMm), lastOn + 1);
+    m_match.departure = fault(FaultKind::Foreign, m_path.segmentAt(lengthMm), lastOn + 1);
   }
 }
 
@@ -509,7 +509,7 @@ PathMatch CourseJudge::judge() {
     }
     findDeparture(lastOn);
   } else {
-    m_match.departure = fault(Kind::Foreign, 0, 0);
+    m_match.departure = fault(FaultKind::Foreign, 0, 0);
   }
   findSkipped();
   collectSamples();

@@ -27,7 +27,7 @@ constexpr double kDipShare = 0.5;
 /// at rest tremble.
 constexpr double kTrembleShare = 0.02;
 /// A turn of the path by more than this is a corner.
-constexpr double kCornerDegMin = 0.1;
+constexpr double kTurnDegMin = 0.1;
 /// A longer stop is more than braking and accelerating at a corner.
 constexpr Duration kExactStopMax = std::chrono::milliseconds{30};
 /// Data that arrived this long before the end of a stop ended it.
@@ -131,13 +131,13 @@ bool findEvent(Standstill& stop, const Motion& motion) {
     if (event.from >= end || event.to <= stop.start - motion.step) {
       continue;
     }
-    using Kind = ControlEvent::Kind;
+    using EventKind = ControlEvent::Kind;
     const double seconds = base::toSeconds(event.to - event.from);
-    if (event.kind == Kind::Dwell) {
+    if (event.kind == EventKind::Dwell) {
       setCause(stop, StopCause::Dwell,
                fmt::format("the control recorded a dwell of {:.3f} s in line {}", seconds,
                            event.line.value));
-    } else if (event.kind == Kind::Stop) {
+    } else if (event.kind == EventKind::Stop) {
       setCause(
           stop, StopCause::ProgrammedStop,
           fmt::format("the control recorded M{:.0f} in line {}", event.value, event.line.value));
@@ -240,7 +240,7 @@ void findCauses(std::vector<Standstill>& stops, const Motion& motion, const Reco
       continue;
     }
     const auto turn = stop.duration <= kExactStopMax ? turnAt(motion, stop) : std::nullopt;
-    if (turn && *turn > kCornerDegMin) {
+    if (turn && *turn > kTurnDegMin) {
       setCause(stop, StopCause::ExactStop,
                fmt::format("the path turns by {:.1f} degrees there", *turn));
     }
