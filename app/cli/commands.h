@@ -113,6 +113,7 @@ struct JobOptions {
   std::string output;    ///< folder for the files of the job; empty: none are written
   std::string endpoint;  ///< empty: the job is not run, unless `simulate`
   bool simulate = false;
+  bool verify = false;  ///< compares the job with its source, on a virtual machine
   std::string preset = "dmu75-mill";
   std::uint64_t seed = 1;
   double stopAfterS = 0.0;  ///< 0: not

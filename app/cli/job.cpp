@@ -27,6 +27,7 @@
 #include "streaming/control_axes.h"
 #include "streaming/feed_plan.h"
 #include "streaming/simulation/fitted_machine.h"
+#include "streaming/simulation/job_proof.h"
 #include "streaming/whole_job.h"
 
 namespace rivulet::cli {
@@ -117,6 +118,7 @@ class JobCommand {
   /// Compares the job with the machine, and estimates its time.
   base::Result<void> look();
   [[nodiscard]] Exit run();
+  [[nodiscard]] Exit verify();
   [[nodiscard]] const std::vector<experiments::Hazard>& hazards() const { return m_hazards; }
 
  private:
@@ -147,7 +149,8 @@ base::Result<void> JobCommand::prepare() {
   m_machine = std::move(*machine);
   gcode::LoadOptions options = m_options.loading.loadOptions();
   options.subprogram = gcode::subprogramsBeside(m_options.file);
-  if (m_options.simulate) {
+  const bool isVirtual = m_options.simulate || m_options.verify;
+  if (isVirtual) {
     options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
   }
   auto plan = job::makePlan(std::move(program->name), std::move(program->text), options);
@@ -155,7 +158,7 @@ base::Result<void> JobCommand::prepare() {
     return base::fail(plan.error());
   }
   m_plan = std::move(*plan);
-  if (m_options.simulate) {
+  if (isVirtual) {
     streaming::FittedMachine fitted = streaming::fitMachine(std::move(m_machine), m_plan);
     m_machine = std::move(fitted.config);
     m_notes = std::move(fitted.notes);
@@ -312,6 +315,36 @@ void JobCommand::print(const streaming::WholeJobReport& done) const {
   fmt::print("measured: {}\n", report::describe(done.times));
 }
 
+Exit JobCommand::verify() {
+  m_settings.isCommissioned = true;  // a virtual machine
+  const auto proof = streaming::proveJob(m_plan, m_machine, m_settings, m_options.seed);
+  if (!proof) {
+    return reportError(proof.error(), m_options.json);
+  }
+  if (m_options.json) {
+    printJson({{"same", proof->difference.empty()},
+               {"difference", proof->difference},
+               {"compared_with_source", proof->isSource},
+               {"motions", proof->ends},
+               {"farthest_mm", proof->farthestMm},
+               {"plain_s", base::toSeconds(proof->plain)},
+               {"job_s", base::toSeconds(proof->asJob)},
+               {"stretches", m_plan.stretchCount()},
+               {"native_blocks", m_plan.nativeCount()},
+               {"machine_notes", m_notes}});
+  } else {
+    for (const std::string& note : m_notes) {
+      fmt::print("{}\n", note);
+    }
+    fmt::print(
+        "{}\n{} motions compared with {}, at most {:.4f} mm apart; {:.1f} s, as a job {:.1f} s\n",
+        proof->difference.empty() ? "The job does what the program does." : proof->difference,
+        proof->ends, proof->isSource ? "the program itself" : "the same blocks without a client",
+        proof->farthestMm, base::toSeconds(proof->plain), base::toSeconds(proof->asJob));
+  }
+  return proof->difference.empty() ? Exit::Done : Exit::Wrong;
+}
+
 Exit JobCommand::run() {
   for (std::size_t i = 0; i < m_notes.size() && !m_options.json; ++i) {
     fmt::print("{}\n", m_notes[i]);
@@ -351,6 +384,9 @@ Exit job(const JobOptions& options) {
   base::Result<void> done = command.prepare();
   if (done && !options.output.empty()) {
     done = command.writeFiles();
+  }
+  if (done && options.verify) {
+    return command.verify();
   }
   const bool runs = options.simulate || !options.endpoint.empty();
   if (done && runs) {

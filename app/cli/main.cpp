@@ -339,6 +339,9 @@ void addJobCommand(CLI::App& app, Exit& exit) {
   auto* simulate = command->add_flag("--simulate", options->simulate,
                                      "Run it on a virtual machine in virtual time");
   endpoint->excludes(simulate);
+  command->add_flag("--verify", options->verify,
+                    "Compare the job with its source on a virtual machine: motion, actions of the "
+                    "machine, modal state of its blocks");
   command
       ->add_option("--preset", options->preset,
                    "Machine of --simulate, a name or a file; whose rapid and axes limit the feeds")
@@ -348,8 +351,9 @@ void addJobCommand(CLI::App& app, Exit& exit) {
       ->check(kPositive);
   addJson(command, options->json);
   command->callback([options, &exit] {
-    if (!options->simulate && options->endpoint.empty() && options->output.empty()) {
-      throw CLI::RequiredError("--output, --endpoint or --simulate");
+    if (!options->simulate && !options->verify && options->endpoint.empty() &&
+        options->output.empty()) {
+      throw CLI::RequiredError("--output, --endpoint, --simulate or --verify");
     }
     exit = rivulet::cli::job(*options);
   });

@@ -11,6 +11,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "base/units.h"
 
 namespace rivulet::job {
 
@@ -243,6 +244,35 @@ std::string pointWords(const gcode::Trajectory& trajectory, std::size_t point) {
   return words;
 }
 
+class PlainWriter final : public PlanWriter {
+ public:
+  PlainWriter(const Plan& plan, const std::optional<gcode::ProgramFeeds>& feeds, double feedMmPerS)
+      : PlanWriter(plan), m_feeds(feeds), m_feedMmPerS(feedMmPerS) {}
+
+  std::string write() {
+    writeParts();
+    line("M30");
+    return take();
+  }
+
+ private:
+  void writeStreamed(const Stretch& stretch) override {
+    const gcode::Trajectory& trajectory = plan().program.trajectory;
+    line("G90 G94 G64");
+    for (std::size_t i = 0; i < stretch.pointCount; ++i) {
+      const std::size_t point = stretch.firstPoint + i;
+      const double mmPerS =
+          m_feeds ? gcode::commandedMmPerS(trajectory.points[point], *m_feeds) : m_feedMmPerS;
+      line("G1 {}F{}", pointWords(trajectory, point),
+           base::formatFixed(base::mmPerMinFromMmPerS(mmPerS), 6));
+    }
+  }
+  void writeDue(const NativeBlock&, int) override {}
+
+  const std::optional<gcode::ProgramFeeds>& m_feeds;
+  double m_feedMmPerS;
+};
+
 class OutlineWriter final : public PlanWriter {
  public:
   using PlanWriter::PlanWriter;
@@ -370,6 +400,11 @@ base::Result<void> requireWhole(const Plan& plan) {
 }
 
 }  // namespace
+
+std::string plainProgramOf(const Plan& plan, const std::optional<gcode::ProgramFeeds>& feeds,
+                           double feedMmPerS) {
+  return PlainWriter(plan, feeds, feedMmPerS).write();
+}
 
 std::error_code make_error_code(JobError code) {
   static const Category category;

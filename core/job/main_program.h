@@ -6,12 +6,14 @@
 /// place, and the loop that it calls for each stretch. @threadsafety pure.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "base/result.h"
+#include "gcode/feeds.h"
 #include "job/plan.h"
 #include "templates/job_loop.h"
 
@@ -58,6 +60,13 @@ struct Outline {
 };
 /// @pre plan.isWhole()
 [[nodiscard]] Outline outlineOf(const Plan& plan);
+
+/// A job as one NC program for the virtual machine, without a client: each point of a stretch is a
+/// block. What a job is compared with where the source is of another dialect.
+/// @param feeds  nothing: all points have `feedMmPerS` @pre plan.isWhole()
+[[nodiscard]] std::string plainProgramOf(const Plan& plan,
+                                         const std::optional<gcode::ProgramFeeds>& feeds,
+                                         double feedMmPerS);
 
 /// R number of the cell that tells how far the native blocks are, between two stretches, where the
 /// loop does not use it. The number of a block in the plan, from 1: all before it have been
