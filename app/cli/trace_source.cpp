@@ -10,6 +10,8 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "folders/user_folders.h"
+#include "trace/frames.h"
+#include "trace/import/compression.h"
 
 namespace rivulet::cli {
 
@@ -88,7 +90,10 @@ base::Result<TraceSource> openTrace(const std::filesystem::path& file, const std
     return base::fail(std::move(error));
   };
   TraceSource source;
-  if (bytes->substr(0, 17) == "rivulet-recording") {
+  // Recordings are compressed in frames, but for those of earlier versions.
+  const auto ends = trace::isCompressed(*bytes) ? trace::readFrameEnds(*bytes, 0) : std::nullopt;
+  const std::string_view head = ends ? std::string_view(ends->head) : std::string_view(*bytes);
+  if (head.substr(0, 17) == "rivulet-recording") {
     auto recording = trace::parseRecording(*bytes);
     if (!recording) {
       return inFile(recording.error());

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <condition_variable>
 #include <csignal>
@@ -18,6 +19,7 @@
 
 #include "base/descriptor.h"
 #include "base/file.h"
+#include "trace/frames.h"
 
 namespace rivulet::recorder {
 
@@ -25,6 +27,10 @@ namespace {
 
 /// Pieces of at least this size are lists: see `append`.
 constexpr std::size_t kListBytes = std::size_t{32} << 10U;
+/// Text of one frame, at most.
+constexpr std::size_t kFrameBytes = std::size_t{256} << 10U;
+/// So long lines wait for others before they are written: less is lost if this program is killed.
+constexpr std::chrono::milliseconds kFrameTime{500};
 
 int syncAndClose(int descriptor) {
   const int error = base::syncToDisk(descriptor);
@@ -48,6 +54,7 @@ struct RecordingFile::State {
   int error = 0;             ///< of the system
 
   void work();
+  int write(trace::FrameWriter& frames, std::string_view text);
 };
 
 /// The thread of the file. Signals are for the thread of the run; a pipe without its reader and a
@@ -56,25 +63,21 @@ void RecordingFile::State::work() {
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  trace::FrameWriter frames;
   std::unique_lock lock(mutex);
   for (;;) {
     changed.wait(lock, [this] { return !waiting.empty() || isClosing; });
     if (waiting.empty()) {
       break;
     }
+    // A frame of many lines is smaller than many frames of one.
+    const std::size_t enough = std::min(kFrameBytes, limits.queueBytesMax / 4);
+    changed.wait_for(lock, kFrameTime,
+                     [this, enough] { return waiting.size() >= enough || isClosing; });
     const std::string text = std::exchange(waiting, {});
     inFlight = text.size();
     lock.unlock();
-    constexpr std::size_t kPiece = std::size_t{256} << 10U;
-    int failure = 0;
-    for (std::size_t at = 0; at < text.size() && failure == 0; at += kPiece) {
-      const std::string_view piece = std::string_view(text).substr(at, kPiece);
-      failure = base::writeWhole(descriptor, piece);
-      const std::lock_guard counted(mutex);
-      inFlight -= piece.size();
-      written += piece.size();
-      changed.notify_all();
-    }
+    const int failure = write(frames, text);
     lock.lock();
     if (failure != 0) {
       error = failure;
@@ -83,12 +86,40 @@ void RecordingFile::State::work() {
       isClosing = true;
     }
   }
+  const bool isWhole = error == 0 && written > 0;
   lock.unlock();
-  const int failure = syncAndClose(descriptor);
+  // A recording that has its table was written to its end.
+  int failure = isWhole ? base::writeWhole(descriptor, frames.table()) : 0;
+  const int closing = syncAndClose(descriptor);
+  failure = failure != 0 ? failure : closing;
   lock.lock();
   error = error != 0 ? error : failure;
   isDone = true;
   changed.notify_all();
+}
+
+/// The text as frames. After each, what has been written survives the end of this program, and a
+/// loss of power as soon as the disk says so. @return error of the system, 0: none
+int RecordingFile::State::write(trace::FrameWriter& frames, std::string_view text) {
+  while (!text.empty()) {
+    // Whole lines, unless one line is larger than a frame.
+    const std::size_t end =
+        text.size() <= kFrameBytes ? std::string_view::npos : text.rfind('\n', kFrameBytes);
+    const std::string_view lines = text.substr(
+        0, end == std::string_view::npos ? std::min(text.size(), kFrameBytes) : end + 1);
+    const int failure = base::writeWhole(descriptor, frames.frame(lines));
+    if (failure != 0) {
+      return failure;
+    }
+    text.remove_prefix(lines.size());
+    const std::lock_guard counted(mutex);
+    inFlight -= lines.size();
+    written += lines.size();
+    changed.notify_all();
+  }
+  // A pipe cannot be synchronised; a disk that fails tells so again when it is closed.
+  static_cast<void>(base::syncToDisk(descriptor));
+  return 0;
 }
 
 base::Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::filesystem::path& path,

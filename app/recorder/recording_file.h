@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Writes a recording to its file on a thread of its own, so that a disk or a pipe that hangs never
-/// holds up the stream. What waits to be written is bounded: a recording that falls behind is cut
-/// off at a whole line.
+/// Writes a recording to its file on a thread of its own, compressed in frames (`trace/frames`), so
+/// that a disk or a pipe that hangs never holds up the stream. If this program is killed, what came
+/// in the last half second is lost. What waits to be written is bounded: a recording that falls
+/// behind is cut off at a whole line.
 /// @threadsafety all functions: one thread, which is that of the run.
 #pragma once
 

@@ -95,8 +95,8 @@ Readers readersOf(const ImportedTrace& imported) {
     }
     const double factor = unitFactor(column.unit, column.role).value_or(1.0);
     readerOf(readers, column.role)
-        .emplace(imported.trace, static_cast<std::size_t>(signal - imported.trace.signalList.begin()),
-                 factor);
+        .emplace(imported.trace,
+                 static_cast<std::size_t>(signal - imported.trace.signalList.begin()), factor);
   }
   return readers;
 }

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "trace/frames.h"
+#include "trace/import/compression.h"
 #include "trace/lines.h"
 
 namespace rivulet::trace {
@@ -531,7 +533,13 @@ std::string printRecording(const Recording& recording) {
   return text;
 }
 
-base::Result<Recording> parseRecording(std::string_view text) {
+base::Result<Recording> parseRecording(std::string_view bytes) {
+  Frames frames;
+  std::string_view text = bytes;
+  if (isCompressed(bytes)) {
+    frames = readFrames(bytes);
+    text = frames.text;
+  }
   lines::LineReader reader(text);
   const auto first = reader.next();
   const std::string_view begin = first ? first->text : std::string_view();
@@ -556,7 +564,9 @@ base::Result<Recording> parseRecording(std::string_view text) {
                                   header.version, kRecordingVersion));
   }
   Reader recording;
-  std::size_t unreadable = 0;
+  // A cut that left part of a line is counted with the lines.
+  const bool isCutBetweenLines = frames.isCut && (text.empty() || text.back() == '\n');
+  std::size_t unreadable = frames.damaged + static_cast<std::size_t>(isCutBetweenLines);
   while (const auto line = reader.next()) {
     if (!line->whole || (!line->text.empty() && !recording.read(line->text))) {
       ++unreadable;

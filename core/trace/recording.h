@@ -132,8 +132,9 @@ class RecordingWriter {
 /// The same text as that of a writer, record by record. Without `end` the recording stays open.
 [[nodiscard]] std::string printRecording(const Recording& recording);
 
-/// Reads as much as possible: unreadable lines are left out and counted.
+/// Reads as much as possible: unreadable lines and frames are left out and counted.
+/// @param bytes  the text, or a file of frames (`trace/frames`)
 /// @return error NotATrace, NewerVersion; Damaged if not even the first line is whole
-[[nodiscard]] base::Result<Recording> parseRecording(std::string_view text);
+[[nodiscard]] base::Result<Recording> parseRecording(std::string_view bytes);
 
 }  // namespace rivulet::trace

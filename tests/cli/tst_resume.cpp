@@ -9,6 +9,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <csignal>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "support/machine_process.h"
 #include "support/test_program.h"
 #include "trace/analysis/integrity.h"
+#include "trace/frames.h"
 #include "trace/recording.h"
 
 using namespace rivulet;
@@ -148,7 +150,10 @@ class TestResume : public QObject {
     // Its recording says when the stream has got going.
     const auto accesses = [this] {
       QFile file(path(QStringLiteral("2.rivulet")));
-      return file.open(QIODevice::ReadOnly) ? file.readAll().count('\n') : qsizetype{0};
+      const std::string bytes =
+          file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+      const std::string text = trace::readFrames(bytes).text;
+      return std::count(text.begin(), text.end(), '\n');
     };
     QTRY_VERIFY_WITH_TIMEOUT(accesses() > 400, kRunMs);
     ::kill(static_cast<pid_t>(second.processId()), SIGINT);

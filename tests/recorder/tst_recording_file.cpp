@@ -6,7 +6,10 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -15,8 +18,10 @@
 #include <system_error>
 
 #include "base/file.h"
+#include "base/random.h"
 #include "recorder/recording_file.h"
 #include "support/test_program.h"
+#include "trace/frames.h"
 
 using namespace rivulet;
 using recorder::RecordingFile;
@@ -33,6 +38,16 @@ class TestRecordingFile : public QObject {
   /// Whether the error gives the system's reason, in the language of the locale.
   static bool says(const base::Error& error, std::errc reason) {
     return error.message.find(std::make_error_code(reason).message()) != std::string::npos;
+  }
+
+  /// Text that cannot be compressed much.
+  static std::string noise(std::size_t size) {
+    base::Random random(size);
+    std::string text(size, ' ');
+    for (char& c : text) {
+      c = static_cast<char>('!' + random.below(90));
+    }
+    return text;
   }
 
   /// A pipe with a reader that never reads.
@@ -59,7 +74,43 @@ class TestRecordingFile : public QObject {
       QVERIFY((*file)->finish().has_value());
       QVERIFY(!sink("too late\n"));
     }
-    QCOMPARE(base::readFile(path("whole")).value(), expected);
+    const std::string bytes = base::readFile(path("whole")).value();
+    const trace::Frames frames = trace::readFrames(bytes);
+    QCOMPARE(frames.text, expected);
+    QVERIFY(frames.hasTable && !frames.isCut && frames.damaged == 0);
+    QVERIFY(bytes.size() < expected.size() / 2);
+  }
+
+  /// Whatever ends the program: what has been written can be read.
+  void aKilledProgramKeepsItsRecording() {
+    const std::filesystem::path file = path("killed");
+    std::string expected;
+    for (int i = 0; i < 1000; ++i) {
+      expected += "line " + std::to_string(i) + "\n";
+    }
+    const pid_t child = fork();
+    QVERIFY(child >= 0);
+    if (child == 0) {
+      auto opened = RecordingFile::open(file);
+      for (std::size_t at = 0; opened && at < expected.size();) {
+        const std::size_t end = expected.find('\n', at) + 1;
+        static_cast<void>((*opened)->append(expected.substr(at, end - at)));
+        at = end;
+      }
+      pause();  // as in the middle of a run
+      _exit(1);
+    }
+    const auto isThere = [&] {
+      const auto bytes = base::readFile(file);
+      return bytes && trace::readFrames(*bytes).text == expected;
+    };
+    const bool arrived = QTest::qWaitFor(isThere, 10000);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    QVERIFY(arrived);
+    const trace::Frames frames = trace::readFrames(*base::readFile(file));
+    QCOMPARE(frames.text, expected);
+    QVERIFY(!frames.hasTable && frames.damaged == 0);
   }
 
   /// Lists larger than the queue wait for the disk; nothing of them is lost.
@@ -71,7 +122,7 @@ class TestRecordingFile : public QObject {
       QVERIFY((*file)->append(piece));
     }
     QVERIFY((*file)->finish().has_value());
-    QCOMPARE(std::filesystem::file_size(path("list")), std::uintmax_t{200} << 16U);
+    QCOMPARE(trace::readFrames(*base::readFile(path("list"))).text.size(), std::size_t{200} << 16U);
   }
 
   /// The records of a stream never wait: this test would not end.
@@ -81,14 +132,14 @@ class TestRecordingFile : public QObject {
     auto file =
         RecordingFile::open(path("hangs"), {std::size_t{1} << 20U, std::chrono::milliseconds{50}});
     QVERIFY(file.has_value());
-    const std::string line(100, 'r');
+    const std::string line = noise(100);
     std::size_t taken = 0;
     while ((*file)->append(line)) {
       ++taken;
       QVERIFY(taken * line.size() <= (std::size_t{2} << 20U));
     }
     QVERIFY(taken * line.size() > (std::size_t{1} << 19U));
-    QVERIFY(!(*file)->append(std::string(std::size_t{1} << 19U, 'l')));
+    QVERIFY(!(*file)->append(noise(std::size_t{1} << 19U)));
     const auto finished = (*file)->finish();
     QVERIFY(!finished.has_value());
     QVERIFY(finished.error().message.find("incomplete") != std::string::npos);
@@ -133,7 +184,7 @@ class TestRecordingFile : public QObject {
     rlimit small = before;
     small.rlim_cur = 1000;
     QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
-    QVERIFY((*file)->append(std::string(5000, 'x')));
+    QVERIFY((*file)->append(noise(5000)));
     const auto finished = (*file)->finish();
     QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
     QVERIFY(!finished.has_value());

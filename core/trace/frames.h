@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A recording on disk: its text in compressed frames, each with a checksum, one after another. A
+/// file that is cut off anywhere keeps all frames before; a frame that is damaged is left out. At
+/// the end, a table says where each frame is. Format: docs/formats.md. @threadsafety pure.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rivulet::trace {
+
+/// Makes the frames of a file, in order.
+class FrameWriter {
+ public:
+  /// @param lines  whole lines  @return bytes to append to the file
+  [[nodiscard]] std::string frame(std::string_view lines);
+  /// The table; what is appended after it is not found by it. @return bytes to append to the file
+  [[nodiscard]] std::string table() const;
+
+ private:
+  struct Size {
+    std::uint32_t packed = 0;
+    std::uint32_t text = 0;
+  };
+  std::vector<Size> m_frames;
+};
+
+struct Frames {
+  std::string text;         ///< of all frames that can be read, and of the beginning of a cut one
+  std::size_t damaged = 0;  ///< frames whose checksum or content is wrong; left out
+  bool isCut = false;       ///< the file ends within a frame
+  bool hasTable = false;    ///< the writer came to its end
+};
+
+/// @param bytes  of which `isCompressed` is true
+[[nodiscard]] Frames readFrames(std::string_view bytes);
+
+/// The text of the first and of the last frames, without reading what is between: by the table, or,
+/// in a file without one, by the sizes in the frames. O(frames), not O(bytes).
+/// @param tailBytes  text at the end, at least
+struct FrameEnds {
+  std::string head;
+  std::string tail;
+  std::size_t frames = 0;
+  std::uint64_t textBytes = 0;
+};
+[[nodiscard]] std::optional<FrameEnds> readFrameEnds(std::string_view bytes, std::size_t tailBytes);
+
+}  // namespace rivulet::trace
