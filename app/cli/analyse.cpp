@@ -6,11 +6,15 @@
 #include <array>
 #include <optional>
 
+#include "base/file.h"
+#include "base/units.h"
 #include "cli/commands.h"
 #include "cli/trace_source.h"
 #include "report/report_json.h"
 #include "report/rule.h"
+#include "report/stream_quality.h"
 #include "report/trace_json.h"
+#include "report/trace_page.h"
 #include "streaming/run.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
@@ -128,8 +132,8 @@ std::string recordingText(const trace::Recording& recording, const trace::Integr
 }
 
 Analysed analyseRecording(const trace::Recording& recording, const trace::TraceAnalysis& analysis) {
-  const streaming::RunReport report = reportOf(recording, analysis);
-  const RunFinding finding = findingOf(recording, report);
+  const streaming::RunReport run = reportOf(recording, analysis);
+  const RunFinding finding = findingOf(recording, run);
   std::vector<trace::Pause> pauses = recording.pauses;
   base::Instant origin{};
   if (recording.controlTrace) {
@@ -152,7 +156,7 @@ Analysed analyseRecording(const trace::Recording& recording, const trace::TraceA
                    {"finding", streaming::runFindingName(finding)},
                    {"faultless", finding == RunFinding::Faultless},
                    {"points", recording.points.points.size()}};
-  addIntegrity(analysed.json, report.integrity);
+  addIntegrity(analysed.json, run.integrity);
   analysed.json["duration_s"] = recording.end
                                     ? ordered_json(base::toSeconds(recording.end->duration))
                                     : ordered_json(nullptr);
@@ -162,7 +166,12 @@ Analysed analyseRecording(const trace::Recording& recording, const trace::TraceA
                                 {"p95", base::toMilliseconds(access.p95)},
                                 {"p99", base::toMilliseconds(access.p99)},
                                 {"max", base::toMilliseconds(access.max)}};
-  analysed.text = recordingText(recording, report.integrity, pauses);
+  analysed.text = recordingText(recording, run.integrity, pauses);
+  if (!recording.accesses.empty()) {
+    const report::StreamQuality quality = report::judgeStream(recording, analysis);
+    analysed.json["stream"] = report::streamQualityJson(quality);
+    analysed.text += report::streamQualityText(quality);
+  }
   return analysed;
 }
 
@@ -224,6 +233,65 @@ Analysed analyseImported(const trace::ImportedTrace& imported,
   return analysed;
 }
 
+std::string summaryCell(const ordered_json& json, std::string_view column) {
+  const ordered_json* value = nullptr;
+  if (column == "access") {
+    value = json.contains("access_ms") ? &json["access_ms"]["p99"] : nullptr;
+  } else if (column == "contour") {
+    value = json.contains("contour_error") ? &json["contour_error"]["max_mm"] : nullptr;
+  } else if (json.contains(std::string(column))) {
+    value = &json[std::string(column)];
+  }
+  if (value == nullptr || value->is_null()) {
+    return "";
+  }
+  if (value->is_number_float()) {
+    return fmt::format("{:.4g}", value->get<double>());
+  }
+  return value->is_string() ? value->get<std::string>() : value->dump();
+}
+
+/// The page says the same as the JSON.
+report::TracePage pageOf(const Analysed& analysed, const std::string& file,
+                         const std::string& program) {
+  const ordered_json& json = analysed.json;
+  report::TracePage page;
+  page.isWrong = analysed.isWrong;
+  page.title = json.value("program", program.empty() ? file : program);
+  const bool isJudged = json.value("judged", false);
+  page.result =
+      isJudged ? fmt::format("{}: {} of {} points executed, {} repeated, {} skipped, {} foreign",
+                             analysed.isWrong ? "Faulty" : "Faultless", json.value("executed", 0),
+                             json.value("points", 0), json.value("repeated", 0),
+                             json.value("skipped", 0), json.value("foreign", 0))
+               : std::string("Not judged: program or trace are missing, or not complete");
+  for (const char* name : {"outcome", "endpoint", "method", "format", "duration_s", "paused_s",
+                           "standstill_count", "samples", "step_ms"}) {
+    if (json.contains(name) && !json[name].is_null()) {
+      page.facts.emplace_back(
+          name, json[name].is_string() ? json[name].get<std::string>() : summaryCell(json, name));
+    }
+  }
+  page.facts.emplace_back("file", file);
+  if (json.contains("contour_error")) {
+    page.facts.emplace_back("contour error, max",
+                            fmt::format("{:.4f} mm", json["contour_error"].value("max_mm", 0.0)));
+  }
+  if (json.contains("stream")) {
+    page.limitedBy = json["stream"].value("limited_by", std::string());
+  }
+  return page;
+}
+
+void addRunFacts(report::TracePage& page, const trace::RunStart& start) {
+  page.facts.emplace_back("N", fmt::format("{}", start.pointsPerLoop));
+  page.facts.emplace_back("feed",
+                          fmt::format("{:.0f} mm/min", base::mmPerMinFromMmPerS(start.feedMmPerS)));
+  page.facts.emplace_back("started", start.startedAtUtc + " " + start.user + " " + start.computer);
+  page.facts.emplace_back("hash of the program", start.programHash);
+  page.facts.emplace_back("Rivulet", start.toolVersion);
+}
+
 base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions& options,
                                    const gcode::Program* program) {
   const auto source = openTrace(file, options.columns, options.rateHz);
@@ -243,6 +311,15 @@ base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions
                           : analyseImported(*subject.imported, analysis);
   report::addTraceAnalysis(analysed.json, analysis);
   analysed.text += report::traceAnalysisText(analysis);
+  if (!options.report.empty()) {
+    report::TracePage page = pageOf(analysed, file, options.program);
+    if (subject.recording != nullptr) {
+      addRunFacts(page, subject.recording->start);
+    }
+    if (auto done = base::writeFile(options.report, report::tracePageHtml(page, analysis)); !done) {
+      return base::fail(done.error());
+    }
+  }
   return analysed;
 }
 
@@ -250,24 +327,6 @@ base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions
 constexpr std::array<std::string_view, 12> kSummaryColumns{
     "finding",  "points", "executed", "repeated",   "skipped",          "foreign",
     "paused_s", "access", "contour",  "duration_s", "standstill_count", "rule"};
-
-std::string summaryCell(const ordered_json& json, std::string_view column) {
-  const ordered_json* value = nullptr;
-  if (column == "access") {
-    value = json.contains("access_ms") ? &json["access_ms"]["p99"] : nullptr;
-  } else if (column == "contour") {
-    value = json.contains("contour_error") ? &json["contour_error"]["max_mm"] : nullptr;
-  } else if (json.contains(std::string(column))) {
-    value = &json[std::string(column)];
-  }
-  if (value == nullptr || value->is_null()) {
-    return "";
-  }
-  if (value->is_number_float()) {
-    return fmt::format("{:.4g}", value->get<double>());
-  }
-  return value->is_string() ? value->get<std::string>() : value->dump();
-}
 
 std::string_view summaryHeading(std::string_view column) {
   return column == "access" ? "access_p99_ms" : (column == "contour" ? "contour_max_mm" : column);

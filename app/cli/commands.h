@@ -151,6 +151,7 @@ struct AnalyseOptions {
   bool summary = false;      ///< one table of all files
   bool csv = false;          ///< the summary as CSV
   std::string failIf;        ///< rule; empty: none
+  std::string report;        ///< HTML file for a page on one trace; empty: none
   bool json = false;
 };
 /// Judges what a recording or trace shows.

@@ -411,11 +411,18 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
       ->check(kPositive);
   auto* summary = command->add_flag("--summary", options->summary, "One table of all files");
   command->add_flag("--csv", options->csv, "The summary as comma-separated values")->needs(summary);
+  command->add_option("--report", options->report,
+                      "HTML file for one page with pictures, to be read or printed");
   command->add_option("--fail-if", options->failIf,
                       "Exit with 4 if the rule applies to a file, such as \"skipped>0 or "
                       "contour_error.max>0.05\"");
   addJson(command, options->json);
-  command->callback([options, &exit] { exit = rivulet::cli::analyse(*options); });
+  command->callback([options, &exit] {
+    if (!options->report.empty() && options->files.size() > 1) {
+      throw CLI::ValidationError("--report", "makes a page of one file");
+    }
+    exit = rivulet::cli::analyse(*options);
+  });
 }
 
 void addCalibrateCommand(CLI::App& app, Exit& exit) {

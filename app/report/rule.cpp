@@ -89,7 +89,8 @@ base::Result<Rule> Rule::parse(std::string_view text) {
                                   "contour_error.max>0.05\".",
                                   part));
   };
-  if (base::trim(text).empty()) {
+  text = base::trim(text);
+  if (text.empty()) {
     return bad(text);
   }
   Rule rule;

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The command analyse on files of other tools, on many files, and with rules.
+
+#include <fmt/format.h>
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "report/rule.h"
+#include "report/stream_quality.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kProgram = "G90 G94\nG1 X10 Y0 F600\nG1 X10 Y5\nG1 X0 Y5\nM30\n";
+
+/// Along the program at 10 mm/s, sampled every 10 ms; without the line to (10, 5) if `skips`.
+QByteArray traceText(const char* heading, bool skips) {
+  QByteArray text(heading);
+  double seconds = 0.0;
+  const auto go = [&](double x, double y, double toX, double toY) {
+    const double length = std::hypot(toX - x, toY - y);
+    for (double at = 0.0; at < length; at += 0.1) {
+      text += QByteArray::fromStdString(fmt::format("{:.3f};{:.5f};{:.5f}\n", seconds,
+                                                    x + at / length * (toX - x),
+                                                    y + at / length * (toY - y)));
+      seconds += 0.01;
+    }
+  };
+  go(0, 0, 10, 0);
+  if (!skips) {
+    go(10, 0, 10, 5);
+    go(10, 5, 0, 5);
+  } else {
+    go(10, 0, 0, 5);
+  }
+  return text + QByteArray::fromStdString(fmt::format("{:.3f};0;5\n", seconds));
+}
+
+}  // namespace
+
+class TestAnalyse : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+
+  QString file(const char* name, const QByteArray& text) {
+    QFile out(m_folder.filePath(QString::fromUtf8(name)));
+    if (!out.open(QIODevice::WriteOnly) || out.write(text) < 0) {
+      qFatal("the test's folder cannot be written");
+    }
+    return out.fileName();
+  }
+
+  struct Outcome {
+    int exit = -1;
+    std::string output;
+    std::string errors;
+    [[nodiscard]] json parsed() const { return json::parse(output, nullptr, false); }
+  };
+  Outcome run(const QStringList& arguments) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"),
+                       m_folder.filePath(QStringLiteral("config")));
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(RIVULET_CLI), QStringList{QStringLiteral("analyse")} + arguments);
+    Outcome outcome;
+    if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit) {
+      outcome.exit = process.exitCode();
+    }
+    outcome.output = process.readAllStandardOutput().toStdString();
+    outcome.errors = process.readAllStandardError().toStdString();
+    return outcome;
+  }
+
+ private Q_SLOTS:
+  void comparesATraceWithItsProgram() {
+    const QString program = file("part.mpf", kProgram);
+    const QString good = file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false));
+    const QString bad = file("bad.csv", traceText("t_s;x_cmd;y_cmd\n", true));
+    const QStringList options{QStringLiteral("--program"), program, QStringLiteral("--json")};
+    const Outcome first = run(QStringList{good} + options);
+    QCOMPARE(first.exit, 0);
+    QCOMPARE(first.parsed()["executed"].get<int>(), 3);
+    QVERIFY(first.parsed()["contour_error"]["max_mm"].get<double>() < 1e-6);
+    const Outcome second = run(QStringList{bad} + options);
+    QCOMPARE(second.exit, 1);
+    QCOMPARE(second.parsed()["skipped"].get<int>(), 1);
+    QCOMPARE(second.parsed()["path"]["faults"][0]["line"].get<int>(), 3);
+  }
+
+  void summarisesAndObeysRules() {
+    const QString program = file("part.mpf", kProgram);
+    const QString good = file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false));
+    const QString bad = file("bad.csv", traceText("t_s;x_cmd;y_cmd\n", true));
+    const QStringList options{QStringLiteral("--program"), program, QStringLiteral("--summary"),
+                              QStringLiteral("--fail-if"), QStringLiteral("skipped>0")};
+    const Outcome both = run(QStringList{good, bad} + options);
+    QCOMPARE(both.exit, 4);
+    QCOMPARE(std::count(both.output.begin(), both.output.end(), '\n'), 3);
+    QCOMPARE(run(QStringList{good} + options).exit, 0);
+    QCOMPARE(run({good, QStringLiteral("--fail-if"), QStringLiteral("skipped >")}).exit, 2);
+    // What is not known is not allowed.
+    const Outcome unknown = run({good, QStringLiteral("--fail-if"), QStringLiteral("skipped>0")});
+    QCOMPARE(unknown.exit, 4);
+    QVERIFY(unknown.errors.find("not known") != std::string::npos);
+    // A file that cannot be read does not keep the others from being analysed.
+    const Outcome some = run({file("rubbish.csv", "not a trace\n"), good,
+                              QStringLiteral("--summary"), QStringLiteral("--json")});
+    QCOMPARE(some.exit, 2);
+    QCOMPARE(some.parsed().size(), std::size_t{2});
+  }
+
+  void remembersTheColumns() {
+    const QString trace = file("own.csv", traceText("clock;a;b\n", false));
+    QVERIFY(run({trace}).output.find("say which with --map") != std::string::npos);
+    QCOMPARE(
+        run({trace, QStringLiteral("--map"), QStringLiteral("time=clock:s,x_set=a,y_set=b")}).exit,
+        0);
+    const json again = run({trace, QStringLiteral("--json")}).parsed();
+    QCOMPARE(again["columns"].get<std::string>(), std::string("time=clock:s,x_set=a,y_set=b"));
+    QVERIFY(again["samples"].get<int>() > 100);
+  }
+
+  void writesAPage() {
+    const QString page = m_folder.filePath(QStringLiteral("page.html"));
+    const QString trace = file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false));
+    QCOMPARE(run({trace, QStringLiteral("--program"), file("part <1>.mpf", kProgram),
+                  QStringLiteral("--report"), page})
+                 .exit,
+             0);
+    QFile written(page);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QByteArray html = written.readAll();
+    QVERIFY(html.contains("<svg") && html.contains("3 of 3 points executed"));
+    QVERIFY(html.contains("part &lt;1&gt;.mpf") && !html.contains("<1>"));
+    QVERIFY(!html.contains("http"));
+  }
+
+  void judgesRules_data() {
+    QTest::addColumn<QString>("rule");
+    QTest::addColumn<bool>("applies");
+    QTest::newRow("one") << "skipped>0" << true;
+    QTest::newRow("none") << "skipped > 2" << false;
+    QTest::newRow("nested, without its unit") << "contour_error.max>0.05" << true;
+    QTest::newRow("nested, with its unit") << "contour_error.max_mm<=0.05" << false;
+    QTest::newRow("or") << "skipped>5 or contour_error.max>0.05" << true;
+    QTest::newRow("and") << "skipped>0 and contour_error.max>0.07" << false;
+    QTest::newRow("and before or") << "skipped==2 or skipped>5 and faultless==0" << true;
+    QTest::newRow("a truth") << "faultless!=1" << true;
+    QTest::newRow("a list") << "pauses>=3" << true;
+    QTest::newRow("unknown") << "nothing>0" << false;
+  }
+  void judgesRules() {
+    QFETCH(QString, rule);
+    QFETCH(bool, applies);
+    const ordered_json result{{"skipped", 2},
+                              {"faultless", false},
+                              {"contour_error", {{"max_mm", 0.06}}},
+                              {"pauses", {1, 2, 3}}};
+    const auto parsed = report::Rule::parse(rule.toStdString());
+    QVERIFY(parsed.has_value());
+    QCOMPARE(parsed->judge(result).applies, applies);
+    QCOMPARE(parsed->judge(result).unknown.size(), std::size_t{rule.startsWith(u"nothing")});
+  }
+  void refusesBadRules() {
+    for (const char* text : {"", "skipped", "skipped>", ">0", "skipped=0", "skipped>0 or "}) {
+      QVERIFY2(!report::Rule::parse(text), text);
+    }
+  }
+
+  /// Slow writes limit a run; arrays and other windows would have helped.
+  void saysWhatLimitedARun() {
+    trace::Recording recording;
+    recording.start.method = "window";
+    recording.start.pointsPerLoop = 4;
+    recording.start.feedMmPerS = 50.0;
+    for (int i = 0; i < 200; ++i) {
+      gcode::StreamPoint point;
+      point.positionMm = {0.2 * i, 0.0, 0.0};
+      recording.points.points.push_back(point);
+      const base::Instant at{std::chrono::milliseconds{100 * i}};
+      recording.accesses.push_back({at, std::chrono::milliseconds{64}, true, 15});
+      recording.accesses.push_back({at, std::chrono::milliseconds{5}, true, 1});
+      recording.accesses.push_back({at, std::chrono::milliseconds{5}, false, 1});
+    }
+    const report::StreamQuality quality = report::judgeStream(recording, {});
+    QCOMPARE(quality.kinds.size(), std::size_t{3});
+    QCOMPARE(quality.periods.size(), std::size_t{10});
+    QVERIFY(quality.feedMmPerSMax && *quality.feedMmPerSMax < 50.0);
+    QVERIFY(quality.limitedBy.find("slower than the machine") != std::string::npos);
+    QVERIFY(!quality.advice.empty());
+    QVERIFY(quality.advice.front().feedMmPerSMax > *quality.feedMmPerSMax);
+    QVERIFY(!report::streamQualityText(quality).empty());
+  }
+};
+
+RIVULET_TEST(TestAnalyse)
+#include "tst_analyse.moc"
