@@ -1649,6 +1649,26 @@
         <source>program, %1 %</source>
         <translation>Programm, %1 %</translation>
     </message>
+    <message>
+        <source>Whole jobs run on virtual machines only so far.</source>
+        <translation>Ganze Aufträge laufen bisher nur auf virtuellen Maschinen.</translation>
+    </message>
+    <message>
+        <source>Whole jobs need method window or credit.</source>
+        <translation>Ganze Aufträge brauchen das Verfahren Fenster oder Kredit.</translation>
+    </message>
+    <message>
+        <source>A whole job cannot be corrected online.</source>
+        <translation>Ein ganzer Auftrag kann nicht online korrigiert werden.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not known: see the findings.</source>
+        <translation>Teile des Programms sind nicht bekannt: siehe Befunde.</translation>
+    </message>
+    <message>
+        <source>%1 (line %2) cannot be given to the control.</source>
+        <translation>%1 (Zeile %2) kann der Steuerung nicht übergeben werden.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2184,6 +2204,42 @@ GPL-3.0-or-later</translation>
         <source>Margin %1 ×, largest override %2</source>
         <translation>Reserve %1 ×, größter Override %2</translation>
     </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <translation>%1 (Zeile %2)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Ganzer Auftrag</translation>
+    </message>
+    <message>
+        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
+        <translation>%1 Abschnitte werden gestreamt, und die Steuerung führt %2 Sätze aus: %3</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Nur Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 blocks are left out: %2</source>
+        <translation>%1 Sätze werden ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>Set tool, spindle and coolant at the control.</source>
+        <translation>Werkzeug, Spindel und Kühlmittel an der Steuerung einstellen.</translation>
+    </message>
+    <message>
+        <source>Run the whole job</source>
+        <translation>Ganzen Auftrag ausführen</translation>
+    </message>
+    <message>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <translation>Zuerst führt die Steuerung Zeile %1 aus: %2. Dann fährt das Werkzeug von seinem Ort zum ersten Punkt von Abschnitt 1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -2250,6 +2306,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Wrong motion: the control has repeated points after point %1.</source>
         <translation>Falsche Bewegung: Die Steuerung hat nach Punkt %1 Punkte wiederholt.</translation>
+    </message>
+    <message>
+        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
+        <translation>Start eines ganzen Auftrags: %1 Abschnitte, %2 Sätze für die Steuerung.</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control (line %1).</source>
+        <translation>Das Programm wartet auf NC-Start an der Steuerung (Zeile %1).</translation>
     </message>
 </context>
 <context>
@@ -3787,6 +3851,22 @@ GPL-3.0-or-later</translation>
         <source>Use override = %1&#xa0;%</source>
         <translation>Override = %1&#xa0;% verwenden</translation>
     </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Ganzer Auftrag</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Nur Bewegung</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
+        <translation>Ganzer Auftrag: Werkzeuge, Spindel, Kühlmittel, Zyklen und Rückzüge führt die Steuerung an ihrer Stelle aus, und Rivulet streamt die Bewegung dazwischen. Nur Bewegung: Diese Sätze werden ausgelassen.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -4902,6 +4982,50 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
         <translation>Geschätzte verbleibende Zeit mit den Vorschüben und den geplanten Pausen dieses Laufs. Halt und der Vorschub-Override an der Steuerung sind nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>%1: stretch %2 of %3</source>
+        <translation>%1: Abschnitt %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1: the control, line %2</source>
+        <translation>%1: Steuerung, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1: the control</source>
+        <translation>%1: Steuerung</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control</source>
+        <translation>Das Programm wartet auf NC-Start an der Steuerung</translation>
+    </message>
+    <message>
+        <source>The job waits before the next block until you press Continue.</source>
+        <translation>Der Auftrag wartet vor dem nächsten Satz, bis Weiter gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Before stretch %1 of %2</source>
+        <translation>Vor Abschnitt %1 von %2</translation>
+    </message>
+    <message>
+        <source>After the last stretch</source>
+        <translation>Nach dem letzten Abschnitt</translation>
+    </message>
+    <message>
+        <source>Stop and Hold act at the end of the block</source>
+        <translation>Stopp und Halt wirken am Ende des Satzes</translation>
+    </message>
+    <message>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <translation>Gestreamt %1, Pausen %2, Werkzeugwechsel %3, andere Sätze der Steuerung %4. Zyklen, Messen und Halte sind nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2, control %3</source>
+        <translation>%1, Pausen %2, Steuerung %3</translation>
+    </message>
+    <message>
+        <source>%1, control %2</source>
+        <translation>%1, Steuerung %2</translation>
     </message>
 </context>
 <context>

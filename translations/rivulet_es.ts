@@ -1649,6 +1649,26 @@
         <source>program, %1 %</source>
         <translation>programa, %1 %</translation>
     </message>
+    <message>
+        <source>Whole jobs run on virtual machines only so far.</source>
+        <translation>Por ahora, los trabajos completos solo se ejecutan en máquinas virtuales.</translation>
+    </message>
+    <message>
+        <source>Whole jobs need method window or credit.</source>
+        <translation>Los trabajos completos necesitan el método Ventana o Crédito.</translation>
+    </message>
+    <message>
+        <source>A whole job cannot be corrected online.</source>
+        <translation>Un trabajo completo no se puede corregir en línea.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not known: see the findings.</source>
+        <translation>Hay partes del programa que no se conocen: véanse las observaciones.</translation>
+    </message>
+    <message>
+        <source>%1 (line %2) cannot be given to the control.</source>
+        <translation>%1 (línea %2) no se puede pasar al control.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2184,6 +2204,42 @@ GPL-3.0-or-later</translation>
         <source>Margin %1 ×, largest override %2</source>
         <translation>Margen %1 ×, override máximo %2</translation>
     </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <translation>%1 (línea %2)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Trabajo completo</translation>
+    </message>
+    <message>
+        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
+        <translation>%1 tramos se transmiten de forma continua, y el control ejecuta %2 secuencias: %3</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Solo movimiento</translation>
+    </message>
+    <message>
+        <source>%1 blocks are left out: %2</source>
+        <translation>Se omiten %1 secuencias: %2</translation>
+    </message>
+    <message>
+        <source>Set tool, spindle and coolant at the control.</source>
+        <translation>Ajustar herramienta, cabezal y refrigerante en el control.</translation>
+    </message>
+    <message>
+        <source>Run the whole job</source>
+        <translation>Ejecutar el trabajo completo</translation>
+    </message>
+    <message>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <translation>Primero el control ejecuta la línea %1: %2. Después la herramienta va desde donde está al primer punto del tramo 1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -2250,6 +2306,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Wrong motion: the control has repeated points after point %1.</source>
         <translation>Movimiento erróneo: el control ha repetido puntos después del punto %1.</translation>
+    </message>
+    <message>
+        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
+        <translation>Inicio de un trabajo completo: %1 tramos, %2 secuencias para el control.</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control (line %1).</source>
+        <translation>El programa espera Marcha CN en el control (línea %1).</translation>
     </message>
 </context>
 <context>
@@ -3787,6 +3851,22 @@ GPL-3.0-or-later</translation>
         <source>Use override = %1&#xa0;%</source>
         <translation>Usar override = %1&#xa0;%</translation>
     </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecutar</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Trabajo completo</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Solo movimiento</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
+        <translation>Trabajo completo: el control ejecuta herramientas, cabezal, refrigerante, ciclos y retiradas en su sitio, y Rivulet transmite el movimiento entre ellos. Solo movimiento: estas secuencias se omiten.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -4902,6 +4982,50 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>No run of this window is in progress.</source>
         <translation>No hay ninguna ejecución de esta ventana en curso.</translation>
+    </message>
+    <message>
+        <source>%1: stretch %2 of %3</source>
+        <translation>%1: tramo %2 de %3</translation>
+    </message>
+    <message>
+        <source>%1: the control, line %2</source>
+        <translation>%1: control, línea %2</translation>
+    </message>
+    <message>
+        <source>%1: the control</source>
+        <translation>%1: control</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control</source>
+        <translation>El programa espera Marcha CN en el control</translation>
+    </message>
+    <message>
+        <source>The job waits before the next block until you press Continue.</source>
+        <translation>El trabajo espera antes de la secuencia siguiente hasta que se pulse Continuar.</translation>
+    </message>
+    <message>
+        <source>Before stretch %1 of %2</source>
+        <translation>Antes del tramo %1 de %2</translation>
+    </message>
+    <message>
+        <source>After the last stretch</source>
+        <translation>Después del último tramo</translation>
+    </message>
+    <message>
+        <source>Stop and Hold act at the end of the block</source>
+        <translation>Parada y Suspender actúan al final de la secuencia</translation>
+    </message>
+    <message>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <translation>Transmitido %1, pausas %2, cambios de herramienta %3, otras secuencias del control %4. Los ciclos, las mediciones y las paradas no están incluidos.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2, control %3</source>
+        <translation>%1, pausas %2, control %3</translation>
+    </message>
+    <message>
+        <source>%1, control %2</source>
+        <translation>%1, control %2</translation>
     </message>
 </context>
 <context>

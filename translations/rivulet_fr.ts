@@ -1649,6 +1649,26 @@
         <source>program, %1 %</source>
         <translation>programme, %1 %</translation>
     </message>
+    <message>
+        <source>Whole jobs run on virtual machines only so far.</source>
+        <translation>Pour l’instant, les tâches complètes ne s’exécutent que sur des machines virtuelles.</translation>
+    </message>
+    <message>
+        <source>Whole jobs need method window or credit.</source>
+        <translation>Les tâches complètes exigent la méthode Fenêtre ou Crédit.</translation>
+    </message>
+    <message>
+        <source>A whole job cannot be corrected online.</source>
+        <translation>Une tâche complète ne peut pas être corrigée en ligne.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not known: see the findings.</source>
+        <translation>Certaines parties du programme ne sont pas connues : voir les observations.</translation>
+    </message>
+    <message>
+        <source>%1 (line %2) cannot be given to the control.</source>
+        <translation>%1 (ligne %2) ne peut pas être transmis à la commande.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2184,6 +2204,42 @@ GPL-3.0-or-later</translation>
         <source>Margin %1 ×, largest override %2</source>
         <translation>Marge %1 ×, override maximal %2</translation>
     </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <translation>%1 (ligne %2)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Tâche complète</translation>
+    </message>
+    <message>
+        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
+        <translation>%1 tronçons sont transmis en continu, et la commande exécute %2 blocs : %3</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Mouvement seul</translation>
+    </message>
+    <message>
+        <source>%1 blocks are left out: %2</source>
+        <translation>%1 blocs sont omis : %2</translation>
+    </message>
+    <message>
+        <source>Set tool, spindle and coolant at the control.</source>
+        <translation>Régler l’outil, la broche et l’arrosage sur la commande.</translation>
+    </message>
+    <message>
+        <source>Run the whole job</source>
+        <translation>Exécuter la tâche complète</translation>
+    </message>
+    <message>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <translation>La commande exécute d’abord la ligne %1 : %2. Puis l’outil va de sa position au premier point du tronçon 1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -2250,6 +2306,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Wrong motion: the control has repeated points after point %1.</source>
         <translation>Mouvement erroné&#xa0;: la commande a répété des points après le point %1.</translation>
+    </message>
+    <message>
+        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
+        <translation>Démarrage d’une tâche complète : %1 tronçons, %2 blocs pour la commande.</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control (line %1).</source>
+        <translation>Le programme attend le Départ cycle sur la commande (ligne %1).</translation>
     </message>
 </context>
 <context>
@@ -3787,6 +3851,22 @@ GPL-3.0-or-later</translation>
         <source>Use override = %1&#xa0;%</source>
         <translation>Utiliser override = %1&#xa0;%</translation>
     </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécuter</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Tâche complète</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Mouvement seul</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
+        <translation>Tâche complète : la commande exécute outils, broche, arrosage, cycles et dégagements à leur place, et Rivulet transmet le mouvement entre eux. Mouvement seul : ces blocs sont omis.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -4902,6 +4982,50 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>No run of this window is in progress.</source>
         <translation>Aucune exécution de cette fenêtre n’est en cours.</translation>
+    </message>
+    <message>
+        <source>%1: stretch %2 of %3</source>
+        <translation>%1 : tronçon %2 sur %3</translation>
+    </message>
+    <message>
+        <source>%1: the control, line %2</source>
+        <translation>%1 : commande, ligne %2</translation>
+    </message>
+    <message>
+        <source>%1: the control</source>
+        <translation>%1 : commande</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control</source>
+        <translation>Le programme attend le Départ cycle sur la commande</translation>
+    </message>
+    <message>
+        <source>The job waits before the next block until you press Continue.</source>
+        <translation>La tâche attend avant le bloc suivant jusqu’à l’appui sur Continuer.</translation>
+    </message>
+    <message>
+        <source>Before stretch %1 of %2</source>
+        <translation>Avant le tronçon %1 sur %2</translation>
+    </message>
+    <message>
+        <source>After the last stretch</source>
+        <translation>Après le dernier tronçon</translation>
+    </message>
+    <message>
+        <source>Stop and Hold act at the end of the block</source>
+        <translation>Arrêt et Suspendre agissent à la fin du bloc</translation>
+    </message>
+    <message>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <translation>Transmis %1, pauses %2, changements d’outil %3, autres blocs de la commande %4. Les cycles, les mesures et les arrêts n’y sont pas.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2, control %3</source>
+        <translation>%1, pauses %2, commande %3</translation>
+    </message>
+    <message>
+        <source>%1, control %2</source>
+        <translation>%1, commande %2</translation>
     </message>
 </context>
 <context>

@@ -1649,6 +1649,26 @@
         <source>program, %1 %</source>
         <translation>programma, %1 %</translation>
     </message>
+    <message>
+        <source>Whole jobs run on virtual machines only so far.</source>
+        <translation>Finora i lavori completi si eseguono solo su macchine virtuali.</translation>
+    </message>
+    <message>
+        <source>Whole jobs need method window or credit.</source>
+        <translation>I lavori completi richiedono il metodo Finestra o Credito.</translation>
+    </message>
+    <message>
+        <source>A whole job cannot be corrected online.</source>
+        <translation>Un lavoro completo non può essere corretto online.</translation>
+    </message>
+    <message>
+        <source>Parts of the program are not known: see the findings.</source>
+        <translation>Parti del programma non sono note: vedi le segnalazioni.</translation>
+    </message>
+    <message>
+        <source>%1 (line %2) cannot be given to the control.</source>
+        <translation>%1 (riga %2) non può essere passato al controllo.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2184,6 +2204,42 @@ GPL-3.0-or-later</translation>
         <source>Margin %1 ×, largest override %2</source>
         <translation>Margine %1 ×, override massimo %2</translation>
     </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <translation>%1 (riga %2)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 e altri %2</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Lavoro completo</translation>
+    </message>
+    <message>
+        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
+        <translation>%1 tratti sono trasmessi in continuo, e il controllo esegue %2 blocchi: %3</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Solo movimento</translation>
+    </message>
+    <message>
+        <source>%1 blocks are left out: %2</source>
+        <translation>%1 blocchi sono omessi: %2</translation>
+    </message>
+    <message>
+        <source>Set tool, spindle and coolant at the control.</source>
+        <translation>Impostare utensile, mandrino e refrigerante sul controllo.</translation>
+    </message>
+    <message>
+        <source>Run the whole job</source>
+        <translation>Eseguire il lavoro completo</translation>
+    </message>
+    <message>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <translation>Prima il controllo esegue la riga %1: %2. Poi l’utensile va da dove si trova al primo punto del tratto 1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -2250,6 +2306,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Wrong motion: the control has repeated points after point %1.</source>
         <translation>Movimento errato: il controllo ha ripetuto dei punti dopo il punto %1.</translation>
+    </message>
+    <message>
+        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
+        <translation>Avvio di un lavoro completo: %1 tratti, %2 blocchi per il controllo.</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control (line %1).</source>
+        <translation>Il programma attende Start NC sul controllo (riga %1).</translation>
     </message>
 </context>
 <context>
@@ -3787,6 +3851,22 @@ GPL-3.0-or-later</translation>
         <source>Use override = %1&#xa0;%</source>
         <translation>Usa override = %1&#xa0;%</translation>
     </message>
+    <message>
+        <source>Run</source>
+        <translation>Eseguire</translation>
+    </message>
+    <message>
+        <source>Whole job</source>
+        <translation>Lavoro completo</translation>
+    </message>
+    <message>
+        <source>Motion only</source>
+        <translation>Solo movimento</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
+        <translation>Lavoro completo: il controllo esegue utensili, mandrino, refrigerante, cicli e svincoli al loro posto, e Rivulet trasmette il movimento tra di essi. Solo movimento: questi blocchi sono omessi.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -4902,6 +4982,50 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>No run of this window is in progress.</source>
         <translation>Nessuna esecuzione di questa finestra è in corso.</translation>
+    </message>
+    <message>
+        <source>%1: stretch %2 of %3</source>
+        <translation>%1: tratto %2 di %3</translation>
+    </message>
+    <message>
+        <source>%1: the control, line %2</source>
+        <translation>%1: controllo, riga %2</translation>
+    </message>
+    <message>
+        <source>%1: the control</source>
+        <translation>%1: controllo</translation>
+    </message>
+    <message>
+        <source>The program waits for cycle start at the control</source>
+        <translation>Il programma attende Start NC sul controllo</translation>
+    </message>
+    <message>
+        <source>The job waits before the next block until you press Continue.</source>
+        <translation>Il lavoro attende prima del blocco successivo finché si preme Continua.</translation>
+    </message>
+    <message>
+        <source>Before stretch %1 of %2</source>
+        <translation>Prima del tratto %1 di %2</translation>
+    </message>
+    <message>
+        <source>After the last stretch</source>
+        <translation>Dopo l’ultimo tratto</translation>
+    </message>
+    <message>
+        <source>Stop and Hold act at the end of the block</source>
+        <translation>Stop e Sospendi agiscono alla fine del blocco</translation>
+    </message>
+    <message>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <translation>Trasmesso %1, pause %2, cambi utensile %3, altri blocchi del controllo %4. Cicli, misure e arresti non sono compresi.</translation>
+    </message>
+    <message>
+        <source>%1, pauses %2, control %3</source>
+        <translation>%1, pause %2, controllo %3</translation>
+    </message>
+    <message>
+        <source>%1, control %2</source>
+        <translation>%1, controllo %2</translation>
     </message>
 </context>
 <context>

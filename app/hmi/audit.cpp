@@ -41,6 +41,7 @@ Audit::Details settingsFacts(const widgets::StreamSettings& settings) {
       {"base_cell", std::to_string(parameters.baseCell)},
       {"correction_limit", base::formatFixed(parameters.correctionLimitMm, kDecimals)},
       {"access", std::to_string(static_cast<int>(settings.access))},
+      {"job", settings.wholeJob ? "whole" : "motion only"},
       {"transfer_by_hand", settings.transferByHand ? "yes" : "no"},
   };
 }
@@ -74,6 +75,8 @@ void applySettings(widgets::StreamSettings& settings, const Audit::Details& fact
     } else if (name == "access" && whole && *whole >= 0 &&
                *whole <= static_cast<int>(streaming::AccessPreference::Single)) {
       settings.access = static_cast<streaming::AccessPreference>(*whole);
+    } else if (name == "job") {
+      settings.wholeJob = value == "whole";
     } else if (name == "feed_per_point") {
       parameters.feedPerPoint = value == "yes";
     } else if (name == "transfer_by_hand") {

@@ -7,6 +7,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 #include "feasibility/client_turn.h"
 #include "machine/config.h"
@@ -25,6 +26,7 @@ constexpr double kToolMovedMm = 0.01;
 /// The times of a run are estimated again this long after the last change of a setting.
 constexpr int kEstimateMs = 400;
 constexpr std::size_t kPointsMin = 2;
+constexpr const char* kMachineWithTools = "dmu75-mill";
 
 }  // namespace
 
@@ -75,7 +77,53 @@ Document::Document(const widgets::StreamSettings& settings)
 }
 
 void Document::open(const QString& path, const session::Reading& reading) {
+  m_isMotionAlone = false;
   read(path, reading);
+}
+
+void Document::openMotion(const QString& path, const session::Reading& reading) {
+  m_isMotionAlone = true;
+  read(path, reading);
+}
+
+const widgets::JobOutline* Document::outline() const {
+  return m_view && !m_view->outline.needed().empty() ? &m_view->outline : nullptr;
+}
+
+std::optional<Document::JobObstacle> Document::jobObstacle() const {
+  if (outline() == nullptr) {
+    return std::nullopt;
+  }
+  if (!m_runsJobs) {
+    return JobObstacle::Machine;
+  }
+  if (!base::hasWindows(m_settings.parameters.method)) {
+    return JobObstacle::Method;
+  }
+  if (m_settings.parameters.correctionLimitMm > 0.0) {
+    return JobObstacle::Correction;
+  }
+  // Read as a job, it would be one.
+  return m_reading.asJob && !isJob() ? std::optional(JobObstacle::NotWhole) : std::nullopt;
+}
+
+bool Document::wantsJob() const {
+  return m_settings.wholeJob && m_runsJobs && !m_isMotionAlone &&
+         base::hasWindows(m_settings.parameters.method) &&
+         m_settings.parameters.correctionLimitMm == 0.0;
+}
+
+void Document::setRunsJobs(bool runsJobs) {
+  m_runsJobs = runsJobs;
+  followJob();
+}
+
+void Document::followJob() {
+  // A file that has changed is read when the operator says so.
+  if (outline() != nullptr && m_reading.asJob != wantsJob() && !m_isRunning && !m_isHeld &&
+      !hasFileChanged() && !m_loader.isBusy()) {
+    read(m_path, m_reading);
+  }
 }
 
 session::ProgramSource Document::source() const {
@@ -96,9 +144,11 @@ void Document::readAgain(const session::Reading& reading) {
 
 void Document::read(const QString& path, const session::Reading& reading) {
   m_requestedPath = path;
+  session::Reading whole = reading;
+  whole.asJob = wantsJob();
   Q_EMIT readingProgressed(0.0);
-  m_loader.load(
-      {path, reading, m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop), m_machineFeeds});
+  m_loader.load({path, std::move(whole), m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop),
+                 m_machineFeeds});
 }
 
 void Document::take(const session::LoadedProgram& loaded) {
@@ -110,9 +160,14 @@ void Document::take(const session::LoadedProgram& loaded) {
   m_path = QFileInfo(loaded.request.path).absoluteFilePath();
   m_reading = loaded.request.reading;
   m_watch.watch(m_path, loaded.stamp);
+  m_nativeTimes.clear();
+  if (isJob()) {
+    m_nativeTimes = session::nativeTimes(*m_view->plan, *machine::loadPreset(kMachineWithTools));
+  }
   forgetTimes();
   Q_EMIT programLoaded();
   judge();
+  followJob();  // the settings may have changed meanwhile
 }
 
 void Document::takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
@@ -150,12 +205,22 @@ void Document::setSettings(const widgets::StreamSettings& settings) {
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   Q_EMIT settingsChanged();
   judge();
+  followJob();
 }
 
 void Document::editSettings(const widgets::StreamSettings& settings) {
   m_settings = settings;
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   judge();
+  followJob();
+}
+
+void Document::chooseJob(bool isWhole) {
+  m_settings.wholeJob = isWhole;
+  m_isMotionAlone = false;
+  Q_EMIT settingsChanged();
+  judge();
+  followJob();
 }
 
 templates::TemplateParameters Document::parameters() const {
@@ -442,6 +507,15 @@ std::optional<widgets::TimeLeft> Document::timeLeft(std::size_t executed) const 
     const auto pauses = static_cast<double>(after(m_pauses->inCut) + after(m_pauses->offCut));
     left.pausesS = time->pausesCostS() * pauses / static_cast<double>(time->pauses);
   }
+  // What the control does before the stretches that are to come, and after the last one.
+  const auto& starts = m_view->stretchStarts;
+  for (std::size_t i = 0; i < m_nativeTimes.size(); ++i) {
+    if (i >= starts.size() || starts[i] >= executed) {
+      left.toolChangesS += m_nativeTimes[i].toolChangesS;
+      left.nativeS += m_nativeTimes[i].othersS;
+    }
+  }
+  left.totalS += left.toolChangesS + left.nativeS;
   return left;
 }
 

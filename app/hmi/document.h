@@ -16,6 +16,7 @@
 
 #include "feasibility/verdict.h"
 #include "session/file_watch.h"
+#include "session/native_times.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
 #include "session/rehearsal.h"
@@ -55,6 +56,8 @@ class Document final : public QObject {
 
   /// Reads a program in the background; the present one stays until the new one is there.
   void open(const QString& path, const session::Reading& reading = {});
+  /// The same for the motion alone, whatever the settings say: the program of an earlier run.
+  void openMotion(const QString& path, const session::Reading& reading);
   /// Reads the file of the present program again. Nothing without a program.
   void readAgain(const session::Reading& reading);
   void cancelReading() { m_loader.cancel(); }
@@ -67,6 +70,15 @@ class Document final : public QObject {
     return m_watch.state() == session::FileWatch::State::Changed;
   }
   [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const;
+  /// The stretches of a whole job are streamed, and the control gets its blocks; else the motion
+  /// alone.
+  [[nodiscard]] bool isJob() const { return m_view && m_view->isJob(); }
+  /// Null: there are no blocks that the machine needs beside the motion.
+  [[nodiscard]] const widgets::JobOutline* outline() const;
+  /// Why the program cannot be run as a whole job with the present settings; nothing: it can, or it
+  /// has no blocks for the control.
+  enum class JobObstacle : unsigned char { Machine, Method, Correction, NotWhole };
+  [[nodiscard]] std::optional<JobObstacle> jobObstacle() const;
   [[nodiscard]] const QString& path() const { return m_path; }
   /// The file that was asked for last.
   [[nodiscard]] const QString& requestedPath() const { return m_requestedPath; }
@@ -78,6 +90,8 @@ class Document final : public QObject {
   void setSettings(const widgets::StreamSettings& settings);
   /// As `setSettings`, without `settingsChanged`: for the page on which they were changed.
   void editSettings(const widgets::StreamSettings& settings);
+  /// The whole job is to be run, or its motion alone.
+  void chooseJob(bool isWhole);
   /// The settings with the rotary axes the program turns.
   [[nodiscard]] templates::TemplateParameters parameters() const;
   [[nodiscard]] streaming::RunSettings runSettings() const;
@@ -95,6 +109,8 @@ class Document final : public QObject {
 
   /// What access costs on the connected machine. @param record  null: not measured
   void setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record, bool isOutdated);
+  /// The connected machine runs whole jobs; true also while none is connected.
+  void setRunsJobs(bool runsJobs);
   /// Where a run would begin. Points that depend on it are made again, but not while `isFrozen`.
   void setToolPosition(const base::Vec3& positionMm);
   /// Makes points that depend on the tool's position again, if it has moved.
@@ -126,6 +142,9 @@ class Document final : public QObject {
  private:
   void read(const QString& path, const session::Reading& reading);
   void take(const session::LoadedProgram& loaded);
+  [[nodiscard]] bool wantsJob() const;
+  /// Reads the program again if it is to be a job and is not, or the other way round.
+  void followJob();
   void takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
                   const std::shared_ptr<const widgets::ProgramView>& of);
   /// What access costs with the present settings. @param source  its form is set
@@ -163,8 +182,11 @@ class Document final : public QObject {
   QString m_requestedPath;
   session::Reading m_reading;
   Findings m_findings;
+  std::vector<session::NativeTime> m_nativeTimes;  ///< of a job
   widgets::AccessSource m_source;
   base::Vec3 m_toolMm;  ///< the origin while no machine has been seen
+  bool m_runsJobs = true;
+  bool m_isMotionAlone = false;  ///< see `openMotion`
   bool m_isRunning = false;
   bool m_isHeld = false;
 

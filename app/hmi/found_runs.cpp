@@ -182,7 +182,7 @@ void FoundRuns::dismiss() {
 
 bool FoundRuns::isLoaded(const report::SavedRun& run) const {
   const QString file = QString::fromStdString(run.programFile);
-  return m_document.program() && !m_document.hasFileChanged() &&
+  return m_document.program() && !m_document.isJob() && !m_document.hasFileChanged() &&
          (m_document.path() == file ||
           (!QFileInfo::exists(file) && m_document.program()->name == run.programName));
 }
@@ -202,7 +202,7 @@ bool FoundRuns::load(const report::SavedRun& run) {
   reading.accepted = run.reading.accepted;
   reading.centres = run.reading.centres;
   reading.chordToleranceMm = run.reading.chordToleranceMm;
-  m_document.open(file, reading);
+  m_document.openMotion(file, reading);
   return true;
 }
 

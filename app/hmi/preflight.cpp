@@ -43,6 +43,39 @@ QString percentText(double factor) {
   return widgets::numberText(100.0 * factor, 0) + QStringLiteral("\u00A0%");
 }
 
+/// The first of the blocks, each with its line.
+QString blocksText(const std::vector<const job::NativeBlock*>& blocks) {
+  constexpr std::size_t kShown = 6;
+  QStringList shown;
+  for (std::size_t i = 0; i < std::min(blocks.size(), kShown); ++i) {
+    shown.append(Preflight::tr("%1 (line %2)")
+                     .arg(QString::fromStdString(blocks[i]->source),
+                          widgets::countText(blocks[i]->place.line.value)));
+  }
+  const QString list = shown.join(QStringLiteral(", "));
+  return blocks.size() > kShown
+             ? Preflight::tr("%1 and %2 more").arg(list, widgets::countText(blocks.size() - kShown))
+             : list;
+}
+
+/// What a whole job begins with; null: with a stretch.
+const job::NativeBlock* blockBeforePath(const Document& document) {
+  if (!document.isJob()) {
+    return nullptr;
+  }
+  for (const job::Part& part : document.view()->plan->parts) {
+    const auto* native = std::get_if<job::NativeBlock>(&part);
+    if (native != nullptr && !native->text.empty() &&
+        native->reason != job::NativeReason::Message) {
+      return native;
+    }
+    if (native == nullptr && std::get<job::Stretch>(part).number > 0) {
+      break;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Preflight::Preflight(Document& document, MachineModel& machine, RunController& runs)
@@ -91,6 +124,9 @@ std::vector<PreflightItem> Preflight::items() const {
   }
   items.push_back(programItem());
   items.push_back(machineItem());
+  if (m_document.outline() != nullptr) {
+    items.push_back(jobItem());
+  }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());
   items.push_back(feedItem());
   items.push_back(methodItem());
@@ -146,8 +182,34 @@ PreflightItem Preflight::machineItem() const {
                              0};
 }
 
+PreflightItem Preflight::jobItem() const {
+  const widgets::JobOutline& outline = *m_document.outline();
+  const auto& blocks = outline.needed();
+  if (m_document.isJob()) {
+    return {Status::Good,
+            tr("Whole job"),
+            tr("%1 stretches are streamed, and the control executes %2 blocks: %3")
+                .arg(widgets::countText(outline.stretches()), widgets::countText(blocks.size()),
+                     blocksText(blocks)),
+            {},
+            0};
+  }
+  return {
+      Status::Attention, tr("Motion only"),
+      tr("%1 blocks are left out: %2").arg(widgets::countText(blocks.size()), blocksText(blocks)) +
+          QLatin1Char('\n') + tr("Set tool, spindle and coolant at the control."),
+      m_document.jobObstacle() ? QString() : tr("Run the whole job"), RunWholeJob};
+}
+
 PreflightItem Preflight::firstMoveItem() const {
   PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
+  if (const job::NativeBlock* first = blockBeforePath(m_document)) {
+    item.text = tr("First the control executes line %1: %2. Then the tool moves from where it "
+                   "stands to the first point of stretch 1.")
+                    .arg(widgets::countText(first->place.line.value),
+                         QString::fromStdString(first->source));
+    return item;
+  }
   const auto toolMm = m_machine.positionNowMm();
   if (!toolMm || m_document.points().empty()) {
     item.status = Status::Unknown;
@@ -321,6 +383,10 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == TakeBackRelease) {
     m_releases->takeBack();
+    return;
+  }
+  if (remedyId == RunWholeJob) {
+    m_document.chooseJob(true);
     return;
   }
   if (remedyId == ReloadProgram) {

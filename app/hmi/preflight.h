@@ -22,7 +22,7 @@ class Preflight final : public QObject {
   Q_OBJECT
 
  public:
-  enum Remedy { ReloadProgram, UseProgramFeed, ReleaseJob, TakeBackRelease };
+  enum Remedy { ReloadProgram, UseProgramFeed, ReleaseJob, TakeBackRelease, RunWholeJob };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
 
@@ -54,6 +54,8 @@ class Preflight final : public QObject {
  private:
   [[nodiscard]] widgets::PreflightItem programItem() const;
   [[nodiscard]] widgets::PreflightItem machineItem() const;
+  /// Of a program with blocks that the machine needs beside the motion.
+  [[nodiscard]] widgets::PreflightItem jobItem() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
   [[nodiscard]] widgets::PreflightItem resumeItem() const;
   [[nodiscard]] widgets::PreflightItem originItem() const;

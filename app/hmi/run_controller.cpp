@@ -45,6 +45,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
                              Messages& messages)
     : m_session(session), m_document(document), m_machine(machine), m_messages(messages) {
   connect(&m_session, &StreamSession::updateArrived, this, &RunController::takeUpdate);
+  connect(&m_session, &StreamSession::jobUpdated, this, &RunController::takeJob);
   connect(&m_session, &StreamSession::runFinished, this, &RunController::takeFinished);
   connect(&m_session, &StreamSession::resumeFound, this, &RunController::takeResume);
   connect(&m_session, &StreamSession::calibrationProgressed, this,
@@ -61,7 +62,11 @@ RunController::RunController(StreamSession& session, Document& document, Machine
     m_messages.log(Severity::Note, Source::Run,
                    [text = QString::fromStdString(note.text)] { return text; });
   });
-  connect(&m_machine, &MachineModel::linkChanged, this, &RunController::permissionsChanged);
+  connect(&m_machine, &MachineModel::linkChanged, this, [this] {
+    // Whole jobs are new: only a virtual machine may run them.
+    m_document.setRunsJobs(!m_machine.isConnected() || m_machine.view().isVirtualMachine);
+    Q_EMIT permissionsChanged();
+  });
   connect(&m_machine, &MachineModel::calibrationEnded, this, &RunController::permissionsChanged);
   connect(&m_machine, &MachineModel::calibrationChanged, this, [this] {
     m_document.setCalibration(m_machine.calibration(), m_machine.isCalibrationOutdated());
@@ -282,7 +287,13 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
   command.program = m_document.program();
   command.source = m_document.source();
   command.settings = settings;
-  command.recordingPath = newRecordingPath().toStdString();
+  if (m_document.isJob()) {
+    command.plan = m_document.view()->plan;
+    command.stretchStarts = m_document.view()->stretchStarts;
+    command.points = m_document.points().size();
+  } else {
+    command.recordingPath = newRecordingPath().toStdString();
+  }
   if (resume) {
     command.resumes = m_left;
   }
@@ -299,6 +310,13 @@ void RunController::announceStart(const streaming::RunSettings& settings) {
     m_messages.log(Severity::Note, Source::Run, [point = m_firstPoint + 1] {
       return tr("The run resumes at point %1.").arg(widgets::countText(point));
     });
+  } else if (m_document.isJob()) {
+    const widgets::JobOutline& outline = m_document.view()->outline;
+    m_messages.log(Severity::Note, Source::Run,
+                   [stretches = outline.stretches(), blocks = outline.needed().size()] {
+                     return tr("Start of a whole job: %1 stretches, %2 blocks for the control.")
+                         .arg(widgets::countText(stretches), widgets::countText(blocks));
+                   });
   } else if (toolMm && !m_document.points().empty()) {
     const double lengthMm = base::distance(*toolMm, m_document.points().front().positionMm);
     m_messages.log(Severity::Note, Source::Run, [lengthMm] {
@@ -332,8 +350,8 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   }
   Q_EMIT updated(m_update);
   if (isNewState && isMoving) {
-    m_machine.showRunning(
-        QString::fromStdString(templates::templateFileName(m_document.parameters())));
+    m_machine.showRunning(QString::fromStdString(
+        m_job ? m_job->program : templates::templateFileName(m_document.parameters())));
   }
   if (update.sample) {
     takeSample(*update.sample, origin);
@@ -346,6 +364,20 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   if (isNewState) {
     Q_EMIT permissionsChanged();
   }
+}
+
+void RunController::takeJob(const session::JobUpdate& job) {
+  const bool waited = m_job && m_job->waitsForCycleStart;
+  m_job = job;
+  if (job.waitsForCycleStart && !waited) {
+    m_messages.show(Severity::Note, [line = job.line.value] {
+      return tr("The program waits for cycle start at the control (line %1).")
+          .arg(widgets::countText(line));
+    });
+  } else if (waited && !job.waitsForCycleStart) {
+    m_messages.clear();
+  }
+  Q_EMIT jobChanged();
 }
 
 void RunController::takeWrong(const streaming::WrongMotion& wrong) {
@@ -381,6 +413,11 @@ void RunController::acknowledgeRuin() {
 void RunController::showExecuted() {
   const auto& points = m_document.points();
   const std::size_t number = m_update.counters.executed;
+  if (m_job && m_job->isNative) {
+    m_machine.forgetExecuted();  // the control moves as its own blocks say
+    m_machine.showRunning(QString::fromStdString(m_job->program));
+    return;
+  }
   if (m_firstMotion && number <= points.size()) {
     const widgets::StreamSettings& settings = m_document.settings();
     m_machine.showExecuted(
@@ -406,7 +443,9 @@ std::optional<widgets::MachineView::ToGo> RunController::toGo(
   const bool isCorrected =
       m_update.correction && !(m_update.correction->confirmedMm == base::Vec3{});
   // A correction moves the path by an amount that the axes have not yet, or no longer, followed.
-  if (!m_firstMotion || !sample.positionMm || executed >= points.size() || isCorrected) {
+  const bool isNative = m_job && m_job->isNative;  // on no path that is known here
+  if (!m_firstMotion || !sample.positionMm || executed >= points.size() || isCorrected ||
+      isNative) {
     return std::nullopt;
   }
   const std::size_t end = std::clamp(m_update.counters.accepted, executed + 1,
@@ -427,6 +466,8 @@ std::optional<widgets::MachineView::ToGo> RunController::toGo(
 
 void RunController::takeFinished(const session::RunFinished& finished) {
   m_report = finished.report;
+  const bool wasJob = m_job.has_value();
+  m_job.reset();
   if (m_report->outcome == streaming::Outcome::Completed) {
     m_left.reset();
   } else if (m_report->checkpoint) {
@@ -448,6 +489,9 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   Q_EMIT permissionsChanged();
   Q_EMIT this->finished(m_report);
   Q_EMIT ruinChanged();
+  if (wasJob) {
+    Q_EMIT jobChanged();
+  }
 }
 
 void RunController::logOutcome(const session::RunFinished& finished) {
@@ -488,7 +532,7 @@ void RunController::raiseOutcome() {
     m_messages.raise(alarm::Code::RunIncomplete, {name, std::to_string(integrity.executed),
                                                   std::to_string(m_report->counters.total)});
   } else if (m_report->finding() == streaming::RunFinding::NotJudged &&
-             m_machine.view().isVirtualMachine) {
+             m_machine.view().isVirtualMachine && !m_document.isJob()) {
     // Most controls keep no trace: there it is no news, and the report says it.
     m_messages.raise(alarm::Code::NotJudged, {name});
   }

@@ -76,6 +76,8 @@ class RunController final : public QObject {
   [[nodiscard]] bool isCalibrating() const { return m_session.isCalibrating(); }
   /// Counted in the whole program, also for a run that was resumed.
   [[nodiscard]] const streaming::LiveUpdate& update() const { return m_update; }
+  /// Where the whole job in progress is; nothing: none is in progress.
+  [[nodiscard]] const std::optional<session::JobUpdate>& job() const { return m_job; }
   /// Null: no run has ended since the last start.
   [[nodiscard]] const std::shared_ptr<const streaming::RunReport>& report() const {
     return m_report;
@@ -90,6 +92,8 @@ class RunController final : public QObject {
   void updated(const rivulet::streaming::LiveUpdate& update);
   /// Times count from the first motion of the run.
   void sampled(const rivulet::widgets::TraceSample& sample);
+  /// `job` is new.
+  void jobChanged();
   void paused(const rivulet::trace::Pause& pause);
   void finished(const std::shared_ptr<const rivulet::streaming::RunReport>& report);
 
@@ -119,6 +123,7 @@ class RunController final : public QObject {
   [[nodiscard]] std::optional<widgets::MachineView::ToGo> toGo(
       const trace::LiveSample& sample) const;
   void takeResume(const session::ResumeFound& found);
+  void takeJob(const session::JobUpdate& job);
   void takeFinished(const session::RunFinished& finished);
   void takeWrong(const streaming::WrongMotion& wrong);
   void logOutcome(const session::RunFinished& finished);
@@ -135,6 +140,7 @@ class RunController final : public QObject {
   std::optional<base::Instant> m_firstMotion;
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
   bool m_isRuined = false;                        ///< and not acknowledged
+  std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;
   std::shared_ptr<const streaming::RunReport> m_report;
   std::optional<session::ResumeQuestion> m_left;  ///< the run that could be resumed

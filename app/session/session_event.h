@@ -5,13 +5,16 @@
 /// Events of the streaming thread for the GUI, and requests of the GUI. @threadsafety plain values.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/error.h"
 #include "gcode/program.h"
+#include "job/plan.h"
 #include "report/run_store.h"
 #include "streaming/calibration_record.h"
 #include "streaming/machine_facts.h"
@@ -43,6 +46,16 @@ struct MachineSeen {
   /// Distance to go of each axis; nothing: the control does not report it.
   std::optional<base::Vec3> toGoMm;
   base::RotaryDeg toGoDeg{};  ///< with `toGoMm`
+};
+
+/// Where a whole job is, beside its counters.
+struct JobUpdate {
+  int stretch = 0;  ///< that is streamed, or comes after the blocks in progress; one more: the last
+  bool isNative = false;            ///< the control executes its own blocks
+  base::LineNumber line;            ///< of the block in progress; 0: not known
+  std::string block;                ///< as the source has it
+  bool waitsForCycleStart = false;  ///< at M0 or M1
+  std::string program = {};         ///< main program of the job on the control
 };
 
 struct RunFinished {
@@ -89,8 +102,8 @@ struct CommissioningFinished {
 };
 
 using SessionEvent =
-    std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, trace::Note,
-                 RunFinished, streaming::CalibrationProgress, CalibrationFinished,
+    std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, JobUpdate,
+                 trace::Note, RunFinished, streaming::CalibrationProgress, CalibrationFinished,
                  CommissioningProgress, CommissioningFinished, ResumeFound, RunsSeen, RunEnded>;
 
 struct ConnectCommand {
@@ -110,6 +123,11 @@ struct ProgramSource {
 };
 struct StartCommand {
   std::shared_ptr<const gcode::Program> program;
+  /// A whole job, whose program that is; null: the motion of the program alone.
+  std::shared_ptr<const job::Plan> plan;
+  /// Of a whole job: which of the streamed points each stretch begins with, and how many there are.
+  std::vector<std::uint32_t> stretchStarts;
+  std::size_t points = 0;
   ProgramSource source;
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording

@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "base/units.h"
+#include "job/main_program.h"
 #include "opcua/await.h"
 #include "recorder/recording_file.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
+#include "streaming/whole_job.h"
 #include "templates/generator.h"
 #include "trace/recording.h"
 
@@ -54,6 +56,121 @@ class SessionWorker::Sink final : public streaming::RunSink {
  private:
   SessionWorker& m_worker;
   streaming::RunState m_state = streaming::RunState::Idle;
+};
+
+/// Passes the reports of a whole job to the ring, counted in all its points.
+class SessionWorker::JobSink final : public streaming::WholeJobSink {
+ public:
+  /// @param program  main program of the job on the control
+  JobSink(SessionWorker& worker, const StartCommand& command, std::string program)
+      : m_worker(worker), m_command(command), m_out(worker) {
+    m_now.program = std::move(program);
+  }
+
+  void update(const streaming::LiveUpdate& update) override {
+    using streaming::RunState;
+    streaming::LiveUpdate shown = update;
+    shown.counters = inJob(update.counters);
+    if (m_isInStretch) {
+      // Each stretch is a run to itself: its beginning and its end are not those of the job.
+      shown.state = update.state == RunState::Armed || update.state == RunState::Done
+                        ? RunState::Running
+                    : update.state == RunState::Stopped || update.state == RunState::Aborted
+                        ? RunState::Stopping
+                        : update.state;
+      shown.waitingFor = update.state == RunState::Armed ? std::string() : update.waitingFor;
+      if (shown.wrong) {
+        shown.wrong->point += m_begin;
+      }
+    }
+    if (shown.state == RunState::Running && !m_first) {
+      m_first = update.at;
+    }
+    m_last = update.at;
+    m_out.update(shown);
+  }
+  void access(const trace::Access& access) override { m_out.access(access); }
+  void note(const trace::Note& note) override { m_out.note(note); }
+
+  void nativeBlocks(int next) override {
+    m_isInStretch = false;
+    m_now = {next, true, {}, {}, false, m_now.program};
+    m_begin = m_end = pointsBefore(next);
+    m_worker.tell(m_now);
+  }
+  void nativeBlock(const job::NativeBlock& block) override {
+    m_now.line = block.file.empty() ? block.place.line : base::LineNumber{};
+    m_now.block = block.source;
+    m_now.waitsForCycleStart = false;
+    m_worker.tell(m_now);
+  }
+  void stretchBegins(const job::Stretch& stretch, base::Vec3 /*startMm*/) override {
+    m_isInStretch = true;
+    m_now = {stretch.number, false, {}, {}, false, m_now.program};
+    m_begin = pointsBefore(stretch.number);
+    m_end = pointsBefore(stretch.number + 1);
+    m_worker.tell(m_now);
+  }
+  bool waitsForCycleStart() override {
+    m_now.waitsForCycleStart = true;
+    m_worker.tell(m_now);
+    return false;  // somebody presses it at the control
+  }
+
+  /// The job as one run.
+  [[nodiscard]] streaming::RunReport reportOf(const streaming::WholeJobReport& job,
+                                              const streaming::RunSettings& settings) const {
+    streaming::RunReport report;
+    report.outcome = job.outcome;
+    report.error = job.error;
+    report.programName = m_command.program->name;
+    report.settings = settings;
+    report.settings.runNumber = job.runNumber;
+    report.counters.total = m_command.points;
+    report.duration = m_first ? m_last - *m_first : base::Duration{};
+    for (const streaming::StretchReport& stretch : job.stretches) {
+      const streaming::RunReport& run = stretch.run;
+      const std::size_t before = pointsBefore(stretch.number);
+      const std::size_t size = pointsBefore(stretch.number + 1) - before;
+      report.counters.sent = before + std::min(run.counters.sent, size);
+      report.counters.accepted = before + std::min(run.counters.accepted, size);
+      report.counters.executed = before + std::min(run.counters.executed, size);
+      report.pauses.insert(report.pauses.end(), run.pauses.begin(), run.pauses.end());
+      report.access.requests += run.access.requests;
+      report.access.nodes += run.access.nodes;
+      report.settings.grouping = run.settings.grouping;
+      report.stopConfirmedAfter = run.stopConfirmedAfter;
+      report.wrong = report.wrong ? report.wrong : run.wrong;
+    }
+    if (job.outcome == streaming::Outcome::Completed) {
+      report.counters = {m_command.points, m_command.points, m_command.points, m_command.points};
+    }
+    report.controlTrace = job.controlTrace;
+    return report;
+  }
+
+ private:
+  /// @param stretch  from 1; one more than there are: all points
+  [[nodiscard]] std::size_t pointsBefore(int stretch) const {
+    const auto index = static_cast<std::size_t>(std::max(stretch, 1)) - 1;
+    return index < m_command.stretchStarts.size() ? m_command.stretchStarts[index]
+                                                  : m_command.points;
+  }
+  [[nodiscard]] streaming::Counters inJob(const streaming::Counters& counters) const {
+    const std::size_t size = m_end - m_begin;
+    return {m_begin + std::min(counters.sent, size), m_begin + std::min(counters.accepted, size),
+            m_begin + std::min(counters.executed, size), m_command.points};
+  }
+
+  SessionWorker& m_worker;
+  const StartCommand& m_command;
+  Sink m_out;
+  JobUpdate m_now;
+  bool m_isInStretch = false;
+  std::size_t m_begin = 0;  ///< points before the stretch in progress
+  std::size_t m_end = 0;
+  std::optional<base::Instant> m_first;  ///< when the first block was executed
+  base::Instant m_last{};
 };
 
 class SessionWorker::Requests final : public streaming::RunOrders {
@@ -374,6 +491,50 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
   return {};
 }
 
+streaming::RunReport SessionWorker::runMotion(const StartCommand& command,
+                                              const streaming::RunSettings& settings,
+                                              Requests& requests, bool& recorded) {
+  Sink sink(*this);
+  std::unique_ptr<recorder::RecordingFile> file;
+  std::unique_ptr<trace::RecordingWriter> writer;
+  if (!command.recordingPath.empty()) {
+    if (auto opened = recorder::RecordingFile::open(command.recordingPath)) {
+      file = std::move(*opened);
+      writer = std::make_unique<trace::RecordingWriter>(file->sink());
+    }
+  }
+  streaming::JobRecorder recorder;
+  recorder.writer = writer.get();
+  recorder.start.toolVersion = RIVULET_VERSION;
+  recorder.start.endpoint = m_endpoint;
+  recorder.start.startedAtUtc = command.startedAtUtc;
+  report::SavedRun kept;
+  kept.programName = command.program->name;
+  kept.programFile = command.source.file;
+  kept.reading = command.source.reading;
+  kept.endpoint = m_endpoint;
+  kept.toolVersion = RIVULET_VERSION;
+  kept.recording = command.recordingPath;
+  report::RunKeeper keeper(m_runs, std::move(kept));
+  recorder.keeper = &keeper;
+  streaming::RunReport report =
+      streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
+                        requests, sink, std::move(recorder));
+  keeper.finish(report);
+  recorded = file && file->finish();
+  return report;
+}
+
+streaming::RunReport SessionWorker::runWholeJob(const StartCommand& command,
+                                                const streaming::RunSettings& settings,
+                                                Requests& requests) {
+  const auto programs = job::makePrograms(*command.plan, settings.parameters);
+  JobSink sink(*this, command, programs ? programs->mainName : std::string());
+  const streaming::WholeJobReport done = streaming::runWholeJob(
+      *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink);
+  return sink.reportOf(done, settings);
+}
+
 void SessionWorker::start(const StartCommand& command) {
   if (!m_connection) {
     auto report = std::make_shared<streaming::RunReport>();
@@ -391,38 +552,15 @@ void SessionWorker::start(const StartCommand& command) {
     tell(RunFinished{std::move(report), {}});
     return;
   }
-  std::unique_ptr<recorder::RecordingFile> file;
-  std::unique_ptr<trace::RecordingWriter> writer;
-  if (!command.recordingPath.empty()) {
-    if (auto opened = recorder::RecordingFile::open(command.recordingPath)) {
-      file = std::move(*opened);
-      writer = std::make_unique<trace::RecordingWriter>(file->sink());
-    }
-  }
-  streaming::JobRecorder recorder;
-  recorder.writer = writer.get();
-  recorder.start.toolVersion = RIVULET_VERSION;
-  recorder.start.endpoint = m_endpoint;
-  recorder.start.startedAtUtc = command.startedAtUtc;
   streaming::RunSettings settings = command.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
   settings.origin = report::thisUser();
-  report::SavedRun kept;
-  kept.programName = command.program->name;
-  kept.programFile = command.source.file;
-  kept.reading = command.source.reading;
-  kept.endpoint = m_endpoint;
-  kept.toolVersion = RIVULET_VERSION;
-  kept.recording = command.recordingPath;
-  report::RunKeeper keeper(m_runs, std::move(kept));
-  recorder.keeper = &keeper;
+  bool recorded = false;
   auto report = std::make_shared<streaming::RunReport>(
-      streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
-                        requests, sink, std::move(recorder)));
-  keeper.finish(*report);
+      command.plan ? runWholeJob(command, settings, requests)
+                   : runMotion(command, settings, requests, recorded));
   m_seen = {};
   m_looksForLeft = true;
-  const bool recorded = file && file->finish();
   const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
   const base::Error error = report->error;
   if (lost) {

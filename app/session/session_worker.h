@@ -53,12 +53,19 @@ class SessionWorker {
 
  private:
   class Sink;
+  class JobSink;
   class Requests;
 
   void work();
   void connect(const ConnectCommand& command);
   void disconnect();
   void start(const StartCommand& command);
+  [[nodiscard]] streaming::RunReport runMotion(const StartCommand& command,
+                                               const streaming::RunSettings& settings,
+                                               Requests& requests, bool& recorded);
+  [[nodiscard]] streaming::RunReport runWholeJob(const StartCommand& command,
+                                                 const streaming::RunSettings& settings,
+                                                 Requests& requests);
   void answer(const ResumeQuestion& question);
   [[nodiscard]] base::Result<streaming::Resume> askResume(const ResumeQuestion& question);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.

@@ -99,6 +99,8 @@ void StreamSession::drain() {
       Q_EMIT machineSeen(*seen);
     } else if (const auto* update = std::get_if<streaming::LiveUpdate>(&*event)) {
       Q_EMIT updateArrived(*update);
+    } else if (const auto* job = std::get_if<JobUpdate>(&*event)) {
+      Q_EMIT jobUpdated(*job);
     } else if (const auto* note = std::get_if<trace::Note>(&*event)) {
       Q_EMIT noteArrived(*note);
     } else if (const auto* finished = std::get_if<RunFinished>(&*event)) {

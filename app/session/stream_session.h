@@ -64,6 +64,7 @@ class StreamSession final : public QObject {
   void linkChanged(const rivulet::session::LinkChanged& change);
   void machineSeen(const rivulet::session::MachineSeen& seen);
   void updateArrived(const rivulet::streaming::LiveUpdate& update);
+  void jobUpdated(const rivulet::session::JobUpdate& update);
   void noteArrived(const rivulet::trace::Note& note);
   void runFinished(const rivulet::session::RunFinished& finished);
   void resumeFound(const rivulet::session::ResumeFound& found);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/hash.h"
+#include "base/units.h"
 #include "opcua/await.h"
 #include "streaming/access_probe.h"
 #include "streaming/control_alarm.h"
@@ -36,6 +37,7 @@ using templates::WindowProtocol;
 /// Where the axes stand and where they should are this close: servo and exact stop.
 constexpr double kStartToleranceMm = 0.05;
 constexpr Duration kPartPoll = std::chrono::milliseconds{20};
+constexpr Duration kShowInterval = std::chrono::milliseconds{100};
 /// `VariableKind::ChannelStatus` while the program waits for cycle start, at M0.
 constexpr double kChannelInterrupted = 2.0;
 
@@ -380,6 +382,9 @@ class WholeJob {
       if (state->isReset) {
         return judgeEnd(next);
       }
+      if (Result<void> shown = show(); !shown) {
+        return shown;
+      }
       if (Result<void> done = passStop(state->isInterrupted); !done) {
         return done;
       }
@@ -451,6 +456,41 @@ class WholeJob {
     };
     return static_cast<std::size_t>(std::find_if(m_plan.parts.begin(), m_plan.parts.end(), is) -
                                     m_plan.parts.begin());
+  }
+
+  /// Tells the display which block is due and where the axes are. Nothing else needs the link now.
+  Result<void> show() {
+    if (m_due != m_shownDue) {
+      m_shownDue = m_due;
+      if (m_due > 0) {
+        m_sink.nativeBlock(std::get<job::NativeBlock>(
+            m_plan.parts[m_natives[static_cast<std::size_t>(m_due) - 1]]));
+      }
+    }
+    if (m_link.now() < m_nextShown) {
+      return {};
+    }
+    m_nextShown = m_link.now() + kShowInterval;
+    const std::array<Variable, 4> shown{{{VariableKind::ActualPosition, 0},
+                                         {VariableKind::ActualPosition, 1},
+                                         {VariableKind::ActualPosition, 2},
+                                         {VariableKind::PathFeed, 0}}};
+    const auto numbers = opcua::readNumbers(m_claim.link(), shown, m_settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    LiveUpdate update;
+    update.state = m_isStopped ? RunState::Stopping
+                   : m_isHeld  ? RunState::Holding
+                               : RunState::Running;
+    update.waitingFor = "native-blocks";
+    update.at = m_link.now();
+    update.sample = trace::LiveSample{};
+    update.sample->at = update.at;
+    update.sample->positionMm = base::Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+    update.sample->feedMmPerS = base::mmPerSFromMmPerMin((*numbers)[3]);
+    m_sink.update(update);
+    return {};
   }
 
   Result<void> judgeEnd(std::size_t next) {
@@ -680,6 +720,8 @@ class WholeJob {
   bool m_isStopped = false;
   bool m_isHeld = false;
   bool m_isInterrupted = false;
+  Instant m_nextShown{};
+  int m_shownDue = 0;
   bool m_isOver = false;
   int m_due = 0;            ///< native block that was due at the last look, from 1; 0: none yet
   Instant m_accountedTo{};  ///< all time before is in the report

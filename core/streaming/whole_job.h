@@ -28,6 +28,8 @@ class WholeJobSink : public RunSink {
   /// The control executes native blocks. @param next  number of the stretch after them; one more
   ///        than there are: the last ones
   virtual void nativeBlocks(int next) = 0;
+  /// The control has come to another of them.
+  virtual void nativeBlock(const job::NativeBlock& /*block*/) {}
   /// A stretch is about to begin. @param startMm  where the tool is, as the control says
   virtual void stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) = 0;
   /// The program waits for cycle start, at M0 or M1; told once. @return true: the control is

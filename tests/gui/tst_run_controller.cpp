@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 
 #include "base/units.h"
 #include "hmi/document.h"
@@ -26,13 +27,41 @@ namespace {
 constexpr int kSoonMs = 60000;
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
+const QString kMill = QStringLiteral("opc.tcp://mill");
+
+/// Two tools, coolant that is switched on while the tool moves, a retract, and a cycle.
+const char* const kJob =
+    "G17 G90 G71\n"
+    "T1 M6\n"
+    "S2000 M3\n"
+    "G0 X0 Y0 Z5\n"  // 4: stretch 1
+    "G1 Z-2 F600\n"
+    "X40\n"
+    "G0 X60 Y30 Z5 M8\n"  // 7: the control moves there
+    "G1 Z-2 F600\n"
+    "G3 X80 Y30 CR=10\n"
+    "G0 Z5\n"
+    "M9\n"
+    "SUPA G0 Z0 D0\n"
+    "T2 M6 D1\n"
+    "S1000 M3\n"
+    "G0 X10 Y30 Z5\n"  // 15: stretch 3
+    "F100\n"
+    "MCALL CYCLE81(5,0,1,-8)\n"
+    "X10 Y30\n"
+    "X25 Y30\n"
+    "MCALL\n"
+    "M5\n"
+    "M30\n";
+
 struct Cell {
-  machine::Machine machine{*machine::loadPreset("dmu75"), 1};
+  explicit Cell(const char* preset) : machine(*machine::loadPreset(preset), 1) {}
+  machine::Machine machine;
   streaming::SimulatedLink link{machine};
 };
 
 base::Result<opcua::Connection> connectToCell(const std::string& endpoint) {
-  auto cell = std::make_shared<Cell>();
+  auto cell = std::make_shared<Cell>(endpoint == kMill.toStdString() ? "dmu75-mill" : "dmu75");
   return opcua::Connection{cell, &cell->link, &cell->link, endpoint};
 }
 
@@ -54,6 +83,22 @@ struct Models {
   Document document{settings(base::MethodKind::Window, 1500.0)};
   hmi::MachineModel machine{session, store, messages};
   RunController runs{session, document, machine, messages};
+
+  /// Connects to a machine with tools, and opens a program that needs them.
+  void openJob() {
+    widgets::StreamSettings whole = document.settings();
+    whole.wholeJob = true;
+    document.setSettings(whole);
+    const QString path = folder.filePath(QStringLiteral("JOB.MPF"));
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(kJob) < 0) {
+      qFatal("the program cannot be written");
+    }
+    file.close();
+    machine.connectTo(kMill);
+    document.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(document.view() && !reason(), kSoonMs);
+  }
 
   [[nodiscard]] std::optional<BlockReason> reason() const {
     const auto blocked = runs.startBlocked();
@@ -158,6 +203,77 @@ class TestRunController : public QObject {
     QVERIFY(update.state == streaming::RunState::Done);
     QCOMPARE(update.counters.executed, models.document.points().size());
     QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
+  }
+
+  /// A program with blocks for the control is run as a whole, unless its motion alone is chosen.
+  void aWholeJobIsRun() {
+    Models models;
+    models.openJob();
+    QVERIFY(models.document.isJob());
+    QCOMPARE(models.document.view()->stretchStarts.size(), std::size_t{3});
+    // What is left covers the control's part.
+    QTRY_VERIFY_WITH_TIMEOUT(models.document.timeLeft(0), kSoonMs);
+    const widgets::TimeLeft left = *models.document.timeLeft(0);
+    QVERIFY(left.toolChangesS > 0.0 && left.nativeS > 0.0);
+    QVERIFY(left.totalS > left.toolChangesS + left.nativeS + left.pausesS);
+    const std::size_t last = models.document.points().size();
+    QVERIFY(models.document.timeLeft(last)->toolChangesS == 0.0);
+    std::vector<int> stretches;
+    std::vector<std::size_t> lines;
+    connect(&models.runs, &RunController::jobChanged, &models.runs, [&] {
+      const auto& job = models.runs.job();
+      if (job && !job->isNative) {
+        stretches.push_back(job->stretch);
+      } else if (job && job->line.value > 0) {
+        lines.push_back(job->line.value);
+      }
+    });
+    std::vector<streaming::RunState> states;
+    std::size_t executed = 0;
+    connect(&models.runs, &RunController::updated, &models.runs,
+            [&](const streaming::LiveUpdate& update) {
+              if (states.empty() || states.back() != update.state) {
+                states.push_back(update.state);
+              }
+              QVERIFY(update.counters.executed >= executed);
+              executed = update.counters.executed;
+            });
+    QSignalSpy finished(&models.runs, &RunController::finished);
+    QVERIFY(models.runs.start());
+    QVERIFY(finished.wait(kSoonMs));
+    const auto report = models.runs.report();
+    QVERIFY2(report->outcome == streaming::Outcome::Completed, report->error.text().c_str());
+    QCOMPARE(stretches, (std::vector<int>{1, 2, 3}));
+    QVERIFY(std::find(lines.begin(), lines.end(), 13U) != lines.end());  // the second tool
+    QVERIFY(std::is_sorted(lines.begin(), lines.end()));
+    using streaming::RunState;
+    QCOMPARE(states, (std::vector<RunState>{RunState::Armed, RunState::Running, RunState::Done}));
+    QCOMPARE(executed, models.document.points().size());
+    QVERIFY(!models.runs.job());
+    QVERIFY(report->controlTrace != nullptr);
+  }
+
+  /// What is chosen, and what machine and method can do, decides how the program is read.
+  void theMotionAloneIsRunWhereAWholeJobIsNot() {
+    Models models;
+    models.openJob();
+    QSignalSpy loaded(&models.document, &Document::programLoaded);
+    models.document.chooseJob(false);
+    QVERIFY(loaded.wait(kSoonMs));
+    QVERIFY(!models.document.isJob());
+    QVERIFY(models.document.outline() != nullptr);
+    QVERIFY(!models.document.jobObstacle());
+    models.document.chooseJob(true);
+    QVERIFY(loaded.wait(kSoonMs));
+    QVERIFY(models.document.isJob());
+    widgets::StreamSettings changed = models.document.settings();
+    changed.parameters.method = base::MethodKind::Position;
+    models.document.setSettings(changed);
+    QVERIFY(loaded.wait(kSoonMs));
+    QVERIFY(!models.document.isJob());
+    QVERIFY(models.document.jobObstacle() == Document::JobObstacle::Method);
+    models.document.setRunsJobs(false);
+    QVERIFY(models.document.jobObstacle() == Document::JobObstacle::Machine);
   }
 };
 

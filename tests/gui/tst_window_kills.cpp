@@ -156,6 +156,7 @@ class TestWindowKills : public QObject {
     store.setValue(QStringLiteral("language"), QStringLiteral("en"));
     store.setValue(QStringLiteral("stream/method"),
                    credit ? QStringLiteral("credit") : QStringLiteral("window"));
+    store.setValue(QStringLiteral("stream/job"), QStringLiteral("motion"));
     store.setValue(QStringLiteral("stream/points"), 4);
     store.setValue(QStringLiteral("stream/feed"), QStringLiteral("fixed"));
     store.setValue(QStringLiteral("stream/feedMmPerMin"), 1500.0);

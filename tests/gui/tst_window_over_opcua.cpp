@@ -78,6 +78,39 @@ class TestWindowOverOpcua : public QObject {
     QCOMPARE(report->integrity.executed, report->counters.total);
   }
 
+  /// A whole job, stopped while the control changes the tool between two stretches.
+  void stopsAWholeJobAtATool() {
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),
+                                        {QStringLiteral("--seed"), QStringLiteral("1"),
+                                         QStringLiteral("--preset"), QStringLiteral("dmu75-mill")});
+    QFile file(m_folder.filePath(QStringLiteral("JOB.MPF")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "G17 G90 G71\nG0 X0 Y0 Z45\nG1 Z40 F3000\nX20\nY10\nG0 Z50\nM5\n"
+        "T2 M6 D1\nG0 X30 Y0 Z20\nG1 Z15 F3000\nX40\nM5\nM30\n");
+    file.close();
+    MainWindow window(settings(), false);
+    window.show();
+    widgets::StreamSettings stream;
+    stream.programFeeds = true;
+    stream.wholeJob = true;
+    window.setStreamSettings(stream);
+    window.openProgram(file.fileName());
+    window.connectTo(machine.endpoint());
+    QTRY_COMPARE_WITH_TIMEOUT(window.startBlockedReason(), QString(), kSoonMs);
+    auto* state = window.findChild<QWidget*>(QStringLiteral("state"));
+    QSignalSpy finished(&window, &MainWindow::runFinished);
+    QVERIFY(window.start());
+    QTRY_COMPARE_WITH_TIMEOUT(state->accessibleName(),
+                              QStringLiteral("Running: the control, line 8"), kRunMs);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
+    const auto report = window.lastReport();
+    QVERIFY2(report->outcome == streaming::Outcome::Stopped, report->error.text().c_str());
+    QVERIFY(report->counters.executed > 0);
+    QVERIFY(report->counters.executed < report->counters.total);
+  }
+
   void wrongAddressIsSaid() {
     MainWindow window(settings(), false);
     auto* messages = window.findChild<widgets::AlarmLine*>();

@@ -86,10 +86,12 @@ ProgramTextView* ProgramPage::text() const {
   return m_text->text();
 }
 
-void ProgramPage::setExecuted(std::size_t count) {
+void ProgramPage::setExecuted(std::size_t count, std::size_t runLine) {
   m_path->setExecuted(count);
   const bool isKnown = m_program && count > 0 && count <= m_program->points.points.size();
-  m_text->setRunLine(isKnown ? m_program->points.points[count - 1].line.value : 0);
+  m_text->setRunLine(runLine > 0 ? runLine
+                     : isKnown   ? m_program->points.points[count - 1].line.value
+                                 : 0);
 }
 
 void ProgramPage::followRun() {

@@ -33,7 +33,8 @@ class ProgramPage final : public Page {
   void setTimes(const std::shared_ptr<const ProgramTimes>& times);
 
   /// Points executed so far; the text shows the line of the last one. @param count  0: none
-  void setExecuted(std::size_t count);
+  /// @param runLine  the line that is being executed; 0: that of the last of these points
+  void setExecuted(std::size_t count, std::size_t runLine = 0);
   /// A run begins: path and text show it.
   void followRun();
 

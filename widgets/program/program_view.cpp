@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "base/axes.h"
 #include "base/contract.h"
+#include "base/text.h"
 #include "gcode/named_start.h"
 
 namespace rivulet::widgets {
@@ -20,14 +24,14 @@ constexpr std::size_t kSmallestShown = 200;
 
 /// Fills the data of each streamed point. Streamed points are those of the trajectory without
 /// repetitions: the first of equal ones is the one that moves.
-void takeMoves(ProgramView& view) {
-  const std::vector<gcode::TrajectoryPoint>& trajectory = view.program->trajectory.points;
+void takeMoves(ProgramView& view, const gcode::Trajectory& path) {
+  const std::vector<gcode::TrajectoryPoint>& trajectory = path.points;
   const std::size_t count = view.points.points.size();
   view.kinds.reserve(count);
   view.feedsMmPerS.reserve(count);
   view.trajectoryIndices.reserve(count);
-  const std::vector<gcode::RotaryPosition>& rotary = view.program->trajectory.rotary;
-  const base::Vec3 startMm = gcode::namedStart(view.program->trajectory, view.startMm);
+  const std::vector<gcode::RotaryPosition>& rotary = path.rotary;
+  const base::Vec3 startMm = gcode::namedStart(path, view.startMm);
   base::Vec3 beforeMm{};
   base::RotaryDeg beforeDeg{};
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
@@ -102,8 +106,94 @@ void takeDistances(ProgramView& view) {
   view.smallestTimedMm = smallest(timed);
 }
 
+/// The number of X, Y or Z in a native block, mm; NaN: there is none.
+double namedMm(const job::NativeBlock& native, std::size_t axis) {
+  const std::string_view text = std::string_view(native.text).substr(0, native.text.find(';'));
+  for (std::size_t at = text.find(base::kAxisNames[axis]); at != std::string_view::npos;
+       at = text.find(base::kAxisNames[axis], at + 1)) {
+    std::size_t begin = at + 1;
+    begin += begin < text.size() && text[begin] == '=' ? 1 : 0;
+    const std::size_t end = std::min(text.find_first_not_of("+-.0123456789", begin), text.size());
+    const auto number = base::parseNumber(text.substr(begin, end - begin));
+    const bool isWord = at == 0 || text[at - 1] == ' ' || text[at - 1] == '\t' ||
+                        (text[at - 1] >= '0' && text[at - 1] <= '9') || text[at - 1] == '.';
+    if (isWord && number) {
+      return *number * native.before.lengthFactor;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Follows what native blocks name, for the picture alone: the run begins each stretch where the
+/// control says.
+class NamedPlace {
+ public:
+  void take(const job::NativeBlock& native) {
+    using job::NativeReason;
+    const bool forgets = job::rowOf(native.reason).after == job::PositionAfter::ControlOnly;
+    const bool counts = native.reason != NativeReason::Retract && native.frame.empty();
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (native.places[axis] || native.increments[axis] ||
+          (forgets && native.reason != NativeReason::Cycle &&
+           native.reason != NativeReason::Retract)) {
+        placeMm.set(axis, native.places[axis] && counts ? namedMm(native, axis)
+                                                        : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+  base::Vec3 placeMm{std::numeric_limits<double>::quiet_NaN(),
+                     std::numeric_limits<double>::quiet_NaN(),
+                     std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// The path of a job with coordinates that are only named by native blocks. Nothing: it has all.
+std::optional<gcode::Trajectory> withNamedPlaces(const job::Plan& plan,
+                                                 std::vector<base::Vec3>& startsMm) {
+  std::optional<gcode::Trajectory> filled;
+  NamedPlace named;
+  for (const job::Part& part : plan.parts) {
+    if (const auto* native = std::get_if<job::NativeBlock>(&part)) {
+      named.take(*native);
+      continue;
+    }
+    const auto& stretch = std::get<job::Stretch>(part);
+    if (stretch.number == 0) {
+      continue;
+    }
+    base::Vec3 startMm = stretch.startMm;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (std::isnan(startMm[axis])) {
+        startMm.set(axis, named.placeMm[axis]);
+      }
+    }
+    startsMm.push_back(startMm);
+    for (std::size_t i = stretch.firstPoint; i < stretch.firstPoint + stretch.pointCount; ++i) {
+      const base::Vec3& programmedMm = plan.program.trajectory.points[i].positionMm;
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (std::isnan(programmedMm[axis]) && !std::isnan(startMm[axis])) {
+          if (!filled) {
+            filled = plan.program.trajectory;
+          }
+          filled->points[i].positionMm.set(axis, startMm[axis]);
+        }
+      }
+      if (base::isFinite(programmedMm)) {
+        break;  // and so are all after it
+      }
+    }
+    named.placeMm =
+        plan.program.trajectory.points[stretch.firstPoint + stretch.pointCount - 1].positionMm;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (std::isnan(named.placeMm[axis])) {
+        named.placeMm.set(axis, startMm[axis]);
+      }
+    }
+  }
+  return filled;
+}
+
 /// Where the path of a job is interrupted, and with which tool it goes on.
-void takeStretches(ProgramView& view) {
+void takeStretches(ProgramView& view, const std::vector<base::Vec3>& startsMm) {
   constexpr double kSamePlaceMm = 1e-6;
   const std::vector<gcode::StreamPoint>& points = view.points.points;
   std::string tool;
@@ -125,14 +215,19 @@ void takeStretches(ProgramView& view) {
     const auto point = static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(
         first - view.trajectoryIndices.begin(), static_cast<std::ptrdiff_t>(points.size()) - 1));
     view.stretchStarts.push_back(point);
-    const bool isThere =
-        point > 0 && stretch.startIsKnown() &&
-        base::distance(points[point - 1].positionMm, stretch.startMm) <= kSamePlaceMm;
+    base::Vec3 startMm = startsMm[view.stretchStarts.size() - 1];
+    if (std::isfinite(startMm.x) && std::isfinite(startMm.y) && std::isnan(startMm.z)) {
+      startMm.z = points[point].positionMm.z;  // seen from above it is known
+    }
+    const bool isThere = point > 0 && base::isFinite(startMm) &&
+                         base::distance(points[point - 1].positionMm, startMm) <= kSamePlaceMm;
     if (point > 0 && !isThere && (view.gaps.empty() || view.gaps.back().point != point)) {
-      view.gaps.push_back({point, stretch.startMm});
+      view.gaps.push_back({point, startMm});
     }
     if (!tool.empty()) {
-      view.toolChanges.push_back({point, std::exchange(tool, {})});
+      const bool hasOwn = view.trajectoryIndices[point] < stretch.firstPoint + stretch.pointCount;
+      view.toolChanges.push_back(
+          {hasOwn || point == 0 ? point : point - 1, std::exchange(tool, {})});
     }
   }
 }
@@ -186,23 +281,26 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
   view->program = std::move(program);
   view->startMm = startMm;
   view->feeds = feeds;
-  view->points =
-      gcode::streamPoints(view->program->trajectory, startMm, {}, feeds ? &*feeds : nullptr);
+  if (plan) {
+    view->plan = std::move(plan);
+    view->outline = JobOutline(view->plan);
+  }
+  std::vector<base::Vec3> startsMm;
+  const std::optional<gcode::Trajectory> filled =
+      view->isJob() ? withNamedPlaces(*view->plan, startsMm) : std::nullopt;
+  const gcode::Trajectory& path = filled ? *filled : view->program->trajectory;
+  view->points = gcode::streamPoints(path, startMm, {}, feeds ? &*feeds : nullptr);
   for (const gcode::StreamPoint& point : view->points.points) {
     view->fastestMmPerS = std::max(view->fastestMmPerS, point.feedMmPerS);
   }
   view->lineWithoutFeed = gcode::lineWithoutFeed(view->program->trajectory);
   view->turnedAxes = gcode::turnedAxes(view->program->trajectory);
-  takeMoves(*view);
+  takeMoves(*view, path);
   if (!goesOn(0.1)) {
     return nullptr;
   }
-  if (plan) {
-    view->plan = std::move(plan);
-    view->outline = JobOutline(view->plan);
-  }
   if (view->isJob() && !view->points.points.empty()) {
-    takeStretches(*view);
+    takeStretches(*view, startsMm);
   }
   view->text = TextIndex(view->program->text);
   takeDistances(*view);

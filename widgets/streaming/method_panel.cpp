@@ -32,6 +32,9 @@ constexpr double kPercent = 100.0;
 /// Places in the choice of feeds.
 constexpr int kFeedOfProgram = 0;
 constexpr int kOneFeed = 1;
+/// Places in the choice of what is run.
+constexpr int kWholeJob = 0;
+constexpr int kMotionOnly = 1;
 
 /// Smallest δ to be suggested: just above the limit, rounded up to 0.001 mm.
 double offeredDeltaMm(double deltaMmMin) {
@@ -102,6 +105,8 @@ QString overrideLimitText(const streaming::OverrideLimit& limit) {
 MethodPanel::MethodPanel(QWidget* parent)
     : Page(parent),
       m_settingsGroup(new QGroupBox(this)),
+      m_jobLabel(new QLabel(this)),
+      m_job(new QComboBox(this)),
       m_methodLabel(new QLabel(this)),
       m_method(new QComboBox(this)),
       m_pointsLabel(new QLabel(this)),
@@ -166,6 +171,7 @@ void MethodPanel::buildSettings() {
                                         AccessPreference::List, AccessPreference::Single}) {
     m_access->addItem(QString(), static_cast<int>(access));
   }
+  m_method->setObjectName(QStringLiteral("method"));
   m_points->setRange(1, 9999);
   m_delta->setDecimals(3);
   m_delta->setRange(0.001, 100.0);
@@ -177,6 +183,7 @@ void MethodPanel::buildSettings() {
   m_feed->setSingleStep(50.0);
   m_feed->setSuffix(QStringLiteral("\u00A0mm/min"));
   m_feedSource->addItems({QString(), QString()});
+  m_job->addItems({QString(), QString()});
   m_override->setDecimals(0);
   m_override->setRange(kPercent * gcode::kOverrideMin, kPercent * gcode::kOverrideMax);
   m_override->setSingleStep(5.0);
@@ -195,6 +202,7 @@ void MethodPanel::buildSettings() {
     label->setBuddy(field);
     form->addRow(label, field);
   };
+  addRow(m_jobLabel, m_job);
   addRow(m_methodLabel, m_method);
   addRow(m_pointsLabel, m_points);
   addRow(m_deltaLabel, m_delta);
@@ -241,6 +249,12 @@ void MethodPanel::buildVerdict() {
 }
 
 void MethodPanel::connectFields() {
+  connect(m_job, &QComboBox::currentIndexChanged, this, [this](int index) {
+    if (!m_isShowing) {
+      m_isJob = index == kWholeJob;  // the program is read so
+      Q_EMIT jobChosen(m_isJob);
+    }
+  });
   connect(m_method, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_layout, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
@@ -341,6 +355,9 @@ void MethodPanel::setEditable(bool editable) {
 void MethodPanel::retranslate() {
   const bool wasShowing = std::exchange(m_isShowing, true);
   m_settingsGroup->setTitle(tr("Method"));
+  m_jobLabel->setText(tr("Run"));
+  m_job->setItemText(kWholeJob, tr("Whole job"));
+  m_job->setItemText(kMotionOnly, tr("Motion only"));
   m_methodLabel->setText(tr("Method"));
   m_method->setItemText(0, tr("Window"));
   m_method->setItemText(1, tr("Position"));
@@ -425,6 +442,7 @@ void MethodPanel::showSettings() {
   m_delta->setValue(m_settings.deltaMm);
   m_feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
   showFeedFields();
+  showJob();
   for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_points),
                          static_cast<QWidget*>(m_feed), static_cast<QWidget*>(m_access),
                          static_cast<QWidget*>(m_byHand)}) {
@@ -464,6 +482,26 @@ void MethodPanel::showFeedFields() {
   m_override->setEnabled(m_editable);
   m_form->setRowVisible(m_override, ofProgram);
   m_form->setRowVisible(m_feed, !ofProgram);
+}
+
+void MethodPanel::setJob(bool hasBlocks, bool isJob, const QString& obstacle) {
+  m_hasBlocks = hasBlocks;
+  m_isJob = isJob;
+  m_jobObstacle = obstacle;
+  showSettings();
+}
+
+void MethodPanel::showJob() {
+  m_form->setRowVisible(m_job, m_hasBlocks);
+  m_job->setCurrentIndex(m_isJob ? kWholeJob : kMotionOnly);
+  m_job->setEnabled(m_editable && m_jobObstacle.isEmpty());
+  m_job->setToolTip(
+      !m_jobObstacle.isEmpty()
+          ? m_jobObstacle
+          : tr("Whole job: the control executes tools, spindle, coolant, cycles and retracts at "
+               "their place, and Rivulet streams the motion between them. Motion only: these "
+               "blocks are left out."));
+  m_jobLabel->setToolTip(m_job->toolTip());
 }
 
 void MethodPanel::takeSettings() {

@@ -70,6 +70,11 @@ class MethodPanel final : public Page {
   /// @param verdict  nothing: not judged  @param problem  why it could not be judged
   void setVerdict(const std::optional<feasibility::Verdict>& verdict,
                   const std::optional<QString>& problem);
+  /// The choice between the whole job and its motion alone. @param hasBlocks  the program has
+  /// blocks that the machine needs beside the motion  @param isJob  the stretches of a job are
+  /// streamed
+  /// @param obstacle  why the program can only be streamed without them; empty: it can be a job
+  void setJob(bool hasBlocks, bool isJob, const QString& obstacle);
   /// With the feeds of the program, before `setVerdict`. @param limit  nothing: one feed for all
   /// @param fastestMmPerS  largest feed of the program at 100 %
   void setOverrideLimit(const std::optional<streaming::OverrideLimit>& limit, double fastestMmPerS);
@@ -84,6 +89,8 @@ class MethodPanel final : public Page {
 
  Q_SIGNALS:
   void settingsChanged(const rivulet::widgets::StreamSettings& settings);
+  /// @param isWhole  false: the motion alone
+  void jobChosen(bool isWhole);
 
  protected:
   void retranslate() override;
@@ -103,6 +110,7 @@ class MethodPanel final : public Page {
   void takeOffer();
   void showOffer(const QString& reason);
   void showFeedFields();
+  void showJob();
   void showLimit();
   [[nodiscard]] bool hasFailedRehearsal() const { return m_rehearsal && m_rehearsal->hasFailed(); }
   void showPauses();
@@ -118,10 +126,15 @@ class MethodPanel final : public Page {
   double m_fastestMmPerS = 0.0;
   std::optional<PauseSummary> m_pauses;
   std::optional<RehearsalView> m_rehearsal;
+  bool m_hasBlocks = false;
+  bool m_isJob = false;
+  QString m_jobObstacle;
   bool m_editable = true;
   bool m_isShowing = false;  ///< fields are being filled, not edited
 
   QGroupBox* m_settingsGroup;
+  QLabel* m_jobLabel;
+  QComboBox* m_job;
   QLabel* m_methodLabel;
   QComboBox* m_method;
   QLabel* m_pointsLabel;

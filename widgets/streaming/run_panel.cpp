@@ -248,6 +248,11 @@ void RunPanel::setProgress(const RunProgress& progress) {
   showFigures();
 }
 
+void RunPanel::setJob(const std::optional<JobProgress>& job) {
+  m_job = job;
+  showAll();
+}
+
 void RunPanel::setTitle(const QString& title) {
   m_title->setText(title);
 }
@@ -354,6 +359,37 @@ QString RunPanel::waitingText() const {
   return tr("Waiting for %1").arg(key);
 }
 
+QString RunPanel::activeText() const {
+  const QString state = runStateText(m_update.state);
+  if (!m_job || !isActive() || m_update.state == RunState::Armed) {
+    return state;
+  }
+  const QString stretches = countText(m_job->stretches);
+  if (!m_job->isNative) {
+    return tr("%1: stretch %2 of %3").arg(state, countText(m_job->stretch), stretches);
+  }
+  return m_job->line > 0 ? tr("%1: the control, line %2").arg(state, countText(m_job->line))
+                         : tr("%1: the control").arg(state);
+}
+
+QString RunPanel::nativeText() const {
+  if (!m_job || !m_job->isNative || !isActive() || m_update.state == RunState::Armed) {
+    return {};
+  }
+  if (m_job->waitsForCycleStart) {
+    return tr("The program waits for cycle start at the control");
+  }
+  if (m_update.state == RunState::Holding) {
+    return tr("The job waits before the next block until you press Continue.");
+  }
+  const QString what = m_job->stretch <= m_job->stretches
+                           ? tr("Before stretch %1 of %2")
+                                 .arg(countText(m_job->stretch), countText(m_job->stretches))
+                           : tr("After the last stretch");
+  const QString block = m_job->block.isEmpty() ? what : what + QStringLiteral(": ") + m_job->block;
+  return block + QStringLiteral(". ") + tr("Stop and Hold act at the end of the block");
+}
+
 QString RunPanel::stopText() const {
   switch (m_stopState) {
     case StopState::None:
@@ -389,13 +425,23 @@ void RunPanel::showButtons() {
                            ? tr("Asks the control where the run was left. Nothing moves yet.")
                            : m_resumeBlocked);
   m_start->setNeedsHold(m_preflightPassed);
-  m_start->setEnabled(!active && m_startBlocked.isEmpty());
+  m_stop->setEnabled(active || (hasFound() && !m_found->isStopping));
+  const bool canStart = !active && m_startBlocked.isEmpty();
+  if (!canStart && m_start->hasFocus()) {
+    setFocus(Qt::OtherFocusReason);  // else it would go to any other button of the window
+  }
+  if (active && hasFocus()) {
+    m_stop->setFocus(Qt::OtherFocusReason);
+  }
+  m_start->setEnabled(canStart);
+  if (canStart && hasFocus()) {
+    m_start->setFocus(Qt::OtherFocusReason);
+  }
   m_start->setText(m_preflightPassed ? tr("Hold to start")
                    : offersResume    ? tr("Start over …")
                                      : tr("Start …"));
   m_start->setToolTip(m_preflightPassed ? tr("Hold for one second. Then the machine moves.")
                                         : tr("Shows what will happen first. Nothing moves yet."));
-  m_stop->setEnabled(active || (hasFound() && !m_found->isStopping));
   // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
   const bool isHolding = m_update.state == RunState::Holding;
   m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
@@ -449,7 +495,7 @@ void RunPanel::showState() {
       show(Status::Good, m_isRuined ? QString() : runStateText(RunState::Done));
       break;
     default:
-      show(Status::Busy, runStateText(m_update.state));
+      show(Status::Busy, activeText());
   }
   m_state->setAccessibleName(m_stateLabel->text());
 }
@@ -460,7 +506,9 @@ void RunPanel::showReason() {
   if (const QString stop = stopText(); !stop.isEmpty()) {
     sentences.append(stop);
   }
-  if (active) {
+  if (const QString native = nativeText(); !native.isEmpty()) {
+    sentences.append(native);
+  } else if (active) {
     sentences.append(waitingText());
   } else if (hasFound()) {
     sentences = {m_found->isStopping  ? tr("Stop requested, not yet confirmed")
@@ -550,13 +598,31 @@ void RunPanel::showPlace() {
                                          "nothing is estimated."));
     return;
   }
-  const QString total = durationText(m_where.left->totalS);
-  showFigure(Left,
-             m_where.left->pausesS > 0.0
-                 ? tr("%1, pauses %2").arg(total, durationText(m_where.left->pausesS))
-                 : total,
-             tr("Estimate of the time that is left, with the feeds and the planned pauses of this "
-                "run. Hold and the feed override at the control are not in it."));
+  const TimeLeft& left = *m_where.left;
+  QString hint =
+      tr("Estimate of the time that is left, with the feeds and the planned pauses of this "
+         "run. Hold and the feed override at the control are not in it.");
+  const double controlS = left.nativeS + left.toolChangesS;
+  if (controlS > 0.0) {
+    const double streamedS = left.totalS - left.pausesS - controlS;
+    hint += QLatin1Char('\n') +
+            tr("Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, "
+               "measuring and stops are not in it.")
+                .arg(durationText(streamedS), durationText(left.pausesS),
+                     durationText(left.toolChangesS), durationText(left.nativeS));
+  }
+  showFigure(Left, timeLeftText(left), hint);
+}
+
+QString RunPanel::timeLeftText(const TimeLeft& left) {
+  const QString total = durationText(left.totalS);
+  const double controlS = left.nativeS + left.toolChangesS;
+  if (controlS > 0.0) {
+    return left.pausesS > 0.0 ? tr("%1, pauses %2, control %3")
+                                    .arg(total, durationText(left.pausesS), durationText(controlS))
+                              : tr("%1, control %2").arg(total, durationText(controlS));
+  }
+  return left.pausesS > 0.0 ? tr("%1, pauses %2").arg(total, durationText(left.pausesS)) : total;
 }
 
 void RunPanel::showMargin() {

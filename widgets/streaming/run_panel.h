@@ -49,6 +49,8 @@ class RunPanel final : public Page {
   /// Where the run is in its program, and the time that is left of it; before a start, of the run
   /// to come.
   void setProgress(const RunProgress& progress);
+  /// Where the whole job in progress is; nothing: none is in progress.
+  void setJob(const std::optional<JobProgress>& job);
   /// One line: which program in which version.
   void setTitle(const QString& title);
   /// Why Start is not possible; empty: it is.
@@ -111,9 +113,14 @@ class RunPanel final : public Page {
   /// Hides the less important figures until the others fit.
   void fitFigures();
   [[nodiscard]] QString stopText() const;
+  [[nodiscard]] static QString timeLeftText(const TimeLeft& left);
   /// Why a figure of a run that another computer streams is not known.
   [[nodiscard]] static QString elsewhereText();
   [[nodiscard]] QString waitingText() const;
+  /// "Running: stretch 3 of 12".
+  [[nodiscard]] QString activeText() const;
+  /// What the control does by itself, and when it obeys; empty: it does not.
+  [[nodiscard]] QString nativeText() const;
   /// Shows the run on the control instead of one of this window.
   void showFoundState();
   /// The run that is shown is not of this window.
@@ -125,6 +132,7 @@ class RunPanel final : public Page {
 
   streaming::LiveUpdate m_update;
   RunProgress m_where;
+  std::optional<JobProgress> m_job;
   bool m_isRuined = false;
   QString m_startBlocked;
   StopState m_stopState = StopState::None;

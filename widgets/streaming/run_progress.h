@@ -5,6 +5,7 @@
 /// Where a run is in its program, and what is left of it. @threadsafety plain values.
 #pragma once
 
+#include <QString>
 #include <cstddef>
 #include <optional>
 
@@ -14,6 +15,19 @@ namespace rivulet::widgets {
 struct TimeLeft {
   double totalS = 0.0;
   double pausesS = 0.0;  ///< part of it that the pauses cost
+  // Of a whole job, also parts of it: what its blocks for the control take.
+  double toolChangesS = 0.0;
+  double nativeS = 0.0;  ///< the others, as far as they can be estimated
+};
+
+/// Where a whole job is.
+struct JobProgress {
+  std::size_t stretch = 0;  ///< that is streamed, or comes after the blocks in progress
+  std::size_t stretches = 0;
+  bool isNative = false;  ///< the control executes its own blocks
+  std::size_t line = 0;   ///< of the block in progress; 0: not known
+  QString block;          ///< as the program has it
+  bool waitsForCycleStart = false;
 };
 
 struct RunProgress {

@@ -17,6 +17,9 @@ struct StreamSettings {
   bool programFeeds = false;                 ///< each move has the feed of its own block
   double overrideFactor = 1.0;               ///< on those feeds
   streaming::AccessPreference access = streaming::AccessPreference::Automatic;
+  /// A program with blocks that only the control can execute is run with them, where the connected
+  /// machine can; false: its motion alone.
+  bool wholeJob = false;
   bool transferByHand = false;  ///< a person brings the template to the control; not remembered
 
   /// The methods of [P1] have one feed, as published.

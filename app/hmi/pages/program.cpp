@@ -171,15 +171,19 @@ QWidget* makeProgramPage(const Models& models, QWidget* parent) {
     page->followRun();
     page->setExecuted(firstPoint);
   });
-  QObject::connect(
-      &models.runs, &RunController::updated, page,
-      [page](const streaming::LiveUpdate& update) { page->setExecuted(update.counters.executed); });
-  QObject::connect(&models.found, &FoundRuns::watched, page, &ProgramPage::setExecuted);
+  const RunController* runs = &models.runs;
+  const auto showRun = [page, runs] {
+    const bool isNative = runs->job() && runs->job()->isNative;
+    page->setExecuted(runs->update().counters.executed, isNative ? runs->job()->line.value : 0);
+  };
+  QObject::connect(runs, &RunController::updated, page, showRun);
+  QObject::connect(runs, &RunController::jobChanged, page, showRun);
+  QObject::connect(&models.found, &FoundRuns::watched, page,
+                   [page](std::size_t executed) { page->setExecuted(executed); });
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, panel,
                    [panel, document] { panel->setDistances(document->findings().distances); });
   QObject::connect(document, &Document::timesEstimated, page, &ProgramPage::setTimes);
-  const RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::permissionsChanged, panel,
                    [panel, runs] { panel->setOpenEnabled(!runs->isRunning()); });
   return page;

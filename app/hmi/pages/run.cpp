@@ -9,6 +9,7 @@
 #include "session/correction_feed.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
+#include "widgets/common/number_format.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/method_panel.h"
@@ -48,6 +49,30 @@ struct RunTexts {
     return findings.verdict ? std::nullopt
                             : std::optional(tr("The program has fewer than two points."));
   }
+  /// Why a program with blocks for the control can only be run without them; empty: it need not.
+  static QString obstacle(const Document& document) {
+    const auto obstacle = document.jobObstacle();
+    if (!obstacle) {
+      return {};
+    }
+    switch (*obstacle) {
+      case Document::JobObstacle::Machine:
+        return tr("Whole jobs run on virtual machines only so far.");
+      case Document::JobObstacle::Method:
+        return tr("Whole jobs need method window or credit.");
+      case Document::JobObstacle::Correction:
+        return tr("A whole job cannot be corrected online.");
+      case Document::JobObstacle::NotWhole:
+        return document.view()->plan->refusals.empty()
+                   ? tr("Parts of the program are not known: see the findings.")
+                   : tr("%1 (line %2) cannot be given to the control.")
+                         .arg(QString::fromStdString(
+                                  document.view()->plan->refusals.front().argument),
+                              widgets::countText(
+                                  document.view()->plan->refusals.front().line.value));
+    }
+    return {};
+  }
   static QString title(const gcode::Program& program, bool isRunning) {
     return (isRunning ? tr("Running: %1, version %2") : tr("Program: %1, version %2"))
         .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash));
@@ -82,6 +107,20 @@ widgets::RunProgress progressOf(const Document& document, std::size_t executed) 
   return progress;
 }
 
+std::optional<widgets::JobProgress> jobProgress(const RunController& runs,
+                                                const Document& document) {
+  if (!runs.job() || document.outline() == nullptr) {
+    return std::nullopt;
+  }
+  const session::JobUpdate& job = *runs.job();
+  return widgets::JobProgress{static_cast<std::size_t>(job.stretch),
+                              document.outline()->stretches(),
+                              job.isNative,
+                              job.line.value,
+                              QString::fromStdString(job.block),
+                              job.waitsForCycleStart};
+}
+
 void connectFeed(CorrectionPanel* panel, const Models& models) {
   auto* feed = new CorrectionFeed(panel);
   RunController* runs = &models.runs;
@@ -113,7 +152,9 @@ QWidget* makeMethodPanel(const Models& models) {
   QObject::connect(panel, &MethodPanel::settingsChanged, document, &Document::editSettings);
   QObject::connect(document, &Document::settingsChanged, panel,
                    [panel, document] { panel->setSettings(document->settings()); });
+  QObject::connect(panel, &MethodPanel::jobChosen, document, &Document::chooseJob);
   QObject::connect(document, &Document::judged, panel, [panel, document] {
+    panel->setJob(document->outline() != nullptr, document->isJob(), RunTexts::obstacle(*document));
     panel->setOverrideLimit(document->findings().overrideLimit,
                             document->view() ? document->view()->fastestMmPerS : 0.0);
     panel->setRehearsal(rehearsalView(document->findings()));
@@ -235,13 +276,15 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
   QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
+  const Document* document = &models.document;
+  QObject::connect(runs, &RunController::jobChanged, panel,
+                   [panel, runs, document] { panel->setJob(jobProgress(*runs, *document)); });
   QObject::connect(runs, &RunController::ruinChanged, panel,
                    [panel, runs] { panel->setRuined(!runs->ruin().isEmpty()); });
   QObject::connect(runs, &RunController::finished, panel,
                    [panel](const std::shared_ptr<const streaming::RunReport>& report) {
                      panel->setReport(*report);
                    });
-  const Document* document = &models.document;
   QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, runs, document] {
     panel->setStartBlocked(widgets::blockedText(runs->startBlocked()));
     panel->setResume(runs->hasRunToResume(), widgets::blockedText(runs->resumeBlocked()));

@@ -66,7 +66,7 @@ class TestMethodPanel : public QObject {
     QCOMPARE(changes.count(), 1);
     auto changed = changes.takeFirst().first().value<StreamSettings>();
     QCOMPARE(changed.parameters.pointsPerLoop, 11);
-    panel.findChild<QComboBox*>()->setCurrentIndex(1);
+    panel.findChild<QComboBox*>("method")->setCurrentIndex(1);
     QCOMPARE(changes.count(), 1);
     changed = changes.takeFirst().first().value<StreamSettings>();
     QCOMPARE(changed.parameters.method, base::MethodKind::Position);
@@ -373,7 +373,7 @@ class TestMethodPanel : public QObject {
     QVERIFY(!fields.at(2)->isVisible());
     QVERIFY(!panel.settings().usesProgramFeeds());
     fields.at(1)->setValue(700.0);
-    auto* method = panel.findChild<QComboBox*>();
+    auto* method = panel.findChild<QComboBox*>("method");
     method->setCurrentIndex(0);
     QVERIFY(panel.settings().usesProgramFeeds());
     QVERIFY(fields.at(2)->isVisible());

@@ -213,6 +213,27 @@ class TestProgramView : public QObject {
     QCOMPARE(std::round(view->lengths.lineMm), 64.0);
   }
 
+  /// A block for the control names where the path goes on: that is drawn, not where the tool is
+  /// now.
+  void placesNamedByNativeBlocksAreDrawn() {
+    const std::string text =
+        "G17 G90 G71\nT1 M6\nG54 G0 X60 Y30\nZ5\nG1 X70 F100\nG0 G53 Z0 D0\n"
+        "T2 M6\nG54 G0 X-20 Y=IC(5)\nG1 Z-2 F100\nM30\n";
+    auto made = job::makePlan("NAMED.MPF", text);
+    QVERIFY(made && made->isWhole());
+    const auto plan = std::make_shared<const job::Plan>(*std::move(made));
+    const std::shared_ptr<const gcode::Program> program(plan, &plan->program);
+    const auto view = makeProgramView(program, {1.0, 2.0, 3.0}, 7, {}, {}, plan);
+    QCOMPARE(view->stretchStarts.size(), std::size_t{2});
+    const auto& points = view->points.points;
+    QVERIFY(points[0].positionMm == (base::Vec3{60.0, 30.0, 5.0}));
+    QVERIFY(points[1].positionMm == (base::Vec3{70.0, 30.0, 5.0}));
+    // Of the increment only the control knows where it leads.
+    QVERIFY(points[2].positionMm == (base::Vec3{-20.0, 2.0, -2.0}));
+    QVERIFY(view->dependsOnStart);
+    QVERIFY(!view->gaps[0].isKnown());
+  }
+
   void toolsAreNamedAsTheProgramDoes() {
     const auto tool = [](const char* text) {
       job::NativeBlock block;

@@ -76,6 +76,46 @@ class TestRunPanel : public QObject {
   }
 
   /// A run that was left is not "done", and the next start is not simply "ready".
+  /// Who has started with the keyboard can stop with it: the focus goes to no other button.
+  void theFocusGoesFromStartToStop() {
+    RunPanel panel;
+    const Buttons buttons(panel);
+    panel.show();
+    panel.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    buttons.start->setFocus();
+    panel.setStartBlocked("the program is being simulated");
+    panel.setStartBlocked({});
+    QVERIFY(buttons.start->hasFocus());
+    panel.setStartBlocked("a run is in progress");
+    QVERIFY(!buttons.stop->hasFocus());
+    panel.setUpdate(updateOf(streaming::RunState::Armed));
+    QVERIFY(buttons.stop->hasFocus());
+  }
+
+  /// Who works, and when Stop and Hold are obeyed.
+  void aWholeJobSaysWhereItIs() {
+    test::Language language;
+    RunPanel panel;
+    JobProgress job{3, 12, false, 0, {}, false};
+    panel.setUpdate(updateOf(streaming::RunState::Running));
+    panel.setJob(job);
+    QVERIFY(test::visibleText(panel).contains("Running: stretch 3 of 12"));
+    job = {4, 12, true, 214, "N2130 T5 M6", false};
+    panel.setJob(job);
+    QVERIFY(test::visibleText(panel).contains("Running: the control, line 214"));
+    QVERIFY(test::visibleText(panel).contains("Before stretch 4 of 12: N2130 T5 M6"));
+    QVERIFY(test::visibleText(panel).contains("at the end of the block"));
+    job.waitsForCycleStart = true;
+    panel.setJob(job);
+    QVERIFY(test::visibleText(panel).contains("waits for cycle start at the control"));
+    job = {13, 12, true, 0, {}, false};
+    panel.setJob(job);
+    QVERIFY(test::visibleText(panel).contains("After the last stretch"));
+    panel.setProgress({5, 300, TimeLeft{100.0, 5.0, 20.0, 10.0}});
+    QVERIFY(test::visibleText(panel).contains("control 30"));
+  }
+
   void aStoppedRunSaysWhereItStopped() {
     test::Language language;
     RunPanel panel;
