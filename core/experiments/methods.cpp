@@ -23,9 +23,9 @@ using base::MethodKind;
 using streaming::RunReport;
 
 constexpr std::size_t kPoints = 140;
-constexpr int kPointsPerLoop = 7;
+constexpr int kComparedPointsPerLoop = 7;
 constexpr double kPointDistanceMm = 0.15;  // as in [P1], Fig. 4
-constexpr double kRestMmMean = 0.15;
+constexpr double kComparedRestMmMean = 0.15;
 
 /// One line of the comparison. A file can hold any number of points: it is compared with N as for
 /// the others, and with ten times as many.
@@ -35,12 +35,12 @@ struct Contender {
   const char* name;
 };
 constexpr std::array<Contender, 6> kContenders{
-    {{MethodKind::Position, kPointsPerLoop, "position"},
-     {MethodKind::Signal, kPointsPerLoop, "signal"},
-     {MethodKind::Window, kPointsPerLoop, "window"},
-     {MethodKind::Credit, kPointsPerLoop, "credit"},
-     {MethodKind::File, kPointsPerLoop, "file"},
-     {MethodKind::File, 10 * kPointsPerLoop, "file, N 70"}}};
+    {{MethodKind::Position, kComparedPointsPerLoop, "position"},
+     {MethodKind::Signal, kComparedPointsPerLoop, "signal"},
+     {MethodKind::Window, kComparedPointsPerLoop, "window"},
+     {MethodKind::Credit, kComparedPointsPerLoop, "credit"},
+     {MethodKind::File, kComparedPointsPerLoop, "file"},
+     {MethodKind::File, 10 * kComparedPointsPerLoop, "file, N 70"}}};
 constexpr std::array<double, 12> kFeeds{100.0,  200.0,  300.0,  500.0,  700.0,  1000.0,
                                         1500.0, 2000.0, 3000.0, 5000.0, 8000.0, 12000.0};
 
@@ -78,7 +78,7 @@ Measured measure(const ExperimentOptions& options, const Contender& contender, d
   streaming::Scenario scenario;
   scenario.machine = options.machine;
   scenario.program = streaming::programOf(
-      streaming::drawContour({kPoints, kPointDistanceMm, kRestMmMean}, random));
+      streaming::drawContour({kPoints, kPointDistanceMm, kComparedRestMmMean}, random));
   scenario.settings.parameters.method = contender.method;
   scenario.settings.parameters.pointsPerLoop = contender.pointsPerLoop;
   scenario.settings.isCommissioned =
@@ -259,8 +259,8 @@ base::Result<Experiment> runMethods(const ExperimentOptions& options) {
       "seeds. Errors, pauses and times come from the machine's own trace; accesses are those that "
       "its variable service has served. Waiting is how much longer the axes were at standstill "
       "than with a client that needs no time.",
-      kPoints, kPointDistanceMm, kRestMmMean, kPointsPerLoop, kFeeds.size(), kFeeds.front(),
-      kFeeds.back(), seeds);
+      kPoints, kPointDistanceMm, kComparedRestMmMean, kComparedPointsPerLoop, kFeeds.size(),
+      kFeeds.front(), kFeeds.back(), seeds);
   const std::vector<std::string> columns{"method",       "F (mm/min)",         "runs right",
                                          "pauses",       "standstill (%)",     "total time (s)",
                                          "points per s", "accesses per point", "requests per point",

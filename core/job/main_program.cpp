@@ -80,14 +80,15 @@ class PlanWriter {
   /// The text of a native block has just been written.
   virtual void written(const NativeBlock& /*native*/, int /*number*/) {}
 
-  void writeParts() {
+  void writeParts(std::size_t until) {
     bool isAfterNative = false;
-    for (const Part& part : m_plan.parts) {
+    for (std::size_t at = 0; at < std::min(until, m_plan.parts.size()); ++at) {
+      const Part& part = m_plan.parts[at];
       if (const auto* const native = std::get_if<NativeBlock>(&part)) {
         ++m_natives;
         if (!native->text.empty()) {
           writeNative(*native, isAfterNative);
-          isAfterNative = true;
+          isAfterNative = !native->isInserted;
         }
         continue;
       }
@@ -116,6 +117,15 @@ class PlanWriter {
     m_lines += 1 + static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
   }
 
+  /// Only if there is one: after TRANS an increment counts from the coordinates before it, even if
+  /// nothing has changed but the tool.
+  void cancelFrame() {
+    if (m_hasFrame) {
+      line("TRANS");
+      m_hasFrame = false;
+    }
+  }
+
   [[nodiscard]] const Plan& plan() const { return m_plan; }
   [[nodiscard]] unsigned lineCount() const { return m_lines; }
   [[nodiscard]] std::string take() { return std::move(m_text); }
@@ -142,15 +152,6 @@ class PlanWriter {
     m_hasFrame = m_hasFrame || native.setsFrame || native.reason == NativeReason::Subprogram;
   }
 
-  /// Only if there is one: after TRANS an increment counts from the coordinates before it, even if
-  /// nothing has changed but the tool.
-  void cancelFrame() {
-    if (m_hasFrame) {
-      line("TRANS");
-      m_hasFrame = false;
-    }
-  }
-
   const Plan& m_plan;
   std::string m_text;
   unsigned m_lines = 0;
@@ -165,7 +166,7 @@ class MainWriter final : public PlanWriter {
 
   std::string write() {
     writeHead();
-    writeParts();
+    writeParts(plan().parts.size());
     line("RIV_END:");
     line("M30");
     return take();
@@ -277,8 +278,9 @@ class OutlineWriter final : public PlanWriter {
  public:
   using PlanWriter::PlanWriter;
 
-  Outline write() {
-    writeParts();
+  Outline write(std::size_t untilPart) {
+    writeParts(untilPart);
+    cancelFrame();
     line("M30");
     m_outline.text = take();
     m_outline.lines.resize(lineCount());
@@ -443,8 +445,8 @@ std::string modalWords(const nc::ModalState& state) {
   return words;
 }
 
-Outline outlineOf(const Plan& plan) {
-  return OutlineWriter(plan).write();
+Outline outlineOf(const Plan& plan, std::size_t untilPart) {
+  return OutlineWriter(plan).write(untilPart);
 }
 
 base::Result<JobPrograms> makePrograms(const Plan& plan,

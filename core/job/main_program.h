@@ -58,8 +58,9 @@ struct Outline {
   std::string text;
   std::vector<OutlineLine> lines;  ///< one for each line of the text
 };
-/// @pre plan.isWhole()
-[[nodiscard]] Outline outlineOf(const Plan& plan);
+/// @param untilPart  the first that is left out, index in `Plan::parts`  @pre plan.isWhole()
+[[nodiscard]] Outline outlineOf(const Plan& plan,
+                                std::size_t untilPart = static_cast<std::size_t>(-1));
 
 /// A job as one NC program for the virtual machine, without a client: each point of a stretch is a
 /// block. What a job is compared with where the source is of another dialect.

@@ -57,6 +57,8 @@ struct NativeBlock {
   bool calculates = false;  ///< its text still reads variables
   /// The same block also moves, and is streamed for that (not SINUMERIK).
   bool isHalf = false;
+  /// Not of the program: it re-establishes the state in which a job goes on.
+  bool isInserted = false;
 };
 
 using Part = std::variant<Stretch, NativeBlock>;

@@ -51,6 +51,9 @@ class DryRunner {
       }
       std::visit([&](const auto& what) { take(what); }, prepared);
     }
+    m_run.isComplete = m_hasEnded;
+    m_run.equipment = m_equipment.state(m_now);
+    m_run.zeroMm = interpreter.zeroMm();
     return std::move(m_run);
   }
 

@@ -16,6 +16,7 @@
 #include "base/instant.h"
 #include "machine/alarm.h"
 #include "machine/config.h"
+#include "machine/machine.h"
 #include "machine/travel.h"
 
 namespace rivulet::machine {
@@ -45,6 +46,10 @@ struct DryRun {
   std::vector<DryFinding> findings;  ///< in the order of the program
   std::vector<DryTime> times;        ///< of the lines that were asked for, in their order
   std::vector<DryMotion> motions;
+  // At the end.
+  EquipmentState equipment;
+  base::Vec3 zeroMm;        ///< of the workpiece frame, machine coordinates
+  bool isComplete = false;  ///< no alarm has ended it before
 };
 
 struct DryRunOptions {

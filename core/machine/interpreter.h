@@ -59,6 +59,8 @@ class Interpreter {
 
   /// Of the block interpreted last, in the program that it stands in.
   [[nodiscard]] base::LineNumber line() const { return m_line; }
+  /// Of the workpiece frame after it, machine coordinates.
+  [[nodiscard]] base::Vec3 zeroMm() { return m_executor.state().zeroMm(); }
 
  private:
   /// The variables of the program, with the R-parameters and the main run of the machine.

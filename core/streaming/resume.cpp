@@ -429,9 +429,9 @@ std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points) {
   return hash != 0 ? hash : 1;
 }
 
-Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
-                          const RunSettings& settings, const Checkpoint& last,
-                          std::span<const gcode::StreamPoint> earlier) {
+Result<std::optional<Resume>> leftAt(opcua::Link& link, const gcode::Program& program,
+                                     const RunSettings& settings, const Checkpoint& last,
+                                     std::span<const gcode::StreamPoint> earlier) {
   const Result<templates::CellMap> cells = templates::planCells(settings.parameters);
   if (!cells) {
     return base::fail(cells.error());
@@ -475,8 +475,7 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     return base::fail(next.error());
   }
   if (*next >= total) {
-    return base::fail(StreamError::CannotResume, "Every point has been executed already.",
-                      program.name);
+    return std::nullopt;
   }
   Result<std::optional<std::size_t>> change =
       isSame ? std::optional<std::size_t>() : findChange(list->points, earlier, *next);
@@ -485,6 +484,18 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
     return base::fail(change.error());
   }
   return Resume{*next, last.startMm, last.startDeg, *change};
+}
+
+Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
+                          const RunSettings& settings, const Checkpoint& last,
+                          std::span<const gcode::StreamPoint> earlier) {
+  const Result<std::optional<Resume>> left = leftAt(link, program, settings, last, earlier);
+  if (!left) {
+    return base::fail(left.error());
+  }
+  return *left ? Result<Resume>(**left)
+               : base::fail(StreamError::CannotResume, "Every point has been executed already.",
+                            program.name);
 }
 
 }  // namespace rivulet::streaming

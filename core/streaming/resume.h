@@ -33,6 +33,11 @@ namespace rivulet::streaming {
                                               const RunSettings& settings, const Checkpoint& last,
                                               std::span<const gcode::StreamPoint> earlier = {});
 
+/// The same. @return nothing: every point has been executed
+[[nodiscard]] base::Result<std::optional<Resume>> leftAt(
+    opcua::Link& link, const gcode::Program& program, const RunSettings& settings,
+    const Checkpoint& last, std::span<const gcode::StreamPoint> earlier = {});
+
 /// A hash of everything that decides how points are streamed: their places, the kinds of their
 /// moves and feeds of their own, not their lines. Never 0.
 [[nodiscard]] std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points);

@@ -148,13 +148,15 @@ class StretchLink final : public opcua::Link, public opcua::Control {
 class WholeJob {
  public:
   WholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
-           const RunSettings& settings, RunOrders& orders, WholeJobSink& sink)
+           const RunSettings& settings, RunOrders& orders, WholeJobSink& sink,
+           const WholeJobOptions& options)
       : m_link(link),
         m_control(control),
         m_plan(plan),
         m_settings(settings),
         m_orders(orders),
-        m_sink(sink) {
+        m_sink(sink),
+        m_options(options) {
     for (std::size_t part = 0; part < plan.parts.size(); ++part) {
       const auto* const stretch = std::get_if<job::Stretch>(&plan.parts[part]);
       if (stretch == nullptr) {
@@ -557,7 +559,7 @@ class WholeJob {
     RunSettings settings = m_settings;
     settings.runNumber = JobProtocol::runNumber(m_firstRun, stretch.number);
     settings.origin = {};
-    settings.resume.reset();
+    settings.resume = &stretch == m_stretches.front() ? m_options.resume : std::optional<Resume>();
     settings.transfer = TransferWay::Link;
     const gcode::Program program = programOf(m_plan, stretch);
     StretchLink link(m_link, m_control, m_programs.loop, call(stretch.number));
@@ -570,7 +572,8 @@ class WholeJob {
     }
     m_sink.stretchBegins(stretch, flight->toolMm);
     StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
-    report.run = runJob(link, link, program, settings, m_orders, m_sink);
+    report.run =
+        runJob(link, link, program, settings, m_orders, m_sink, {nullptr, {}, m_options.keeper});
     const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
     accountStretch(stretch, m_report.stretches.back());
     if (run.outcome == Outcome::Completed) {
@@ -710,6 +713,7 @@ class WholeJob {
   RunSettings m_settings;
   RunOrders& m_orders;
   WholeJobSink& m_sink;
+  const WholeJobOptions& m_options;
   std::vector<const job::Stretch*> m_stretches;
   std::vector<std::size_t> m_natives;  ///< parts that are native blocks, by their number less 1
   job::JobPrograms m_programs;
@@ -765,8 +769,9 @@ gcode::Program programOf(const job::Plan& plan, const job::Stretch& stretch) {
 }
 
 WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
-                           const RunSettings& settings, RunOrders& orders, WholeJobSink& sink) {
-  return WholeJob(link, control, plan, settings, orders, sink).run();
+                           const RunSettings& settings, RunOrders& orders, WholeJobSink& sink,
+                           const WholeJobOptions& options) {
+  return WholeJob(link, control, plan, settings, orders, sink, options).run();
 }
 
 }  // namespace rivulet::streaming

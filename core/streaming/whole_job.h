@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "job/main_program.h"
 #include "job/plan.h"
 #include "streaming/driver.h"
+#include "streaming/job.h"
 #include "streaming/job_times.h"
 #include "streaming/run.h"
 #include "trace/control_trace.h"
@@ -69,12 +71,18 @@ struct WholeJobReport {
   JobPlace reached;
 };
 
+struct WholeJobOptions {
+  std::optional<Resume> resume{};      ///< of the first stretch of the plan; nothing: all of it
+  CheckpointKeeper* keeper = nullptr;  ///< of the stretch in progress; null: nothing is kept
+};
+
 /// Runs a job. Nothing moves before every check has passed. A stop ends it at the next window or
 /// native block; a hold waits there. With an origin in the settings the cells are claimed first.
 /// @param settings  method window or credit; the access is tested before the start
 [[nodiscard]] WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control,
                                          const job::Plan& plan, const RunSettings& settings,
-                                         RunOrders& orders, WholeJobSink& sink);
+                                         RunOrders& orders, WholeJobSink& sink,
+                                         const WholeJobOptions& options = {});
 
 /// The points of one stretch, as a program of their own.
 [[nodiscard]] gcode::Program programOf(const job::Plan& plan, const job::Stretch& stretch);

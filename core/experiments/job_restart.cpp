@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "experiments/job_restart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/text.h"
+#include "job/main_program.h"
+#include "machine/dry_run.h"
+
+namespace rivulet::experiments {
+
+namespace {
+
+using base::Result;
+using job::NativeReason;
+using streaming::StreamError;
+
+/// From above down to the place where the job goes on, mm/min.
+constexpr int kApproachFeed = 500;
+
+/// The state in which a part begins.
+Result<machine::DryRun> stateAt(const job::Plan& plan, machine::MachineConfig machine,
+                                std::size_t part) {
+  // Words for what the machine lacks have no effect, but they count here.
+  if (!machine.tools) {
+    machine.tools.emplace();
+  }
+  if (!machine.spindle) {
+    machine.spindle.emplace();
+  }
+  machine.spindle->speedPerMinMax = std::numeric_limits<double>::max();
+  machine.coolantTime = machine.coolantTime.value_or(base::Duration{});
+  const job::Outline outline = job::outlineOf(plan, part);
+  machine::DryRun run = machine::dryRun(machine, outline.text, {machine.start(), {}});
+  if (!run.isComplete) {
+    const base::LineNumber line = run.findings.back().line;
+    return base::fail(
+        StreamError::CannotResume,
+        fmt::format("The state before this place is not known: only the control knows "
+                    "what line {} does. Start from the beginning.",
+                    outline.lines[line.value - 1].line.value),
+        plan.program.name);
+  }
+  return run;
+}
+
+class Restarter {
+ public:
+  /// @param heightMm  where the tool stands now, frame of the part; nothing: not known
+  Restarter(const job::Plan& plan, const machine::DryRun& state, const streaming::JobRest& rest,
+            std::optional<double> heightMm)
+      : m_plan(plan), m_state(state.equipment), m_rest(rest), m_heightMm(heightMm) {
+    m_restart.plan.program = plan.program;
+    m_restart.plan.refusals = plan.refusals;
+  }
+
+  Restart make() {
+    rise();
+    setTool();
+    setModes();
+    setSpindle();
+    approach();
+    for (std::size_t part = m_rest.part; part < m_plan.parts.size(); ++part) {
+      m_restart.plan.parts.push_back(m_plan.parts[part]);
+    }
+    if (auto* const first = std::get_if<job::Stretch>(
+            &m_restart.plan.parts[m_restart.plan.parts.size() - m_plan.parts.size() + m_rest.part]);
+        first != nullptr && m_rest.toolMm) {
+      first->startMm = *m_rest.toolMm;
+    }
+    return std::move(m_restart);
+  }
+
+ private:
+  /// @param text  for the control
+  void add(NativeReason reason, std::string text) {
+    job::NativeBlock block;
+    block.place = placeOf(m_plan.parts[m_rest.part]);
+    block.reason = reason;
+    block.text = text;
+    block.source = text;
+    block.isInserted = true;
+    block.moves = reason == NativeReason::OtherMotion;
+    block.places.fill(block.moves);
+    m_restart.plan.parts.emplace_back(std::move(block));
+    m_restart.steps.push_back(std::move(text));
+  }
+
+  static nc::Place placeOf(const job::Part& part) {
+    const auto* const native = std::get_if<job::NativeBlock>(&part);
+    return native != nullptr ? native->place : std::get<job::Stretch>(part).blocks.front();
+  }
+
+  /// Over everything that the program streams: nothing is in the way there.
+  [[nodiscard]] double safeMm() const {
+    double safe = std::numeric_limits<double>::lowest();
+    for (const gcode::TrajectoryPoint& point : m_plan.program.trajectory.points) {
+      safe = std::isnan(point.positionMm.z) ? safe : std::max(safe, point.positionMm.z);
+    }
+    return safe;
+  }
+
+  [[nodiscard]] bool has(NativeReason reason) const {
+    return std::any_of(m_plan.parts.begin(),
+                       m_plan.parts.begin() + static_cast<std::ptrdiff_t>(m_rest.part),
+                       [reason](const job::Part& part) {
+                         const auto* const native = std::get_if<job::NativeBlock>(&part);
+                         return native != nullptr && native->reason == reason;
+                       });
+  }
+
+  static std::string number(char axis, double mm) {
+    return fmt::format("{}{}", axis, base::formatFixed(mm, 6));
+  }
+
+  void rise() {
+    if (has(NativeReason::WorkOffset)) {
+      add(NativeReason::WorkOffset, fmt::format("G{}", m_state.workOffset));
+    }
+    if (m_state.edge > 0) {
+      add(NativeReason::Tool, fmt::format("D{}", m_state.edge));
+    }
+    if (m_heightMm && *m_heightMm < safeMm()) {
+      add(NativeReason::OtherMotion, "G0 G90 " + number('Z', safeMm()));
+    }
+  }
+
+  static std::string toolWord(int number, const std::string& name) {
+    return name.empty() || number > 0 ? fmt::format("T{}", number) : fmt::format("T=\"{}\"", name);
+  }
+
+  void setTool() {
+    if (!has(NativeReason::Tool)) {
+      return;
+    }
+    const bool isIn = m_state.tool > 0 || !m_state.toolName.empty();
+    if (isIn) {
+      add(NativeReason::Tool, toolWord(m_state.tool, m_state.toolName) + " M6");
+      add(NativeReason::Tool, fmt::format("D{}", m_state.edge));
+    }
+    const bool isNextOther =
+        m_state.nextTool != m_state.tool || m_state.nextToolName != m_state.toolName;
+    if (isNextOther && (m_state.nextTool > 0 || !m_state.nextToolName.empty())) {
+      add(NativeReason::Tool, toolWord(m_state.nextTool, m_state.nextToolName));
+    }
+  }
+
+  /// How the control moves holds until another block says otherwise; in their order.
+  void setModes() {
+    for (std::size_t part = 0; part < m_rest.part; ++part) {
+      const auto* const native = std::get_if<job::NativeBlock>(&m_plan.parts[part]);
+      if (native == nullptr || native->text.empty()) {
+        continue;
+      }
+      if (native->reason == NativeReason::Mode) {
+        add(NativeReason::Mode, native->text);
+      } else if (native->reason == NativeReason::Other) {
+        m_restart.notRestored.push_back(
+            fmt::format("line {}: {}", native->place.line.value, native->source));
+      }
+    }
+  }
+
+  void setSpindle() {
+    if (m_state.programmedPerMin > 0.0) {
+      const double turns = m_state.spindleCommandPerMin;
+      add(NativeReason::Spindle, fmt::format("S{:g}{}", m_state.programmedPerMin,
+                                             turns > 0.0   ? " M3"
+                                             : turns < 0.0 ? " M4"
+                                                           : ""));
+    }
+  }
+
+  void approach() {
+    if (m_rest.toolMm) {
+      add(NativeReason::OtherMotion,
+          "G0 G90 " + number('X', m_rest.toolMm->x) + ' ' + number('Y', m_rest.toolMm->y));
+    }
+    if (m_state.mist) {
+      add(NativeReason::Coolant, "M7");
+    }
+    if (m_state.flood) {
+      add(NativeReason::Coolant, "M8");
+    }
+    if (m_rest.toolMm) {
+      const double z = m_rest.toolMm->z;
+      add(NativeReason::OtherMotion,
+          z < safeMm() ? fmt::format("G1 G90 G94 {} F{}", number('Z', z), kApproachFeed)
+                       : "G0 G90 " + number('Z', z));
+    }
+  }
+
+  const job::Plan& m_plan;
+  const machine::EquipmentState m_state;
+  const streaming::JobRest& m_rest;
+  std::optional<double> m_heightMm;
+  Restart m_restart;
+};
+
+}  // namespace
+
+Result<base::Vec3> zeroAt(const job::Plan& plan, const machine::MachineConfig& machine,
+                          std::size_t part) {
+  const Result<machine::DryRun> state = stateAt(plan, machine, part);
+  return state ? Result<base::Vec3>(state->zeroMm) : base::fail(state.error());
+}
+
+Result<Restart> restartAt(const job::Plan& plan, const machine::MachineConfig& machine,
+                          const streaming::JobRest& rest) {
+  const Result<machine::DryRun> state = stateAt(plan, machine, rest.part);
+  if (!state) {
+    return base::fail(state.error());
+  }
+  const std::optional<double> heightMm =
+      rest.toolMm ? std::optional(rest.toolMm->z) : std::optional<double>();
+  return Restarter(plan, *state, rest, heightMm).make();
+}
+
+Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineConfig& machine,
+                                 int stretch, base::Vec3 toolMm) {
+  const auto is = [stretch](const job::Part& part) {
+    const auto* const each = std::get_if<job::Stretch>(&part);
+    return each != nullptr && each->number == stretch && stretch > 0;
+  };
+  const auto found = std::find_if(plan.parts.begin(), plan.parts.end(), is);
+  if (found == plan.parts.end()) {
+    return base::fail(
+        StreamError::CannotResume,
+        fmt::format("There is no stretch {}: the program has {}.", stretch, plan.stretchCount()),
+        plan.program.name);
+  }
+  streaming::JobRest rest;
+  rest.part = static_cast<std::size_t>(found - plan.parts.begin());
+  const auto& begins = std::get<job::Stretch>(*found);
+  if (begins.startIsKnown()) {
+    rest.toolMm = begins.startMm;
+  }
+  const Result<machine::DryRun> state = stateAt(plan, machine, rest.part);
+  if (!state) {
+    return base::fail(state.error());
+  }
+  return Restarter(plan, *state, rest, toolMm.z - state->zeroMm.z).make();
+}
+
+}  // namespace rivulet::experiments
