@@ -116,7 +116,11 @@ struct JobOptions {
   bool verify = false;  ///< compares the job with its source, on a virtual machine
   std::string preset = "dmu75-mill";
   std::uint64_t seed = 1;
-  double stopAfterS = 0.0;  ///< 0: not
+  double stopAfterS = 0.0;           ///< 0: not
+  std::string resume;                ///< file of a job that was left; empty: from the beginning
+  int fromStretch = 0;               ///< 0: from the beginning
+  bool confirmed = false;            ///< what is done before a job goes on has been checked
+  std::vector<std::string> command;  ///< the words of the command line
   bool json = false;
 };
 /// Writes the files of a whole job, or runs it on a virtual machine.

@@ -88,11 +88,11 @@ std::string resumeCommand(const report::SavedRun& run, const std::filesystem::pa
   const std::vector<std::string> command = run.command.empty() ? commandOf(run) : run.command;
   std::string text;
   for (std::size_t i = 0; i < command.size(); ++i) {
-    // The option for the earlier run is replaced; a change was accepted for that run only.
+    // The option for the earlier run is replaced; what was confirmed was that run only.
     const std::string& word = command[i];
     if (word == kResume) {
       ++i;
-    } else if (word != "--accept-changes" && !word.starts_with("--resume=")) {
+    } else if (word != "--accept-changes" && word != "--yes" && !word.starts_with("--resume=")) {
       text += shellWord(word) + ' ';
     }
   }

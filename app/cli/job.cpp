@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,11 +14,14 @@
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/found_run.h"
 #include "experiments/job_forecast.h"
+#include "experiments/job_restart.h"
 #include "gcode/block_observer.h"
 #include "job/main_program.h"
 #include "log/log.h"
 #include "machine/config.h"
+#include "opcua/await.h"
 #include "report/job_json.h"
 #include "report/operating_point.h"
 #include "report/plan_json.h"
@@ -26,6 +30,7 @@
 #include "streaming/access_policy.h"
 #include "streaming/control_axes.h"
 #include "streaming/feed_plan.h"
+#include "streaming/job_resume.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
 #include "streaming/whole_job.h"
@@ -56,26 +61,32 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
   void note(const trace::Note&) override {}
   void nativeBlocks(int next) override {
     if (!m_isQuiet) {
-      fmt::print("the control executes the blocks before stretch {}\n", next);
+      say(fmt::format("the control executes the blocks before stretch {}\n", next));
     }
   }
   void stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) override {
     if (!m_isQuiet) {
-      fmt::print("stretch {}: lines {} to {}, {} points, from X {:.3f} Y {:.3f} Z {:.3f}\n",
-                 stretch.number, stretch.blocks.front().line.value,
-                 stretch.blocks.back().line.value, stretch.pointCount, startMm.x, startMm.y,
-                 startMm.z);
+      say(fmt::format("stretch {}: lines {} to {}, {} points, from X {:.3f} Y {:.3f} Z {:.3f}\n",
+                      stretch.number, stretch.blocks.front().line.value,
+                      stretch.blocks.back().line.value, stretch.pointCount, startMm.x, startMm.y,
+                      startMm.z));
     }
   }
   bool waitsForCycleStart() override {
     if (!m_isQuiet) {
-      fmt::print("the program waits for cycle start (M0, M1){}\n",
-                 m_isAlone ? ": pressed" : ": press it at the control");
+      say(fmt::format("the program waits for cycle start (M0, M1){}\n",
+                      m_isAlone ? ": pressed" : ": press it at the control"));
     }
     return m_isAlone;
   }
 
  private:
+  /// At once, also into a pipe.
+  static void say(const std::string& line) {
+    fmt::print("{}", line);
+    std::fflush(stdout);
+  }
+
   double m_stopAfterS;
   bool m_isQuiet;
   bool m_isAlone;
@@ -115,15 +126,24 @@ class JobCommand {
   base::Result<void> prepare();
   base::Result<void> writeFiles() const;
   base::Result<void> connect();
+  /// Where a job is to go on: what is done first is shown, and has to be confirmed.
+  base::Result<void> restart();
   /// Compares the job with the machine, and estimates its time.
   base::Result<void> look();
   [[nodiscard]] Exit run();
   [[nodiscard]] Exit verify();
   [[nodiscard]] const std::vector<experiments::Hazard>& hazards() const { return m_hazards; }
+  /// Before the job goes on; empty: it begins at the beginning.
+  [[nodiscard]] std::vector<std::string> steps() const {
+    return m_restart ? m_restart->steps : std::vector<std::string>();
+  }
 
  private:
   base::Result<void> planFeeds();
   base::Result<std::optional<machine::MachineConfig>> machine();
+  base::Result<experiments::Restart> findRestart(const machine::MachineConfig& machine);
+  base::Result<void> confirm() const;
+  [[nodiscard]] report::SavedRun savedRun() const;
   void print(const streaming::WholeJobReport& done) const;
 
   const JobOptions& m_options;
@@ -133,6 +153,8 @@ class JobCommand {
   streaming::RunSettings m_settings;
   job::JobPrograms m_programs;
   Connection m_connection;
+  std::optional<experiments::Restart> m_restart;
+  streaming::WholeJobOptions m_start;
   std::vector<experiments::Hazard> m_hazards;
   std::optional<experiments::JobForecast> m_forecast;
 };
@@ -273,6 +295,90 @@ base::Result<std::optional<machine::MachineConfig>> JobCommand::machine() {
   return std::optional(std::move(*config));
 }
 
+base::Result<void> JobCommand::restart() {
+  if (m_options.resume.empty() && m_options.fromStretch == 0) {
+    return {};
+  }
+  const auto machine = this->machine();
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  if (!*machine) {
+    return base::fail(streaming::StreamError::CannotResume,
+                      "The tools and offsets of this machine are not known, so the state in which "
+                      "the job goes on cannot be computed. Start from the beginning.",
+                      m_connection.name);
+  }
+  base::Result<experiments::Restart> found = findRestart(**machine);
+  if (!found) {
+    return base::fail(found.error());
+  }
+  m_restart = std::move(*found);
+  m_plan = m_restart->plan;
+  auto programs = job::makePrograms(m_plan, m_settings.parameters);
+  if (!programs) {
+    return base::fail(programs.error());
+  }
+  m_programs = std::move(*programs);
+  return confirm();
+}
+
+base::Result<experiments::Restart> JobCommand::findRestart(const machine::MachineConfig& machine) {
+  if (m_options.fromStretch > 0) {
+    const std::array<opcua::Variable, 3> position{{{opcua::VariableKind::ActualPosition, 0},
+                                                   {opcua::VariableKind::ActualPosition, 1},
+                                                   {opcua::VariableKind::ActualPosition, 2}}};
+    const auto numbers = opcua::readNumbers(*m_connection.link, position, m_settings.setupDeadline);
+    return numbers ? experiments::restartAtStretch(m_plan, machine, m_options.fromStretch,
+                                                   {(*numbers)[0], (*numbers)[1], (*numbers)[2]})
+                   : base::fail(numbers.error());
+  }
+  const auto run = report::readSavedRun(m_options.resume);
+  if (!run) {
+    return base::fail(run.error());
+  }
+  m_settings.parameters = run->settings.parameters;
+  m_settings.programFeeds = run->settings.programFeeds;
+  m_settings.feedMmPerS = run->settings.feedMmPerS;
+  const auto rest = streaming::whereJobWasLeft(
+      *m_connection.link, m_plan, m_settings, run->checkpoint,
+      [&](std::size_t part) { return experiments::zeroAt(m_plan, machine, part); });
+  if (!rest) {
+    return base::fail(rest.error());
+  }
+  m_start.resume = rest->resume;
+  return experiments::restartAt(m_plan, machine, *rest);
+}
+
+base::Result<void> JobCommand::confirm() const {
+  if (!m_options.json) {
+    fmt::print("before the job goes on, the control does:\n");
+    for (const std::string& step : m_restart->steps) {
+      fmt::print("  {}\n", step);
+    }
+    for (const std::string& block : m_restart->notRestored) {
+      fmt::print("not done again, because only the control knows its effect: {}\n", block);
+    }
+  }
+  return m_options.confirmed
+             ? base::Result<void>()
+             : base::fail(streaming::StreamError::CannotResume,
+                          "Check what is done first, and that nothing is in the way of the tool, "
+                          "then give --yes. Nothing has moved.");
+}
+
+/// All that is known of the job before it starts.
+report::SavedRun JobCommand::savedRun() const {
+  report::SavedRun run;
+  std::error_code ignored;
+  run.programName = m_plan.program.name;
+  run.programFile = std::filesystem::absolute(m_options.file, ignored).string();
+  run.endpoint = m_connection.name;
+  run.toolVersion = RIVULET_VERSION;
+  run.command = m_options.command;
+  return run;
+}
+
 base::Result<void> JobCommand::look() {
   const auto machine = this->machine();
   if (!machine) {
@@ -350,12 +456,30 @@ Exit JobCommand::run() {
     fmt::print("{}\n", m_notes[i]);
   }
   JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
+  // A job that goes on has other programs: it cannot be found again by those of the source.
+  std::optional<report::RunKeeper> keeper;
+  if (!m_options.simulate && !m_restart) {
+    keeper.emplace(report::RunStore(report::RunStore::folderOfJobs()), savedRun());
+    m_start.keeper = &*keeper;
+  }
   const streaming::WholeJobReport done = streaming::runWholeJob(
-      *m_connection.link, *m_connection.control, m_plan, m_settings, console, console);
+      *m_connection.link, *m_connection.control, m_plan, m_settings, console, console, m_start);
+  if (keeper && done.outcome == streaming::Outcome::Completed) {
+    streaming::RunReport completed;
+    completed.outcome = streaming::Outcome::Completed;
+    keeper->finish(completed);
+  }
+  const auto left = keeper ? keeper->file() : std::nullopt;
   if (m_options.json) {
     nlohmann::ordered_json json = report::wholeJobJson(m_plan, done);
     json["job"] = m_programs.number;
     json["hazards"] = report::hazardsJson(m_hazards);
+    if (left) {
+      json["saved_job"] = left->string();
+    }
+    if (m_restart) {
+      json["restart"] = m_restart->steps;
+    }
     if (m_forecast) {
       json["estimated"] = report::jobTimesJson(m_forecast->times);
     }
@@ -363,6 +487,12 @@ Exit JobCommand::run() {
     printJson(json);
   } else {
     print(done);
+  }
+  if (done.outcome != streaming::Outcome::Completed && done.reached.stretch > 0) {
+    fmt::print(stderr, "The job is not complete. To go on:\n  {}\n",
+               left ? resumeCommand(savedRun(), *left)
+                    : fmt::format("rivulet-cli job {} ... --from-stretch {}",
+                                  shellWord(m_options.file), done.reached.stretch));
   }
   if (!done.error.code) {
     return Exit::Done;
@@ -391,14 +521,15 @@ Exit job(const JobOptions& options) {
   const bool runs = options.simulate || !options.endpoint.empty();
   if (done && runs) {
     done = command.connect();
-    if (done) {
-      done = command.look();
+    for (const auto step : {&JobCommand::restart, &JobCommand::look}) {
+      done = done ? (command.*step)() : done;
     }
   }
   if (!done) {
-    if (options.json && !command.hazards().empty()) {
+    if (options.json && (!command.hazards().empty() || !command.steps().empty())) {
       printJson({{"error", report::errorJson(done.error())},
-                 {"hazards", report::hazardsJson(command.hazards())}});
+                 {"hazards", report::hazardsJson(command.hazards())},
+                 {"restart", command.steps()}});
       return exitFor(done.error());
     }
     return reportError(done.error(), options.json);

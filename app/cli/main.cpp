@@ -324,8 +324,9 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
   });
 }
 
-void addJobCommand(CLI::App& app, Exit& exit) {
+void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   const auto options = std::make_shared<rivulet::cli::JobOptions>();
+  options->command = std::move(words);
   CLI::App* command = app.add_subcommand(
       "job", "Whole job: what is streamed, and what the control executes itself");
   command->add_option("FILE", options->file, "NC program")->required();
@@ -349,6 +350,16 @@ void addJobCommand(CLI::App& app, Exit& exit) {
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
+  auto* resume = command->add_option("--resume", options->resume,
+                                     "Go on with a job that was left: the file that it named");
+  command
+      ->add_option("--from-stretch", options->fromStretch,
+                   "Begin with this stretch, in the state that the program has there")
+      ->check(CLI::PositiveNumber)
+      ->excludes(resume);
+  resume->excludes(simulate);
+  command->add_flag("--yes", options->confirmed,
+                    "What is done before the job goes on has been checked");
   addJson(command, options->json);
   command->callback([options, &exit] {
     if (!options->simulate && !options->verify && options->endpoint.empty() &&
@@ -541,7 +552,7 @@ int main(int argc, char** argv) {
   addFeasibilityCommand(app, exit);
   addTemplateCommand(app, exit);
   addStreamCommand(app, exit, {argv, argv + argc});
-  addJobCommand(app, exit);
+  addJobCommand(app, exit, {argv, argv + argc});
   addRunsCommand(app, exit);
   addAuditCommand(app, exit);
   addAnalyseCommand(app, exit);

@@ -229,6 +229,10 @@ fs::path RunStore::folderOfUser() {
   return journal::stateFolderOfUser() / "runs";
 }
 
+fs::path RunStore::folderOfJobs() {
+  return journal::stateFolderOfUser() / "jobs";
+}
+
 fs::path RunStore::pathOf(const SavedRun& run) const {
   return m_folder / (run.name() + ".json");
 }

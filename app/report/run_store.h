@@ -57,6 +57,8 @@ class RunStore {
  public:
   /// Below $XDG_STATE_HOME, or ~/.local/state.
   [[nodiscard]] static std::filesystem::path folderOfUser();
+  /// Beside it, for whole jobs: the checkpoint of the stretch that was begun last.
+  [[nodiscard]] static std::filesystem::path folderOfJobs();
 
   explicit RunStore(std::filesystem::path folder = folderOfUser()) : m_folder(std::move(folder)) {}
 

@@ -94,9 +94,10 @@ class TestWholeJobs : public QObject {
 
   /// What is beyond the machine is said before anything moves.
   void refusesWhatTheMachineCannot() {
-    const Outcome outcome =
-        run({part("T99 M6\nG0 X500\nM30\n"), QStringLiteral("--simulate"),
-             QStringLiteral("--preset"), QStringLiteral("dmu75-mill"), QStringLiteral("--json")});
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),
+                                        {QStringLiteral("--preset"), QStringLiteral("dmu75-mill")});
+    const Outcome outcome = run({part("T99 M6\nG0 X500\nM30\n"), QStringLiteral("--endpoint"),
+                                 machine.endpoint(), QStringLiteral("--json")});
     QCOMPARE(outcome.exit, 2);
     const json result = json::parse(outcome.output.toStdString());
     QCOMPARE(result["hazards"].size(), std::size_t{2});

@@ -598,6 +598,20 @@ class TestWholeJob : public QObject {
     QCOMPARE(watcher.begun, (std::vector<int>{1}));
   }
 
+  /// A block for the control between the two sides of a corner: the axes stand there, and the path
+  /// is that of the source.
+  void nativeBlockInACorner() {
+    const char* const text =
+        "G64 G0 X1 Y1 Z1\nG1 X10 F3000\nSUPA G0 Z20\nG1 Y10\nX1\nG4 F0.1\nY1\nM30\n";
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf(text), settingsOf(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QCOMPARE(motions(*report.controlTrace), motionsOfSource(text));
+  }
+
   /// The same for the last native block before a stretch.
   void alarmBeforeAStretch() {
     machine::Machine machine(*machine::loadPreset("dmu75"), 1);
