@@ -215,6 +215,10 @@ class TestNcInterpreter : public QObject {
     row("millimetres of ISO", "G21\nM30", 12470);
     row("tool length of ISO", "G0 G43 Z10 H1\nM30", 12470);
     row("position of ISO", "G92 X5\nM30", 12470);
+    row("shift of ISO", "G52 X5\nM30", 12470);
+    row("end of a cycle of ISO", "G80\nM30", 12470);
+    row("return to the initial level of ISO", "G98\nM30", 12470);
+    row("return to the R level of ISO", "G99\nM30", 12470);
     row("comment of ISO", "(ROUGHING)\nM30", 12080);
     row("transformation", "TRAORI\nM30", 12550);
     row("tool direction", "X1 A3=1\nM30", 12550);

@@ -92,83 +92,79 @@ class KlartextLine {
     const std::string word = takeWord();
     const std::size_t behind = m_at;
     const std::string second = takeWord();
+    if (programOrTool(word, second, from)) {
+      return;
+    }
+    m_at = behind;
+    if (motion(word, from, behind)) {
+      return;
+    }
+    if (word == "Q" || word == "QL" || word == "QR" || word == "QS") {
+      add(TokenKind::Assignment, from, m_end);
+      m_at = m_end;
+    } else if (word == "LBL") {
+      add(TokenKind::Label, from, m_end);
+      m_at = m_end;
+    } else if (word == "STOP") {
+      add(TokenKind::Word, from, behind, 'M', 0.0);
+      words();
+    } else if (word == "F" || word == "M" || word == "S" || word == "FMAX") {
+      m_at = from;
+      words();
+    } else {
+      statement(from);
+    }
+  }
+
+  /// BEGIN PGM and END PGM, the blank, tools and cycles. @return true if it was one of them
+  bool programOrTool(const std::string& word, const std::string& second, std::size_t from) {
     if (word == "BEGIN" && second == "PGM") {
       const std::string text = base::toUpper(base::trim(m_line.substr(m_at, m_end - m_at)));
       const bool inches = text.size() >= 4 && text.substr(text.size() - 4) == "INCH";
       addG(inches ? 20.0 : 21.0, from);
-      return;
-    }
-    if (word == "END" && second == "PGM") {
+    } else if (word == "END" && second == "PGM") {
       add(TokenKind::Word, from, m_at, 'M', 30.0);
-      return;
-    }
-    if (word == "BLK" || word == "TOOL" || (word == "CYCL" && second == "CALL")) {
-      if (word == "TOOL" && second == "CALL") {
-        if (const std::optional<double> tool = number()) {
-          add(TokenKind::Word, from, m_at, 'T', *tool);
-        }
-        spindleOfToolCall();
-        return;
+    } else if (word == "TOOL" && second == "CALL") {
+      if (const std::optional<double> tool = number()) {
+        add(TokenKind::Word, from, m_at, 'T', *tool);
       }
+      spindleOfToolCall();
+    } else if (word == "BLK" || word == "TOOL" || (word == "CYCL" && second == "CALL")) {
       add(TokenKind::Name, from, m_at);
-      return;
-    }
-    if (word == "CYCL") {
+    } else if (word == "CYCL") {
       // CYCL DEF 19.1 A+0: its number belongs to the name.
       skipBlanks();
       while (m_at < m_end && isDigit(m_line[m_at])) {
         ++m_at;
       }
       add(TokenKind::Name, from, m_at);
-      return;
+    } else {
+      return false;
     }
-    m_at = behind;
+    return true;
+  }
+
+  /// Lines, arcs and the centre of a circle. @return true if it was one of them
+  bool motion(const std::string& word, std::size_t from, std::size_t behind) {
+    if (word == "CTP") {
+      statement(from);
+      return true;
+    }
     if (word == "L" || word == "LN" || word == "LP") {
       const bool rapid = hasRapid();
       addG(rapid ? 0.0 : 1.0, from);
-      words();
-      return;
-    }
-    if (word == "CC") {
+    } else if (word == "CC") {
       skipBlanks();
       addG(m_at >= m_end ? 110.0 : 111.0, from);
-      words();
-      return;
+    } else if (word == "C" || word == "CR" || word == "CP") {
+      addG(turnsClockwise() ? 2.0 : 3.0, from);
+    } else if (word == "CT") {
+      add(TokenKind::Name, from, behind);
+    } else {
+      return false;
     }
-    if (word == "C" || word == "CR" || word == "CP" || word == "CTP" || word == "CT") {
-      if (word == "CTP") {
-        statement(from);
-        return;
-      }
-      if (word == "CT") {
-        add(TokenKind::Name, from, behind);
-      } else {
-        addG(turnsClockwise() ? 2.0 : 3.0, from);
-      }
-      words();
-      return;
-    }
-    if (word == "Q" || word == "QL" || word == "QR" || word == "QS") {
-      add(TokenKind::Assignment, from, m_end);
-      m_at = m_end;
-      return;
-    }
-    if (word == "LBL") {
-      add(TokenKind::Label, from, m_end);
-      m_at = m_end;
-      return;
-    }
-    if (word == "STOP") {
-      add(TokenKind::Word, from, behind, 'M', 0.0);
-      words();
-      return;
-    }
-    if (word == "F" || word == "M" || word == "S" || word == "FMAX") {
-      m_at = from;
-      words();
-      return;
-    }
-    statement(from);
+    words();
+    return true;
   }
 
   /// "Z S3000 DL+0.1": only the speed belongs to a word of its own.

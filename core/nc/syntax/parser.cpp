@@ -235,7 +235,8 @@ class SinumerikParser final : public BlockParser {
       return Fault{FaultCode::EqualsMissing, {}, m_place};
     }
     // Of the ISO dialects: a control knows these after G291 only.
-    static constexpr std::array kForeign{20.0, 21.0, 43.0, 44.0, 49.0, 65.0, 92.0, 92.1};
+    static constexpr std::array kForeign{20.0, 21.0, 43.0, 44.0, 49.0, 52.0,
+                                         65.0, 80.0, 92.0, 92.1, 98.0, 99.0};
     if (token.kind == TokenKind::Word && token.address == 'G' &&
         std::find(kForeign.begin(), kForeign.end(), token.value) != kForeign.end()) {
       return Fault{FaultCode::UnknownGCode, wordText(token), m_place};
