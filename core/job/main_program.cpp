@@ -251,7 +251,7 @@ class PlainWriter final : public PlanWriter {
       : PlanWriter(plan), m_feeds(feeds), m_feedMmPerS(feedMmPerS) {}
 
   std::string write() {
-    writeParts();
+    writeParts(plan().parts.size());
     line("M30");
     return take();
   }
