@@ -15,6 +15,7 @@
 #include "folders/user_folders.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
+#include "report/machine_profile.h"
 
 namespace rivulet::report {
 namespace fs = std::filesystem;
@@ -28,6 +29,7 @@ constexpr int kMachineFormat = 1;
 constexpr const char* kMachineFormatKey = "rivulet_machine";
 constexpr const char* kCalibrationKey = "calibration";
 constexpr const char* kCreditTestKey = "credit_test";
+constexpr const char* kProfileKey = "profile";
 /// Files of earlier versions: a calibration by itself, and a profile with a `credit_test`.
 constexpr const char* kEarlierCalibrationKey = "rivulet_calibration";
 constexpr const char* kEarlierProfileKey = "rivulet_machine_profile";
@@ -160,6 +162,62 @@ base::Result<std::optional<streaming::CreditTest>> MachineStore::creditTest(
                                                       : std::optional(creditTestOf(*test));
 }
 
+base::Result<std::optional<streaming::MachineProfile>> MachineStore::profile(
+    const std::string& endpoint, const opcua::ServerIdentity& server) const {
+  const base::Result<ordered_json> machine = read(endpoint, server);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  const auto member = machine->find(kProfileKey);
+  if (member == machine->end()) {
+    return std::nullopt;
+  }
+  auto profile = profileOf(*member, pathOf(endpoint, server).string());
+  if (!profile) {
+    return base::fail(profile.error());
+  }
+  return std::optional(std::move(*profile));
+}
+
+std::vector<KnownMachine> MachineStore::machines() const {
+  std::vector<KnownMachine> found;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(m_folders.machines, ignored)) {
+    const base::Result<std::string> text = base::readFile(entry.path());
+    const ordered_json json =
+        text ? ordered_json::parse(*text, nullptr, false) : ordered_json::object();
+    if (entry.path().extension() != ".json" || !json.is_object() ||
+        !json.contains(kMachineFormatKey)) {
+      continue;
+    }
+    // Each fact names its machine; the profile comes first because it has the name.
+    for (const char* key : {kProfileKey, kCalibrationKey, kCreditTestKey}) {
+      const auto fact = json.find(key);
+      if (fact == json.end() || !fact->is_object() || !fact->contains("endpoint") ||
+          !(*fact)["endpoint"].is_string()) {
+        continue;
+      }
+      KnownMachine machine;
+      machine.endpoint = (*fact)["endpoint"].get<std::string>();
+      const ordered_json server = fact->value("server", ordered_json::object());
+      const auto uri = server.find("application_uri");
+      machine.server.applicationUri =
+          uri != server.end() && uri->is_string() ? uri->get<std::string>() : std::string();
+      const auto name = fact->find("name");
+      machine.name = key == kProfileKey && name != fact->end() && name->is_string()
+                         ? name->get<std::string>()
+                         : std::string();
+      found.push_back(std::move(machine));
+      break;
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const KnownMachine& a, const KnownMachine& b) {
+    return std::pair(a.endpoint, a.server.applicationUri) <
+           std::pair(b.endpoint, b.server.applicationUri);
+  });
+  return found;
+}
+
 base::Result<void> MachineStore::saveMember(const std::string& endpoint,
                                             const opcua::ServerIdentity& server, const char* key,
                                             ordered_json value) const {
@@ -182,6 +240,10 @@ base::Result<void> MachineStore::save(const streaming::CalibrationRecord& record
 
 base::Result<void> MachineStore::save(const streaming::CreditTest& test) const {
   return saveMember(test.endpoint, test.server, kCreditTestKey, creditTestJson(test));
+}
+
+base::Result<void> MachineStore::save(const streaming::MachineProfile& profile) const {
+  return saveMember(profile.endpoint, profile.server, kProfileKey, profileJson(profile));
 }
 
 }  // namespace rivulet::report

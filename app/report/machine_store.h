@@ -11,9 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "streaming/machine_facts.h"
+#include "streaming/machine_profile.h"
 
 namespace rivulet::report {
 
@@ -29,6 +31,13 @@ struct MachineFolders {
                                             const std::filesystem::path& config);
   /// Below $XDG_DATA_HOME (or ~/.local/share) and $XDG_CONFIG_HOME (or ~/.config).
   [[nodiscard]] static MachineFolders ofUser();
+};
+
+/// A machine of which the store knows something.
+struct KnownMachine {
+  std::string endpoint;
+  opcua::ServerIdentity server;
+  std::string name;  ///< as its profile has it; may be empty
 };
 
 class MachineStore {
@@ -49,10 +58,19 @@ class MachineStore {
   [[nodiscard]] base::Result<std::optional<streaming::CreditTest>> creditTest(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
 
+  /// The limits that were entered for this machine; nothing if there are none.
+  /// @return as `calibration`
+  [[nodiscard]] base::Result<std::optional<streaming::MachineProfile>> profile(
+      const std::string& endpoint, const opcua::ServerIdentity& server) const;
+  /// All machines with a file of their own, sorted by endpoint; files that cannot be read are left
+  /// out.
+  [[nodiscard]] std::vector<KnownMachine> machines() const;
+
   /// Makes the folder if it is missing. @return FileNotWritable, and as `calibration`: a file that
   /// cannot be read is not overwritten
   [[nodiscard]] base::Result<void> save(const streaming::CalibrationRecord& record) const;
   [[nodiscard]] base::Result<void> save(const streaming::CreditTest& test) const;
+  [[nodiscard]] base::Result<void> save(const streaming::MachineProfile& profile) const;
 
  private:
   [[nodiscard]] base::Result<nlohmann::ordered_json> read(

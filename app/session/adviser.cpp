@@ -83,6 +83,7 @@ std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::Ope
   at.feedMmPerS = feedMmPerSMax;
   rehearsal.settings = settingsAt(job, at);
   applyOverride(rehearsal.points, rehearsal.settings);
+  rehearsal.machine = job.machine;
   rehearsal.access = job.question.access.measured;
   const RehearsalOutcome outcome = rehearse(rehearsal, stop);
   if (outcome.error.code || outcome.runs == 0) {

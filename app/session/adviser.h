@@ -25,6 +25,7 @@ struct AdviceJob {
   feasibility::AdviceQuestion question;              ///< without `complete`
   /// For the simulation; N, δ, method, F or override are replaced.
   streaming::RunSettings settings;
+  std::shared_ptr<const machine::MachineConfig> machine{};  ///< as `RehearsalJob::machine`
 };
 
 /// Advice whose largest feeds also ran without a wrong point in the simulation; where it did not, a

@@ -10,7 +10,7 @@
 
 #include "base/units.h"
 #include "experiments/path_time.h"
-#include "machine/config.h"
+#include "report/machine_profile.h"
 #include "streaming/pause_placement.h"
 
 namespace rivulet::session {
@@ -90,9 +90,10 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
                          const TimeSettings& settings) {
   cancel();
   // The position of the tool changes the first points of a program, but hardly its time.
-  if (view->program != m_program ||
+  if (view->program != m_program || settings.machine != m_machine ||
       (m_times && m_times->atS.size() != view->points.points.size())) {
     m_program = view->program;
+    m_machine = settings.machine;
     m_times.reset();
     m_unpaused.reset();
   }
@@ -100,8 +101,8 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
   QThreadPool::globalInstance()->start([self = QPointer<ProgramTimer>(this), stop = m_stop,
                                         view = std::move(view), known = m_times,
                                         unpaused = m_unpaused, settings]() mutable {
-    // No control reports the limits of its axes: times are those of the paper's machine.
-    const auto machine = machine::loadPreset(machine::kDefaultPreset);
+    const machine::MachineConfig machine =
+        settings.machine ? *settings.machine : report::configOf(nullptr);
     const auto progress = [&](double) { return !stop->load(); };
     // The context of the call is the application: `self` is only touched on its own thread.
     const auto tell = [&](auto change) {
@@ -116,13 +117,10 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
     };
     const auto pauses = planPauses(*view, settings);
     tell([pauses](ProgramTimer& timer, const auto& of) { Q_EMIT timer.planned(pauses, of); });
-    if (!machine) {
-      return;
-    }
     auto times = known;
     if (!times) {
       auto programmed = std::make_shared<widgets::ProgramTimes>();
-      if (!reckonProgrammed(*view, *machine, progress, *programmed)) {
+      if (!reckonProgrammed(*view, machine, progress, *programmed)) {
         return;
       }
       times = programmed;
@@ -133,13 +131,13 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
     }
     if (!unpaused || unpaused->feedMmPerS != settings.feedMmPerS ||
         unpaused->programFeeds != settings.programFeeds || !(unpaused->startMm == view->startMm)) {
-      const auto time = reckonStreamed(*view, *machine, settings, {}, progress);
+      const auto time = reckonStreamed(*view, machine, settings, {}, progress);
       if (!time) {
         return;
       }
       unpaused = Unpaused{settings.feedMmPerS, settings.programFeeds, view->startMm, time->totalS};
     }
-    const auto time = reckonStreamed(*view, *machine, settings, *pauses, progress);
+    const auto time = reckonStreamed(*view, machine, settings, *pauses, progress);
     if (!time) {
       return;
     }

@@ -15,6 +15,7 @@
 
 #include "base/method_kind.h"
 #include "gcode/feeds.h"
+#include "machine/config.h"
 #include "widgets/program/program_view.h"
 
 namespace rivulet::session {
@@ -26,6 +27,8 @@ struct TimeSettings {
   double feedMmPerS = 0.0;                            ///< > 0
   std::optional<gcode::ProgramFeeds> programFeeds{};  ///< instead of it
   bool feedPerPoint = false;                          ///< see `streaming::WindowCut`
+  /// The machine of the times; null: that of the paper.
+  std::shared_ptr<const machine::MachineConfig> machine{};
   friend bool operator==(const TimeSettings&, const TimeSettings&) = default;
 };
 
@@ -53,7 +56,8 @@ class ProgramTimer final : public QObject {
  private:
   std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work in progress; null: none
   std::shared_ptr<const gcode::Program> m_program;
-  std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< of that program
+  std::shared_ptr<const machine::MachineConfig> m_machine;  ///< of `m_times`
+  std::shared_ptr<const widgets::ProgramTimes> m_times;     ///< of that program
   /// Time without pauses, at the feed of a run, from a position of the tool.
   struct Unpaused {
     double feedMmPerS = 0.0;

@@ -6,6 +6,7 @@
 #include <QMetaObject>
 #include <algorithm>
 
+#include "report/machine_profile.h"
 #include "report/operating_point.h"
 
 namespace rivulet::session {
@@ -102,42 +103,38 @@ void RegionWorker::report(int request, int percent) {
 void RegionWorker::work(const RegionJob& job, int request, const std::stop_token& stop) {
   auto outcome = std::make_shared<RegionOutcome>();
   outcome->job = job;
-  const base::Result<machine::MachineConfig> machine = machine::loadPreset(job.preset);
-  if (machine) {
-    const feasibility::StreamModel model = experiments::streamModelOf(*machine);
-    std::atomic<int> shown{0};
-    const auto show = [&](int percent) {
-      if (int before = shown; percent > before && shown.compare_exchange_strong(before, percent)) {
-        report(request, percent);
-      }
-    };
-    ThreadExecutor executor;
-    outcome->band.resize(job.abscissas.size());
-    std::atomic<int> bands{0};
-    executor.forEach(job.abscissas.size(), [&](std::size_t index) {
-      if (!stop.stop_requested()) {
-        outcome->band[index] = bandAt(job, job.abscissas[index], model);
-        show(kBandPercent * ++bands / static_cast<int>(job.abscissas.size()));
-      }
-    });
-    experiments::RegionRequest wanted;
-    wanted.points = job.points;
-    wanted.settings = job.settings;
-    wanted.machine = *machine;
-    wanted.axis = job.axis;
-    wanted.abscissas = job.abscissas;
-    wanted.feedsMmPerS = job.feedsMmPerS;
-    wanted.seedsPerPoint = job.seedsPerPoint;
-    experiments::RegionResult result =
-        experiments::simulateRegion(wanted, executor, [&](std::size_t done, std::size_t total) {
-          show(kBandPercent + static_cast<int>((100 - kBandPercent) * done / total));
-          return !stop.stop_requested();
-        });
-    outcome->points = std::move(result.points);
-    outcome->error = std::move(result.error);
-  } else {
-    outcome->error = machine.error();
-  }
+  const machine::MachineConfig machine = job.machine ? *job.machine : report::configOf(nullptr);
+  const feasibility::StreamModel model = experiments::streamModelOf(machine);
+  std::atomic<int> shown{0};
+  const auto show = [&](int percent) {
+    if (int before = shown; percent > before && shown.compare_exchange_strong(before, percent)) {
+      report(request, percent);
+    }
+  };
+  ThreadExecutor executor;
+  outcome->band.resize(job.abscissas.size());
+  std::atomic<int> bands{0};
+  executor.forEach(job.abscissas.size(), [&](std::size_t index) {
+    if (!stop.stop_requested()) {
+      outcome->band[index] = bandAt(job, job.abscissas[index], model);
+      show(kBandPercent * ++bands / static_cast<int>(job.abscissas.size()));
+    }
+  });
+  experiments::RegionRequest wanted;
+  wanted.points = job.points;
+  wanted.settings = job.settings;
+  wanted.machine = machine;
+  wanted.axis = job.axis;
+  wanted.abscissas = job.abscissas;
+  wanted.feedsMmPerS = job.feedsMmPerS;
+  wanted.seedsPerPoint = job.seedsPerPoint;
+  experiments::RegionResult result =
+      experiments::simulateRegion(wanted, executor, [&](std::size_t done, std::size_t total) {
+        show(kBandPercent + static_cast<int>((100 - kBandPercent) * done / total));
+        return !stop.stop_requested();
+      });
+  outcome->points = std::move(result.points);
+  outcome->error = std::move(result.error);
   QMetaObject::invokeMethod(
       this,
       [this, request, outcome] {

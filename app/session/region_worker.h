@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "experiments/region.h"
-#include "machine/config.h"
 
 namespace rivulet::session {
 
@@ -26,7 +25,7 @@ struct RegionJob {
   std::vector<double> abscissas;  ///< see experiments::RegionRequest
   std::vector<double> feedsMmPerS;
   std::size_t seedsPerPoint = 4;
-  std::string preset = machine::kDefaultPreset;  ///< of the virtual machine
+  std::shared_ptr<const machine::MachineConfig> machine{};  ///< null: that of the paper
 };
 
 /// Feeds at which one run of a thousand and half of the runs fail, by the extended model.

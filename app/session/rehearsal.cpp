@@ -10,7 +10,7 @@
 #include <array>
 
 #include "experiments/region.h"
-#include "machine/config.h"
+#include "report/machine_profile.h"
 
 namespace rivulet::session {
 
@@ -48,20 +48,15 @@ void charge(machine::AccessCost& cost, const feasibility::MeasuredAccess& measur
 
 RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop) {
   RehearsalOutcome outcome;
-  // No control reports its limits: the simulation has those of the paper's machine.
-  auto machine = machine::loadPreset(machine::kDefaultPreset);
-  if (!machine) {
-    outcome.error = machine.error();
-    return outcome;
-  }
+  machine::MachineConfig machine = job.machine ? *job.machine : report::configOf(nullptr);
   if (job.access) {
-    charge(machine->access, *job.access);
+    charge(machine.access, *job.access);
   }
   experiments::RegionRequest request;
   request.points = experiments::stretchOf(job.points, job.tightest, kRehearsedPointsMax);
   request.settings = job.settings;
   request.settings.resume.reset();
-  request.machine = *machine;
+  request.machine = machine;
   request.axis = feasibility::SweepAxis::PointsPerLoop;
   request.abscissas = {static_cast<double>(job.settings.parameters.pointsPerLoop)};
   request.seedsPerPoint = kRuns;

@@ -17,6 +17,7 @@
 
 #include "feasibility/access_model.h"
 #include "gcode/trajectory.h"
+#include "machine/config.h"
 #include "streaming/run.h"
 
 namespace rivulet::session {
@@ -25,6 +26,8 @@ struct RehearsalJob {
   std::vector<gcode::StreamPoint> points;  ///< at least 2, of the whole program
   std::size_t tightest = 0;                ///< index of the point where it is most difficult
   streaming::RunSettings settings;         ///< with the axes the program turns
+  /// The machine it is simulated on; null: that of the paper.
+  std::shared_ptr<const machine::MachineConfig> machine{};
   /// Cost of access; nothing: that of the virtual machine.
   std::optional<feasibility::MeasuredAccess> access;
 };

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
+#include "report/machine_profile.h"
 #include "report/machine_store.h"
 #include "streaming/run.h"
 #include "support/test_program.h"
@@ -180,6 +181,40 @@ class TestMachineStore : public QObject {
     write(path, R"({"rivulet_machine":2})");
     const auto newer = store().creditTest(kEndpoint, kServer);
     QVERIFY(!newer && newer.error().code == MachineFileError::OtherVersion);
+  }
+
+  /// Limits come back as they were entered, beside the other facts; a machine with a file is known
+  /// by its name.
+  void limitsAreKept() {
+    QVERIFY(store().machines().empty());
+    QVERIFY(!store().profile(kEndpoint, kServer).value());
+    auto profile = report::profileOfPreset("dmu75-5axis").value();
+    profile.endpoint = kEndpoint;
+    profile.server = kServer;
+    profile.enteredAtUtc = "2026-05-04T09:30:00Z";
+    profile.enteredBy = "anna";
+    profile.name = "Mill 3";
+    profile.axes[1].positionMax = 444.5;
+    profile.tools = {{7, "END_MILL", 81.25, 4.0}};
+    QVERIFY(store().save(makeTest()).has_value());
+    QCOMPARE(store().machines().size(), std::size_t{1});
+    QVERIFY(store().machines().front().name.empty());
+    QVERIFY(store().save(profile).has_value());
+    QVERIFY(store().profile(kEndpoint, kServer).value() == profile);
+    QVERIFY(store().creditTest(kEndpoint, kServer).value().has_value());
+    QCOMPARE(store().machines().size(), std::size_t{1});
+    QCOMPARE(store().machines().front().name, std::string("Mill 3"));
+    QCOMPARE(store().machines().front().endpoint, std::string(kEndpoint));
+    const machine::MachineConfig config = report::configOf(&profile);
+    QCOMPARE(config.axes[1].positionMmMax, 444.5);
+    QCOMPARE(config.tools->find(7)->edges.front().lengthMm, 81.25);
+    QCOMPARE(config.rotarySet(), machine::loadPreset("dmu75-5axis")->rotarySet());
+    // A value that cannot be is refused, and the file stays.
+    profile.axes[0].speedPerSMax = 0.0;
+    QVERIFY(streaming::problemOf(profile)->what == streaming::ProfileProblem::What::Speed);
+    QVERIFY(store().save(profile).has_value());
+    const auto damaged = store().profile(kEndpoint, kServer);
+    QVERIFY(!damaged && damaged.error().code == MachineFileError::Damaged);
   }
 
   void creditNeedsAPassedTestOfThisVersion() {

@@ -107,17 +107,6 @@ class TestRegionWorker : public QObject {
     worker.reset();
     QCoreApplication::processEvents();
   }
-
-  void missingPresetIsTold() {
-    RegionWorker worker;
-    Outcome outcome;
-    connect(&worker, &RegionWorker::finished, this, [&](const Outcome& value) { outcome = value; });
-    RegionJob wrong = job();
-    wrong.preset = "nothing";
-    worker.start(wrong);
-    QTRY_VERIFY_WITH_TIMEOUT(outcome != nullptr, kSoonMs);
-    QVERIFY(outcome->error.code == machine::MachineError::PresetMissing);
-  }
 };
 
 RIVULET_TEST(TestRegionWorker)

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The limits of a machine as JSON (docs/formats.md names every field), and as settings of the
+/// virtual machine that stands for it. @threadsafety pure, except that presets are read.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "machine/config.h"
+#include "streaming/machine_profile.h"
+
+namespace rivulet::report {
+
+/// What simulations are made with while nobody has entered the limits of a machine: the paper's.
+inline constexpr const char* kAssumedPreset = machine::kDefaultPreset;
+
+[[nodiscard]] nlohmann::ordered_json profileJson(const streaming::MachineProfile& profile);
+/// @param origin  named in the error @return Damaged
+[[nodiscard]] base::Result<streaming::MachineProfile> profileOf(const nlohmann::ordered_json& json,
+                                                                const std::string& origin);
+
+/// The limits of a preset, as a profile of no machine yet. @return as `machine::loadPreset`
+[[nodiscard]] base::Result<streaming::MachineProfile> profileOfPreset(const std::string& preset);
+
+/// The preset of the profile with the limits of the profile. An unknown preset counts as
+/// `kAssumedPreset`. @param profile  null: that preset as it is
+[[nodiscard]] machine::MachineConfig configOf(const streaming::MachineProfile* profile);
+
+}  // namespace rivulet::report
