@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "feasibility/client_turn.h"
-#include "machine/config.h"
 #include "report/calibration_json.h"
+#include "report/machine_profile.h"
 #include "report/operating_point.h"
 #include "streaming/access_policy.h"
 #include "templates/generator.h"
@@ -31,8 +31,7 @@ constexpr const char* kMachineWithTools = "dmu75-mill";
 }  // namespace
 
 Document::Document(const widgets::StreamSettings& settings)
-    : m_machineFeeds(report::programFeedsOf(*machine::loadPreset(machine::kDefaultPreset), 1.0)),
-      m_settings(settings) {
+    : m_machineFeeds(report::programFeedsOf(report::configOf(nullptr), 1.0)), m_settings(settings) {
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   connect(&m_loader, &session::ProgramLoader::progressed, this,
           [this](double share) { Q_EMIT readingProgressed(share); });
@@ -285,6 +284,24 @@ streaming::RunSettings Document::runSettings() const {
   return settings;
 }
 
+void Document::setMachine(std::shared_ptr<const machine::MachineConfig> machine) {
+  if (machine == m_machine) {
+    return;
+  }
+  m_machine = std::move(machine);
+  const gcode::ProgramFeeds before = m_machineFeeds;
+  m_machineFeeds = report::programFeedsOf(m_machine ? *m_machine : report::configOf(nullptr), 1.0);
+  m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
+  m_rehearsed.reset();
+  m_rehearsedFor.clear();
+  forgetTimes();
+  if (!(before == m_machineFeeds)) {
+    Q_EMIT settingsChanged();
+    readAgain(m_reading);  // the points carry feeds within the limits
+  }
+  judge();
+}
+
 void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record,
                               bool isOutdated) {
   m_source.record = std::move(record);
@@ -392,8 +409,9 @@ void Document::judge() {
 
 session::TimeSettings Document::timeSettings() const {
   const streaming::RunSettings settings = runSettings();
-  return {settings.parameters.method, settings.parameters.pointsPerLoop, settings.feedMmPerS,
-          settings.programFeeds, streaming::windowCut(settings).feedPerPoint};
+  return {
+      settings.parameters.method, settings.parameters.pointsPerLoop,           settings.feedMmPerS,
+      settings.programFeeds,      streaming::windowCut(settings).feedPerPoint, m_machine};
 }
 
 void Document::estimateTimes() {
@@ -436,6 +454,7 @@ void Document::rehearse() {
                                                                   : distances.windowPlace)
           .point.value;
   job.settings = runSettings();
+  job.machine = m_machine;
   job.access = m_findings.access.measured;
   m_rehearsal.start(std::move(job), key);
 }

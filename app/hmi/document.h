@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "feasibility/verdict.h"
+#include "machine/config.h"
 #include "session/file_watch.h"
 #include "session/native_times.h"
 #include "session/program_loader.h"
@@ -95,7 +96,13 @@ class Document final : public QObject {
   /// The settings with the rotary axes the program turns.
   [[nodiscard]] templates::TemplateParameters parameters() const;
   [[nodiscard]] streaming::RunSettings runSettings() const;
-  /// No feed can be larger, mm/s. No control reports its limits: those of the paper's machine.
+  /// The limits that feeds keep, and the machine of times and simulations.
+  /// @param machine  null: nobody has entered them, so those of the paper's machine
+  void setMachine(std::shared_ptr<const machine::MachineConfig> machine);
+  [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& machine() const {
+    return m_machine;
+  }
+  /// No feed can be larger, mm/s.
   [[nodiscard]] double feedMmPerSMax() const { return m_machineFeeds.feedMmPerSMax; }
   /// Commanded feed of the move to a point, mm/s. @param point  index into `points`
   [[nodiscard]] double commandedMmPerS(std::size_t point) const;
@@ -167,7 +174,8 @@ class Document final : public QObject {
   session::FileWatch m_watch;
   QTimer m_estimateTimer;  ///< settings change while an operator turns them: wait for a rest
 
-  gcode::ProgramFeeds m_machineFeeds;  ///< limits, at 100 %
+  std::shared_ptr<const machine::MachineConfig> m_machine;  ///< null: that of the paper
+  gcode::ProgramFeeds m_machineFeeds;                       ///< limits, at 100 %
   widgets::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
   struct FeedCells {

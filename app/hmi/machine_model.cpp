@@ -73,6 +73,20 @@ void MachineModel::showAges() {
   Q_EMIT viewChanged();
 }
 
+widgets::ConnectionState MachineModel::connectionState() const {
+  switch (m_link.state) {
+    case session::LinkState::Disconnected:
+      return widgets::ConnectionState::Disconnected;
+    case session::LinkState::Connecting:
+      return widgets::ConnectionState::Connecting;
+    case session::LinkState::Connected:
+      return widgets::ConnectionState::Connected;
+    case session::LinkState::Lost:
+      return widgets::ConnectionState::Lost;
+  }
+  return widgets::ConnectionState::Disconnected;
+}
+
 void MachineModel::setEndpoint(const QString& endpoint) {
   m_endpoint = endpoint;
   Q_EMIT endpointChanged();

@@ -35,6 +35,7 @@ class MachineModel final : public QObject {
   void disconnectFrom();
 
   [[nodiscard]] const session::LinkChanged& link() const { return m_link; }
+  [[nodiscard]] widgets::ConnectionState connectionState() const;
   [[nodiscard]] bool isConnected() const { return m_link.state == session::LinkState::Connected; }
   [[nodiscard]] const widgets::MachineView& view() const { return m_view; }
   /// The position, if it was read just now.

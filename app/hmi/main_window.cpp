@@ -32,6 +32,7 @@
 #include "widgets/common/number_field.h"
 #include "widgets/common/side_tabs.h"
 #include "widgets/common/theme.h"
+#include "widgets/connection/machines_page.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/streaming/close_bar.h"
@@ -68,7 +69,9 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_preflight(m_document, m_machine, m_runs),
       m_found(m_session, m_document, m_machine, m_runs, m_messages),
       m_pastRuns(m_document, m_runs, m_messages),
-      m_credit(m_session, m_machine, m_runs, report::MachineStore()) {
+      m_credit(m_session, m_machine, m_runs, report::MachineStore()),
+      m_profiles(m_document, m_machine, m_runs, m_messages, report::MachineStore()),
+      m_machines(m_document, m_machine, m_runs, m_pastRuns, report::MachineStore()) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
@@ -95,6 +98,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   connect(&m_runs, &RunController::started, this, &MainWindow::runStarted);
   connect(&m_runs, &RunController::finished, this, &MainWindow::runFinished);
   connect(&m_alarms, &Alarms::listRequested, this, &MainWindow::showAlarms);
+  connect(&m_machines, &Machines::found, this, &MainWindow::showFirstPage);
   connect(
       &m_runs, &RunController::finished, this,
       [this] {
@@ -118,8 +122,9 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_alarms,    m_users, m_audit,    m_machine,
-                      m_document, m_runs,     m_preflight, m_found, m_pastRuns, m_credit};
+  const Models models{m_settings, m_messages, m_alarms,   m_users,     m_audit,
+                      m_machine,  m_document, m_runs,     m_preflight, m_found,
+                      m_pastRuns, m_credit,   m_profiles, m_machines};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -405,6 +410,14 @@ void MainWindow::showAlarms() {
       m_columns->uncover();
       m_tabs->setCurrentIndex(i);
     }
+  }
+}
+
+void MainWindow::showFirstPage() {
+  const bool isUntouched = m_tabs->currentIndex() == 0 && m_document.requestedPath().isEmpty() &&
+                           m_machine.link().state == session::LinkState::Disconnected;
+  if (m_machines.cards().size() > 1 && isUntouched) {
+    showPageOf(m_tabs->findChild<widgets::MachinesPage*>());
   }
 }
 

@@ -15,6 +15,8 @@
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
 #include "hmi/machine_model.h"
+#include "hmi/machine_profiles.h"
+#include "hmi/machines.h"
 #include "hmi/messages.h"
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
@@ -82,6 +84,7 @@ class MainWindow final : public QMainWindow {
   /// One sentence in the operator's language; empty: nothing stands in the way.
   [[nodiscard]] QString startBlockedReason() const;
   [[nodiscard]] QString resumeBlockedReason() const;
+  [[nodiscard]] double feedMmPerSMax() const { return m_document.feedMmPerSMax(); }
   [[nodiscard]] bool isRunning() const { return m_runs.isRunning(); }
   [[nodiscard]] const std::optional<feasibility::Verdict>& verdict() const {
     return m_document.findings().verdict;
@@ -121,6 +124,8 @@ class MainWindow final : public QMainWindow {
   void showColumns();
   void showCentre();
   void showAlarms();
+  /// Where the window begins: with the machines if there are several.
+  void showFirstPage();
   /// Connects what the operator does with permissions and with the audit trail.
   void watchOperator();
   /// In a locked window only Stop works.
@@ -143,6 +148,8 @@ class MainWindow final : public QMainWindow {
   FoundRuns m_found;
   PastRuns m_pastRuns;
   CreditCommissioning m_credit;
+  MachineProfiles m_profiles;
+  Machines m_machines;
 
   bool m_closesAfterRun = false;
   bool m_isStopRequested = false;  ///< by Escape, of the run in progress

@@ -128,6 +128,7 @@ std::vector<PreflightItem> Preflight::items() const {
     items.push_back(jobItem());
   }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());
+  items.push_back(travelItem());
   items.push_back(feedItem());
   items.push_back(methodItem());
   if (const auto rehearsal = rehearsalView(m_document.findings())) {
@@ -228,6 +229,47 @@ PreflightItem Preflight::firstMoveItem() const {
                     "moves from where the tool stands, perhaps in the cut, to the first point.")
                      .arg(widgets::countText(m_runs.update().counters.executed),
                           widgets::countText(m_runs.update().counters.total));
+  }
+  return item;
+}
+
+PreflightItem Preflight::travelItem() const {
+  PreflightItem item{Status::Plain, tr("Travel"), {}, {}, 0};
+  const auto& machine = m_document.machine();
+  if (!machine) {
+    item.status = Status::Unknown;
+    item.text = tr("Not checked: nobody has entered the limits of this machine.");
+    item.remedy = tr("Enter …");
+    item.remedyId = EnterLimits;
+    return item;
+  }
+  const std::vector<gcode::StreamPoint>& points = m_document.points();
+  QStringList sizes;
+  QStringList tooLong;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(),
+        [axis](const auto& a, const auto& b) { return a.positionMm[axis] < b.positionMm[axis]; });
+    const double sizeMm = points.empty() ? 0.0 : high->positionMm[axis] - low->positionMm[axis];
+    const double travelMm = machine->axes[axis].positionMmMax - machine->axes[axis].positionMmMin;
+    const QLatin1Char name(base::kAxisNames[axis]);
+    sizes.push_back(name + QStringLiteral("\u00A0%1").arg(widgets::numberText(sizeMm, 1)));
+    if (sizeMm > travelMm) {
+      tooLong.push_back(tr("%1 needs %2, the machine has %3")
+                            .arg(name)
+                            .arg(widgets::lengthText(sizeMm, 1), widgets::lengthText(travelMm, 1)));
+    }
+  }
+  if (!tooLong.isEmpty()) {
+    item.status = Status::Fault;
+    item.text =
+        tr("The path is longer than the travel: %1.").arg(tooLong.join(QStringLiteral("; ")));
+  } else {
+    item.status = Status::Good;
+    item.text =
+        tr("The path (%1 mm) is not longer than the travel of the axes. Where the workpiece "
+           "lies is not known to Rivulet.")
+            .arg(sizes.join(QLatin1Char(' ')));
   }
   return item;
 }
@@ -387,6 +429,11 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == RunWholeJob) {
     m_document.chooseJob(true);
+    return;
+  }
+  if (remedyId == EnterLimits) {
+    close();
+    Q_EMIT limitsRequested();
     return;
   }
   if (remedyId == ReloadProgram) {

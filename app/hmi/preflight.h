@@ -22,7 +22,7 @@ class Preflight final : public QObject {
   Q_OBJECT
 
  public:
-  enum Remedy { ReloadProgram, UseProgramFeed, ReleaseJob, TakeBackRelease, RunWholeJob };
+  enum Remedy { ReloadProgram, UseProgramFeed, ReleaseJob, TakeBackRelease, RunWholeJob, EnterLimits };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
 
@@ -50,6 +50,8 @@ class Preflight final : public QObject {
   /// Opened or closed.
   void openChanged();
   void changed();
+  /// The operator wants to enter the limits of the machine.
+  void limitsRequested();
 
  private:
   [[nodiscard]] widgets::PreflightItem programItem() const;
@@ -57,6 +59,7 @@ class Preflight final : public QObject {
   /// Of a program with blocks that the machine needs beside the motion.
   [[nodiscard]] widgets::PreflightItem jobItem() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
+  [[nodiscard]] widgets::PreflightItem travelItem() const;
   [[nodiscard]] widgets::PreflightItem resumeItem() const;
   [[nodiscard]] widgets::PreflightItem originItem() const;
   [[nodiscard]] widgets::PreflightItem feedItem() const;

@@ -21,6 +21,7 @@
 #include "support/test_program.h"
 #include "widgets/common/focus_frame.h"
 #include "widgets/common/help_page.h"
+#include "widgets/setup/set_up_page.h"
 #include "widgets/trace/trace_page.h"
 
 using namespace rivulet;
@@ -137,7 +138,15 @@ class TestLook : public QObject {
   void inspectPages(const Look& look, const QString& scene) {
     for (int page = 0; page < m_window->pages()->count(); ++page) {
       m_window->pages()->setCurrentIndex(page);
-      inspect(look, QStringLiteral("%1-%2").arg(scene).arg(page));
+      auto* setUp = m_window->findChild<widgets::SetUpPage*>();
+      const int steps = setUp->isVisible() ? setUp->steps()->count() : 1;
+      for (int step = 0; step < steps; ++step) {
+        if (steps > 1) {
+          setUp->steps()->setCurrentIndex(step);
+        }
+        inspect(look, step == 0 ? QStringLiteral("%1-%2").arg(scene).arg(page)
+                                : QStringLiteral("%1-%2-%3").arg(scene).arg(page).arg(step));
+      }
     }
     m_window->pages()->setCurrentIndex(0);
   }

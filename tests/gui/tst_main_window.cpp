@@ -45,6 +45,7 @@
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
+#include "widgets/setup/set_up_page.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/preflight_sheet.h"
@@ -64,7 +65,7 @@ constexpr int kSoonMs = 20000;
 constexpr int kRunMs = 300000;
 constexpr std::size_t kScorpionPoints = 270;
 constexpr std::size_t kScorpionLines = 276;
-constexpr int kCalibrationPage = 4;
+constexpr int kSetUpPage = 8;
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
@@ -107,10 +108,9 @@ int countOf(const QWidget* widget, const QString& text) {
 void picturePages(MainWindow& window, const QString& prefix) {
   QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
   const QStringList names{
-      QStringLiteral("program"),  QStringLiteral("feasibility"), QStringLiteral("traces"),
-      QStringLiteral("template"), QStringLiteral("calibration"), QStringLiteral("credit-test"),
-      QStringLiteral("runs"),     QStringLiteral("alarms"),      QStringLiteral("messages"),
-      QStringLiteral("audit"),    QStringLiteral("users")};
+      QStringLiteral("program"), QStringLiteral("feasibility"), QStringLiteral("traces"),
+      QStringLiteral("runs"),    QStringLiteral("alarms"),      QStringLiteral("messages"),
+      QStringLiteral("audit"),   QStringLiteral("users"),       QStringLiteral("set-up")};
   const int present = window.pages()->currentIndex();
   for (int page = 0; page < window.pages()->count(); ++page) {
     window.pages()->setCurrentIndex(page);
@@ -178,7 +178,9 @@ class TestMainWindow : public QObject {
   void openCalibration() {
     QDir(m_folder.filePath(QStringLiteral("rivulet/machines"))).removeRecursively();
     startMachine("dmu75-arrays");
-    m_window->pages()->setCurrentIndex(kCalibrationPage);
+    m_window->pages()->setCurrentIndex(kSetUpPage);
+    auto* steps = m_window->findChild<widgets::SetUpPage*>()->steps();
+    steps->setCurrentWidget(m_window->calibrationPage());
     streaming::CalibrationPlan plan;
     plan.firstCell = 80;
     plan.lastCell = 99;
@@ -485,8 +487,13 @@ class TestMainWindow : public QObject {
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/old-values.png")));
     m_machine->kill();
     QVERIFY(finished.wait(kRunMs));
-    auto* panel = m_window->findChild<widgets::ConnectionPanel*>();
-    QVERIFY(!shows(panel, QStringLiteral("Active")) && !shows(panel, QStringLiteral("Running")));
+    for (const auto* panel : m_window->findChildren<widgets::ConnectionPanel*>()) {
+      for (const auto* label : panel->findChildren<QLabel*>()) {
+        QVERIFY2(!label->text().contains(QStringLiteral("Active")) &&
+                     !label->text().contains(QStringLiteral("Running")),
+                 qPrintable(label->text()));
+      }
+    }
     QVERIFY(struck() >= 3);
   }
 

@@ -162,7 +162,8 @@ void ConnectionPanel::showMachine() {
   m_virtualBadge->setStatus(Status::Simulated, tr("Virtual machine: no real axis moves"));
 
   showChannel();
-  showProgramStatus();
+  const ProgramStatusText program = programStatusText(m_machine.programStatus);
+  m_programStatus->setStatus(program.status, program.text);
 
   const auto text = [](const std::optional<QString>& value) {
     return value && !value->isEmpty() ? *value : noValue();
@@ -209,38 +210,6 @@ void ConnectionPanel::showChannel() {
     }
   }
   m_channel->setStatus(channelStatus, channel);
-}
-
-void ConnectionPanel::showProgramStatus() {
-  Status programStatus = Status::Unknown;
-  QString program = noValue();
-  if (m_machine.programStatus) {
-    switch (*m_machine.programStatus) {
-      case 1:
-        programStatus = Status::Attention;
-        program = tr("Interrupted");
-        break;
-      case 2:
-        programStatus = Status::Good;
-        program = tr("Stopped");
-        break;
-      case 3:
-        programStatus = Status::Busy;
-        program = tr("Running");
-        break;
-      case 4:
-        programStatus = Status::Busy;
-        program = tr("Waiting");
-        break;
-      case 5:
-        programStatus = Status::Good;
-        program = tr("Ended");
-        break;
-      default:
-        program = tr("Unknown (%1)").arg(*m_machine.programStatus);
-    }
-  }
-  m_programStatus->setStatus(programStatus, program);
 }
 
 }  // namespace rivulet::widgets

@@ -47,7 +47,6 @@ class ConnectionPanel final : public Page {
   void showConnection();
   void showMachine();
   void showChannel();
-  void showProgramStatus();
 
   ConnectionState m_state = ConnectionState::Disconnected;
   QString m_detail;

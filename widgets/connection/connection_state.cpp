@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include "widgets/common/number_format.h"
+
 namespace rivulet::widgets {
 
 namespace {
@@ -26,12 +28,36 @@ struct ConnectionTexts {
     }
     return {};
   }
+
+  static ProgramStatusText programStatus(std::optional<int> status) {
+    if (!status) {
+      return {Status::Unknown, noValue()};
+    }
+    switch (*status) {
+      case 1:
+        return {Status::Attention, tr("Interrupted")};
+      case 2:
+        return {Status::Good, tr("Stopped")};
+      case 3:
+        return {Status::Busy, tr("Running")};
+      case 4:
+        return {Status::Busy, tr("Waiting")};
+      case 5:
+        return {Status::Good, tr("Ended")};
+      default:
+        return {Status::Unknown, tr("Unknown (%1)").arg(*status)};
+    }
+  }
 };
 
 }  // namespace
 
 QString connectionText(ConnectionState state) {
   return ConnectionTexts::text(state);
+}
+
+ProgramStatusText programStatusText(std::optional<int> programStatus) {
+  return ConnectionTexts::programStatus(programStatus);
 }
 
 Status connectionStatus(ConnectionState state) {

@@ -15,4 +15,11 @@ namespace rivulet::widgets {
 [[nodiscard]] QString connectionText(ConnectionState state);
 [[nodiscard]] Status connectionStatus(ConnectionState state);
 
+struct ProgramStatusText {
+  Status status = Status::Unknown;
+  QString text;
+};
+/// @param programStatus  opcua::VariableKind::ProgramStatus; nothing: not known
+[[nodiscard]] ProgramStatusText programStatusText(std::optional<int> programStatus);
+
 }  // namespace rivulet::widgets

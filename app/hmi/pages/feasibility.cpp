@@ -64,6 +64,7 @@ session::RegionJob jobOf(const Document& document, const widgets::SimulationWant
     points[i].feedMmPerS = settings.programFeeds ? document.commandedMmPerS(i) : 0.0;
   }
   job.points = experiments::stretchOf(points, tightest.point.value, kSimulatedPoints);
+  job.machine = document.machine();
   job.axis = wanted.axis;
   job.feedsMmPerS = wanted.feedsMmPerS;
   const int fits = templates::pointsPerLoopMax(job.settings.parameters);
@@ -186,6 +187,7 @@ session::AdviceJob adviceJob(const Document& document) {
   session::AdviceJob job;
   job.view = document.view();
   job.settings = document.runSettings();
+  job.machine = document.machine();
   job.question = {
       findings.operatingPoint,    findings.access,        {},
       pointsPerLoopMax(document), otherMethods(document), feedScaleOf(document).fullFeedMmPerS};

@@ -3,6 +3,8 @@
 
 /// Pages about the machine: connection, calibration, and the program it is to be given.
 
+#include <QCoreApplication>
+
 #include "hmi/credit_commissioning.h"
 #include "hmi/pages/pages.h"
 #include "templates/generator.h"
@@ -12,7 +14,9 @@
 #include "widgets/common/error_text.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/connection/machine_button.h"
+#include "widgets/connection/machines_page.h"
 #include "widgets/connection/position_line.h"
+#include "widgets/program/program_page.h"
 #include "widgets/templates/template_page.h"
 
 namespace rivulet::hmi {
@@ -22,19 +26,9 @@ using widgets::ConnectionPanel;
 
 namespace {
 
-widgets::ConnectionState connectionState(session::LinkState state) {
-  switch (state) {
-    case session::LinkState::Disconnected:
-      return widgets::ConnectionState::Disconnected;
-    case session::LinkState::Connecting:
-      return widgets::ConnectionState::Connecting;
-    case session::LinkState::Connected:
-      return widgets::ConnectionState::Connected;
-    case session::LinkState::Lost:
-      return widgets::ConnectionState::Lost;
-  }
-  return widgets::ConnectionState::Disconnected;
-}
+struct PagesTexts {
+  Q_DECLARE_TR_FUNCTIONS(MachinesPage)
+};
 
 }  // namespace
 
@@ -49,7 +43,7 @@ QWidget* makeConnectionPanel(const Models& models) {
                    [panel, machine] { panel->setEndpoint(machine->endpoint()); });
   QObject::connect(machine, &MachineModel::linkChanged, panel, [panel, machine] {
     const base::Error& error = machine->link().error;
-    panel->setConnectionState(connectionState(machine->link().state),
+    panel->setConnectionState(machine->connectionState(),
                               error.code ? widgets::errorText(error) : QString());
   });
   QObject::connect(machine, &MachineModel::viewChanged, panel,
@@ -64,12 +58,48 @@ QWidget* makeConnectionPanel(const Models& models) {
 QToolButton* makeMachineButton(const Models& models, QWidget* parent) {
   auto* button = new widgets::MachineButton(parent);
   const MachineModel* machine = &models.machine;
-  QObject::connect(machine, &MachineModel::linkChanged, button, [button, machine] {
-    button->setConnectionState(connectionState(machine->link().state));
-  });
+  QObject::connect(machine, &MachineModel::linkChanged, button,
+                   [button, machine] { button->setConnectionState(machine->connectionState()); });
   QObject::connect(machine, &MachineModel::viewChanged, button,
                    [button, machine] { button->setMachineState(machine->view()); });
   return button;
+}
+
+QWidget* makeMachinesPage(const Models& models, QWidget* parent) {
+  auto* page = new widgets::MachinesPage(parent);
+  Machines* machines = &models.machines;
+  const Alarms* alarms = &models.alarms;
+  const auto show = [page, machines, alarms] {
+    std::vector<widgets::MachineCardView> cards = machines->cards();
+    for (widgets::MachineCardView& card : cards) {
+      card.alarms = card.isPresent ? alarms->list().shownCount() : 0;
+    }
+    page->setMachines(cards);
+  };
+  const auto showIfSeen = [page, show] {
+    if (page->isVisible()) {
+      show();
+    }
+  };
+  QObject::connect(machines, &Machines::changed, page, show);
+  QObject::connect(alarms, &Alarms::changed, page, show);
+  QObject::connect(&models.profiles, &MachineProfiles::changed, machines, &Machines::refresh);
+  QObject::connect(&models.machine, &MachineModel::viewChanged, page, showIfSeen);
+  QObject::connect(&models.runs, &RunController::updated, page, showIfSeen);
+  QObject::connect(page, &widgets::MachinesPage::openRequested, machines,
+                   [page, machines](const QString& endpoint) {
+                     machines->open(endpoint);
+                     if (auto* program = page->window()->findChild<widgets::ProgramPage*>()) {
+                       showPageOf(program);
+                     }
+                   });
+  const auto block = [page, machines] {
+    page->setBlocked(machines->canChange()
+                         ? QString()
+                         : PagesTexts::tr("During a run, the window stays with its machine."));
+  };
+  QObject::connect(&models.runs, &RunController::permissionsChanged, page, block);
+  return page;
 }
 
 QWidget* makePositionLine(const Models& models, QWidget* parent) {

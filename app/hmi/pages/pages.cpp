@@ -19,18 +19,17 @@ struct Pages {
   Q_DECLARE_TR_FUNCTIONS(Pages)
 };
 
-constexpr std::array<PageEntry, 11> kEntries{{
+constexpr std::array<PageEntry, 10> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage, "The program"},
     {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage, "Feasibility"},
     {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage, "Traces"},
-    {QT_TRANSLATE_NOOP("Pages", "Template"), makeTemplatePage, "Template"},
-    {QT_TRANSLATE_NOOP("Pages", "Calibration"), makeCalibrationPage, "Calibration"},
-    {QT_TRANSLATE_NOOP("Pages", "Credit test"), makeCommissioningPage, "Credit test"},
     {QT_TRANSLATE_NOOP("Pages", "Runs"), makeRunsPage, "Runs"},
     {QT_TRANSLATE_NOOP("Pages", "Alarms"), makeAlarmPage, "Alarms"},
     {QT_TRANSLATE_NOOP("Pages", "Messages"), makeLogPage, "Messages"},
     {QT_TRANSLATE_NOOP("Pages", "Audit"), makeAuditPage, "Audit"},
     {QT_TRANSLATE_NOOP("Pages", "Users"), makeUsersPage, "Users"},
+    {QT_TRANSLATE_NOOP("Pages", "Configure"), makeSetUpPage, "Configure"},
+    {QT_TRANSLATE_NOOP("Pages", "Machines"), makeMachinesPage, "Machines"},
 }};
 
 }  // namespace

@@ -14,6 +14,8 @@
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
 #include "hmi/machine_model.h"
+#include "hmi/machine_profiles.h"
+#include "hmi/machines.h"
 #include "hmi/messages.h"
 #include "hmi/past_runs.h"
 #include "hmi/preflight.h"
@@ -44,6 +46,8 @@ struct Models {
   FoundRuns& found;
   PastRuns& pastRuns;
   CreditCommissioning& credit;
+  MachineProfiles& profiles;
+  Machines& machines;
 };
 
 /// A page of the tab widget.
@@ -62,6 +66,8 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeTemplatePage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeCalibrationPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeCommissioningPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeMachinesPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeSetUpPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeRunsPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAlarmPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAuditPage(const Models& models, QWidget* parent);

@@ -10,6 +10,7 @@
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/setup/profile_page.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/method_panel.h"
@@ -254,6 +255,11 @@ QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
   QObject::connect(preflight, &Preflight::changed, sheet, show);
   QObject::connect(sheet, &PreflightSheet::closeRequested, preflight, &Preflight::dismiss);
   QObject::connect(sheet, &PreflightSheet::remedyRequested, preflight, &Preflight::remedy);
+  QObject::connect(preflight, &Preflight::limitsRequested, sheet, [sheet] {
+    if (auto* page = sheet->window()->findChild<widgets::ProfilePage*>()) {
+      showPageOf(page);
+    }
+  });
   return sheet;
 }
 

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The limits of a machine, typed in the window: they count at once, and again at the next
+/// connection to this machine. And the machines that the window knows.
+
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "hmi/main_window.h"
+#include "report/machine_profile.h"
+#include "report/machine_store.h"
+#include "support/simulated_control.h"
+#include "support/test_program.h"
+#include "widgets/common/number_field.h"
+#include "widgets/connection/machines_page.h"
+#include "widgets/setup/profile_page.h"
+#include "widgets/setup/set_up_page.h"
+#include "widgets/streaming/preflight_sheet.h"
+
+using namespace rivulet;
+using hmi::MainWindow;
+
+namespace {
+
+constexpr int kSoonMs = 20000;
+const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
+
+}  // namespace
+
+class TestMachineProfiles : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+  std::unique_ptr<tests::SimulatedControl> m_machine;
+  std::unique_ptr<MainWindow> m_window;
+
+  void openWindow() {
+    m_window.reset();
+    hmi::Settings settings;
+    settings.language = QStringLiteral("en");
+    settings.stream.parameters.method = base::MethodKind::Window;
+    settings.stream.programFeeds = true;
+    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
+      return m_machine->connect(endpoint);
+    });
+    m_window->resize(1440, 900);
+    m_window->show();
+    m_window->openProgram(kScorpion);
+    m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+  [[nodiscard]] widgets::NumberField* field(const QString& name) const {
+    for (auto* field : page()->findChildren<widgets::NumberField*>()) {
+      if (field->accessibleName() == name) {
+        return field;
+      }
+    }
+    return nullptr;
+  }
+  [[nodiscard]] widgets::ProfilePage* page() const {
+    return m_window->findChild<widgets::ProfilePage*>();
+  }
+  [[nodiscard]] QPushButton* button(const QString& text) const {
+    for (auto* button : page()->findChildren<QPushButton*>()) {
+      if (button->text() == text) {
+        return button;
+      }
+    }
+    return nullptr;
+  }
+  [[nodiscard]] QString preflightText() const {
+    m_window->showPreflight();
+    QCoreApplication::processEvents();
+    QString text;
+    for (const auto* label :
+         m_window->findChild<widgets::PreflightSheet*>()->findChildren<QLabel*>()) {
+      text += label->text() + QLatin1Char('\n');
+    }
+    m_window->closePreflight();
+    return text;
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    qputenv("XDG_DATA_HOME", m_folder.path().toUtf8());
+    qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());
+    m_machine = std::make_unique<tests::SimulatedControl>("dmu75");
+  }
+  void cleanupTestCase() {
+    m_window.reset();
+    m_machine.reset();
+  }
+
+  void limitsCountAndAreFoundAgain() {
+    openWindow();
+    QVERIFY2(preflightText().contains(QStringLiteral("nobody has entered the limits")),
+             qPrintable(preflightText()));
+    const double fastest = m_window->feedMmPerSMax();
+    widgets::NumberField* rapid = field(QStringLiteral("Rapid, mm/min"));
+    QVERIFY(rapid != nullptr);
+    QVERIFY(std::abs(rapid->value() - 60.0 * fastest) < 1e-6);
+    // No axis without travel.
+    widgets::NumberField* end = field(QStringLiteral("X Travel to"));
+    const double endMm = end->value();
+    end->setValue(-1e6);
+    QVERIFY(!button(QStringLiteral("Save the limits"))->isEnabled());
+    end->setValue(endMm);
+    for (const char* axis : {"X", "Y", "Z"}) {
+      field(QString::fromLatin1(axis) + QStringLiteral(" Speed"))->setValue(12000.0);
+    }
+    rapid->setValue(12000.0);
+    field(QStringLiteral("Y Travel from"))->setValue(0.0);
+    field(QStringLiteral("Y Travel to"))->setValue(2.0);
+    QVERIFY(button(QStringLiteral("Save the limits"))->isEnabled());
+    button(QStringLiteral("Save the limits"))->click();
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->feedMmPerSMax(), 200.0, kSoonMs);
+    QVERIFY(!button(QStringLiteral("Save the limits"))->isEnabled());
+    QTRY_VERIFY2_WITH_TIMEOUT(preflightText().contains(QStringLiteral("Y needs")),
+                              qPrintable(preflightText()), kSoonMs);
+    openWindow();
+    QCOMPARE(m_window->feedMmPerSMax(), 200.0);
+    QCOMPARE(field(QStringLiteral("Y Travel to"))->value(), 2.0);
+  }
+
+  /// What the names of the steps show is what has been done.
+  void limitsOfAPresetAreTakenOver() {
+    openWindow();
+    auto* preset = page()->findChild<QComboBox*>();
+    preset->setCurrentText(QStringLiteral("dmu75-5axis"));
+    button(QStringLiteral("Take over its limits"))->click();
+    QVERIFY(field(QStringLiteral("Rapid, mm/min"))->value() > 12000.0);
+    QVERIFY(button(QStringLiteral("Discard changes"))->isEnabled());
+    button(QStringLiteral("Discard changes"))->click();
+    QCOMPARE(field(QStringLiteral("Rapid, mm/min"))->value(), 12000.0);
+    m_window->findChild<widgets::SetUpPage*>()->steps()->setCurrentWidget(page());
+    m_window->pages()->setCurrentIndex(m_window->pages()->count() - 2);
+    QCoreApplication::processEvents();
+    QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/limits-light.png")));
+    m_window->setTheme(widgets::Theme::Dark);
+    m_window->resize(1024, 768);
+    QCoreApplication::processEvents();
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/limits-dark.png")));
+    m_window->setTheme(widgets::Theme::Light);
+  }
+
+  /// With several machines, the window begins with them; a click goes to one.
+  void severalMachinesAreTheFirstPage() {
+    auto other = report::profileOfPreset("dmu75").value();
+    other.endpoint = "opc.tcp://192.168.7.20:4840";
+    other.server.applicationUri = "urn:maker:control";
+    other.name = "Mill in the back";
+    QVERIFY(report::MachineStore().save(other).has_value());
+    m_window.reset();
+    hmi::Settings settings;
+    settings.language = QStringLiteral("en");
+    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
+      return m_machine->connect(endpoint);
+    });
+    m_window->resize(1440, 900);
+    m_window->show();
+    auto* machines = m_window->findChild<widgets::MachinesPage*>();
+    QTRY_VERIFY_WITH_TIMEOUT(machines->isVisible(), kSoonMs);
+    const auto connects = [machines] {
+      QStringList names;
+      for (const auto* button : machines->findChildren<QPushButton*>()) {
+        names.append(button->accessibleName());
+      }
+      return names;
+    };
+    QCOMPARE(connects().size(), 2);
+    QCOMPARE(connects().front(), QStringLiteral("Connect Mill in the back"));
+    QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+    QCoreApplication::processEvents();
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/machines-light.png")));
+    machines->findChildren<QPushButton*>().back()->click();
+    QVERIFY(!machines->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(connects().back().startsWith(QStringLiteral("Open ")), kSoonMs);
+    m_window->setTheme(widgets::Theme::Dark);
+    m_window->resize(1024, 768);
+    m_window->pages()->setCurrentIndex(m_window->pages()->count() - 1);
+    QVERIFY(machines->isVisible());
+    QCoreApplication::processEvents();
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/machines-dark.png")));
+    m_window->setTheme(widgets::Theme::Light);
+  }
+};
+
+RIVULET_TEST(TestMachineProfiles)
+#include "tst_machine_profiles.moc"

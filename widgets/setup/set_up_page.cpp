@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/setup/set_up_page.h"
+
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+SetUpPage::SetUpPage(QWidget* parent) : Page(parent), m_steps(new QTabWidget(this)) {
+  m_steps->setDocumentMode(true);
+  m_steps->setIconSize(QSize(16, 16));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_steps);
+  retranslate();
+  restyle();
+}
+
+void SetUpPage::addStep(QWidget* step, std::function<QString()> title) {
+  m_steps->addTab(step, title());
+  m_list.push_back({step, std::move(title)});
+}
+
+void SetUpPage::setStatus(const QWidget* step, Status status) {
+  for (Step& one : m_list) {
+    if (one.page == step && one.status != status) {
+      one.status = status;
+      restyle();
+    }
+  }
+}
+
+void SetUpPage::retranslate() {
+  for (std::size_t i = 0; i < m_list.size(); ++i) {
+    m_steps->setTabText(static_cast<int>(i), m_list[i].title());
+  }
+}
+
+void SetUpPage::restyle() {
+  for (std::size_t i = 0; i < m_list.size(); ++i) {
+    const Status status = m_list[i].status;
+    m_steps->setTabIcon(static_cast<int>(i),
+                        status == Status::Plain
+                            ? QIcon()
+                            : themedIcon(statusIconName(status), statusColor(status, palette())));
+  }
+}
+
+}  // namespace rivulet::widgets
