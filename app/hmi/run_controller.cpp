@@ -12,6 +12,7 @@
 #include "templates/generator.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
+#include "widgets/common/note_text.h"
 #include "widgets/common/number_format.h"
 #include "widgets/streaming/report_panel.h"
 
@@ -60,7 +61,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
       return;  // said when the button was pressed, in the operator's language
     }
     m_messages.log(Severity::Note, Source::Run,
-                   [text = QString::fromStdString(note.text)] { return text; });
+                   [text = QString::fromStdString(note.text)] { return widgets::noteText(text); });
   });
   connect(&m_machine, &MachineModel::linkChanged, this, [this] {
     // Whole jobs are new: only a virtual machine may run them.

@@ -27,6 +27,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/log_view.h"
+#include "widgets/common/note_text.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -123,6 +124,27 @@ class TestCommon : public QObject {
     language.german();
     QCOMPARE(numberText(1234.5, 2), QString("1.234,50"));
     QCOMPARE(countText(1'000'000), QString("1.000.000"));
+  }
+
+  /// Notes of a run are written in English by core, and said in the language of the window.
+  void notesSpeakTheLanguage() {
+    test::Language language;
+    const QString transfer =
+        QStringLiteral("program RIVULET_WINDOW_7.MPF: written, compared, to be selected");
+    QCOMPARE(noteText(transfer),
+             QStringLiteral("Program RIVULET_WINDOW_7.MPF: written, compared, to be selected."));
+    QCOMPARE(noteText(QStringLiteral("something else")), QStringLiteral("something else"));
+    language.german();
+    QCOMPARE(noteText(transfer),
+             QStringLiteral("Programm RIVULET_WINDOW_7.MPF: geschrieben, verglichen, anzuwählen."));
+    QCOMPARE(noteText(QStringLiteral("network: nothing has come from the control for 3 s")),
+             QStringLiteral("Seit 3 s ist nichts von der Steuerung gekommen."));
+    QVERIFY(!noteText(QStringLiteral("access form: array-count")).contains("array-count"));
+    QVERIFY(noteText(QStringLiteral("slowed: The control answered slowly: accesses took up to 1.20 "
+                                    "s, 40 times as long as expected. Each took at least 0.90 s: "
+                                    "the network is slow, or the server is busy with another OPC "
+                                    "UA client."))
+                .contains("Jeder dauerte mindestens 0.90 s"));
   }
 
   void themesAreReadable_data() {

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/note_text.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <array>
+
+#include "opcua/grouping.h"
+#include "widgets/streaming/report_panel.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+/// What core writes, with "%1" for a part that varies, and how it is said.
+struct NotePattern {
+  const char* written;
+  const char* said;
+};
+
+constexpr std::array<NotePattern, 17> kNotes{{
+    {"access form: %1", QT_TRANSLATE_NOOP("NoteTexts", "Form of access: %1.")},
+    {"program %1: %2, %3, %4", QT_TRANSLATE_NOOP("NoteTexts", "Program %1: %2, %3, %4.")},
+    {"network: nothing has come from the control for %1 s",
+     QT_TRANSLATE_NOOP("NoteTexts", "Nothing has come from the control for %1 s.")},
+    {"network: the control answers again",
+     QT_TRANSLATE_NOOP("NoteTexts", "The control answers again.")},
+    {"slowed: The control answered slowly: accesses took up to %1 s, %2 times as long as expected. "
+     "Each took at least %3 s: %4",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The control answered slowly: accesses took up to %1 s, %2 times as long as "
+                       "expected. Each took at least %3 s: the network is slow, or the server is "
+                       "busy with another OPC UA client.")},
+    {"slowed: The control answered slowly: accesses took up to %1 s, %2 times as long as expected. "
+     "%3",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The control answered slowly: accesses took up to %1 s, %2 times as long as "
+                       "expected. Others were fast: another OPC UA client keeps the server busy at "
+                       "times, or the network stalls.")},
+    {"online correction in mm: X %1 Y %2 Z %3",
+     QT_TRANSLATE_NOOP("NoteTexts", "Online correction in mm: X %1 Y %2 Z %3")},
+    {"refused: asked again",
+     QT_TRANSLATE_NOOP("NoteTexts", "The control has refused a request: asked again.")},
+    {"no answer in time: asked again",
+     QT_TRANSLATE_NOOP("NoteTexts", "No answer in time: asked again.")},
+    {"stream given up: %1", QT_TRANSLATE_NOOP("NoteTexts", "The stream was given up: %1")},
+    {"stream abandoned: %1", QT_TRANSLATE_NOOP("NoteTexts", "The stream was given up: %1")},
+    {"a signal was out of sequence: a window has been executed again",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "A signal was out of sequence: a window has been executed again.")},
+    {"the checkpoint could not be stored, so the run cannot be resumed after a crash of this "
+     "program: %1",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The place of the run could not be kept, so it cannot be resumed after a "
+                       "crash of this program: %1")},
+    {"the reason why the program ended could not be read",
+     QT_TRANSLATE_NOOP("NoteTexts", "The reason why the program ended could not be read.")},
+    {"the control's trace could not be fetched: %1",
+     QT_TRANSLATE_NOOP("NoteTexts", "The trace of the control could not be fetched: %1")},
+    {"the control's trace is incomplete: the run is not judged",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The trace of the control is incomplete: the run is not judged.")},
+    {"the name of the run could not be stored: %1",
+     QT_TRANSLATE_NOOP("NoteTexts", "The name of the run could not be stored: %1")},
+}};
+
+/// Words that stand in the place of a variable part.
+constexpr std::array<NotePattern, 6> kWords{{
+    {"written", QT_TRANSLATE_NOOP("NoteTexts", "written")},
+    {"already there", QT_TRANSLATE_NOOP("NoteTexts", "already there")},
+    {"compared", QT_TRANSLATE_NOOP("NoteTexts", "compared")},
+    {"not compared", QT_TRANSLATE_NOOP("NoteTexts", "not compared")},
+    {"selected", QT_TRANSLATE_NOOP("NoteTexts", "selected")},
+    {"to be selected", QT_TRANSLATE_NOOP("NoteTexts", "to be selected")},
+}};
+
+QRegularExpression expressionOf(const char* written) {
+  QString pattern = QRegularExpression::escape(QString::fromUtf8(written));
+  static const QRegularExpression place(QStringLiteral("\\\\%[1-9]"));
+  pattern.replace(place, QStringLiteral("(.*?)"));
+  return QRegularExpression(QRegularExpression::anchoredPattern(pattern),
+                            QRegularExpression::DotMatchesEverythingOption);
+}
+
+QString wordText(const QString& word) {
+  for (const NotePattern& known : kWords) {
+    if (word == QLatin1String(known.written)) {
+      return QCoreApplication::translate("NoteTexts", known.said);
+    }
+  }
+  const auto grouping = opcua::groupingFromName(word.toStdString());
+  return grouping ? groupingText(*grouping) : word;
+}
+
+}  // namespace
+
+QString noteText(const QString& note) {
+  for (const NotePattern& known : kNotes) {
+    const QRegularExpressionMatch match = expressionOf(known.written).match(note);
+    if (!match.hasMatch()) {
+      continue;
+    }
+    QString text = QCoreApplication::translate("NoteTexts", known.said);
+    for (int part = match.lastCapturedIndex(); part > 0; --part) {
+      text.replace(QStringLiteral("%%1").arg(part), wordText(match.captured(part)));
+    }
+    return text;
+  }
+  return note;
+}
+
+}  // namespace rivulet::widgets
