@@ -14,24 +14,24 @@ namespace rivulet::widgets {
 
 namespace {
 
-constexpr double kPercent = 100.0;
-constexpr double kMsPerS = 1000.0;
+constexpr double kOverridePercent = 100.0;
+constexpr double kFeedScaleMsPerS = 1000.0;
 
 }  // namespace
 
 double FeedScale::shown(double feedMmPerS) const {
-  return isOverride() ? kPercent * feedMmPerS / fullFeedMmPerS
+  return isOverride() ? kOverridePercent * feedMmPerS / fullFeedMmPerS
                       : base::mmPerMinFromMmPerS(feedMmPerS);
 }
 
 double FeedScale::feedMmPerS(double shown) const {
-  return isOverride() ? shown / kPercent * fullFeedMmPerS : base::mmPerSFromMmPerMin(shown);
+  return isOverride() ? shown / kOverridePercent * fullFeedMmPerS : base::mmPerSFromMmPerMin(shown);
 }
 
 double FeedScale::typed(double shown) const {
   if (isOverride()) {
-    return std::clamp(std::round(shown), kPercent * gcode::kOverrideMin,
-                      kPercent * gcode::kOverrideMax);
+    return std::clamp(std::round(shown), kOverridePercent * gcode::kOverrideMin,
+                      kOverridePercent * gcode::kOverrideMax);
   }
   constexpr double kFine = 0.1;
   return shown >= 10.0 ? std::round(shown) : std::max(std::round(shown / kFine), 1.0) * kFine;
@@ -47,11 +47,11 @@ QString FeedScale::changeText(double fromMmPerS, double toMmPerS) const {
 }
 
 double FeedScale::shownDistance(double distanceMm) const {
-  return isOverride() ? kMsPerS * distanceMm / fullFeedMmPerS : distanceMm;
+  return isOverride() ? kFeedScaleMsPerS * distanceMm / fullFeedMmPerS : distanceMm;
 }
 
 double FeedScale::distanceMm(double shownDistance) const {
-  return isOverride() ? shownDistance * fullFeedMmPerS / kMsPerS : shownDistance;
+  return isOverride() ? shownDistance * fullFeedMmPerS / kFeedScaleMsPerS : shownDistance;
 }
 
 QString FeedScale::distanceText(double distanceMm) const {
