@@ -475,6 +475,30 @@
         <source>Connection lost</source>
         <translation>Verbindung verloren</translation>
     </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Unbekannt (%1)</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -1458,6 +1482,134 @@
     </message>
 </context>
 <context>
+    <name>MachineCard</name>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n Alarm</numerusform>
+            <numerusform>%n Alarme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No run is known.</source>
+        <translation>Kein Lauf bekannt.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Not connected with this window</source>
+        <translation>Nicht mit diesem Fenster verbunden</translation>
+    </message>
+    <message>
+        <source>%1, seen %2 ago</source>
+        <translation>%1, gesehen vor %2</translation>
+    </message>
+</context>
+<context>
+    <name>MachinesPage</name>
+    <message>
+        <source>During a run, the window stays with its machine.</source>
+        <translation>Während eines Laufs bleibt das Fenster bei seiner Maschine.</translation>
+    </message>
+</context>
+<context>
+    <name>NoteTexts</name>
+    <message>
+        <source>Form of access: %1.</source>
+        <translation>Form des Zugriffs: %1.</translation>
+    </message>
+    <message>
+        <source>Program %1: %2, %3, %4.</source>
+        <translation>Programm %1: %2, %3, %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has come from the control for %1 s.</source>
+        <translation>Seit %1 s ist nichts von der Steuerung gekommen.</translation>
+    </message>
+    <message>
+        <source>The control answers again.</source>
+        <translation>Die Steuerung antwortet wieder.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Each took at least %3 s: the network is slow, or the server is busy with another OPC UA client.</source>
+        <translation>Die Steuerung hat langsam geantwortet: Zugriffe dauerten bis zu %1 s, %2-mal so lange wie erwartet. Jeder dauerte mindestens %3 s: Das Netz ist langsam, oder der Server ist mit einem anderen OPC-UA-Client beschäftigt.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Others were fast: another OPC UA client keeps the server busy at times, or the network stalls.</source>
+        <translation>Die Steuerung hat langsam geantwortet: Zugriffe dauerten bis zu %1 s, %2-mal so lange wie erwartet. Andere waren schnell: Ein anderer OPC-UA-Client beschäftigt den Server zeitweise, oder das Netz stockt.</translation>
+    </message>
+    <message>
+        <source>Online correction in mm: X %1 Y %2 Z %3</source>
+        <translation>Online-Korrektur in mm: X %1 Y %2 Z %3</translation>
+    </message>
+    <message>
+        <source>The control has refused a request: asked again.</source>
+        <translation>Die Steuerung hat eine Anfrage abgelehnt: noch einmal gefragt.</translation>
+    </message>
+    <message>
+        <source>No answer in time: asked again.</source>
+        <translation>Keine Antwort in der Zeit: noch einmal gefragt.</translation>
+    </message>
+    <message>
+        <source>The stream was given up: %1</source>
+        <translation>Der Stream wurde aufgegeben: %1</translation>
+    </message>
+    <message>
+        <source>A signal was out of sequence: a window has been executed again.</source>
+        <translation>Ein Signal kam außer der Reihe: Ein Fenster wurde noch einmal ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The place of the run could not be kept, so it cannot be resumed after a crash of this program: %1</source>
+        <translation>Der Ort des Laufs ließ sich nicht festhalten, darum kann er nach einem Absturz dieses Programms nicht fortgesetzt werden: %1</translation>
+    </message>
+    <message>
+        <source>The reason why the program ended could not be read.</source>
+        <translation>Der Grund, warum das Programm endete, ließ sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>The trace of the control could not be fetched: %1</source>
+        <translation>Die Aufzeichnung der Steuerung ließ sich nicht holen: %1</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: the run is not judged.</source>
+        <translation>Die Aufzeichnung der Steuerung ist unvollständig: Der Lauf wird nicht beurteilt.</translation>
+    </message>
+    <message>
+        <source>The name of the run could not be stored: %1</source>
+        <translation>Der Name des Laufs ließ sich nicht speichern: %1</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>schon da</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>verglichen</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>angewählt</translation>
+    </message>
+    <message>
+        <source>to be selected</source>
+        <translation>anzuwählen</translation>
+    </message>
+</context>
+<context>
     <name>Pages</name>
     <message>
         <source>Program</source>
@@ -1470,14 +1622,6 @@
     <message>
         <source>Traces</source>
         <translation>Verläufe</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Vorlage</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -1500,12 +1644,16 @@
         <translation>Benutzer</translation>
     </message>
     <message>
-        <source>Credit test</source>
-        <translation>Kredit-Test</translation>
-    </message>
-    <message>
         <source>Runs</source>
         <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Configure</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Maschinen</translation>
     </message>
 </context>
 <context>
@@ -1536,6 +1684,33 @@
     <message>
         <source>predicted</source>
         <translation>vorhergesagt</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTexts</name>
+    <message>
+        <source>Axis %1: the travel must end above its beginning.</source>
+        <translation>Achse %1: Der Verfahrweg muss über seinem Anfang enden.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the speed must be above zero.</source>
+        <translation>Achse %1: Die Geschwindigkeit muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the acceleration must be above zero.</source>
+        <translation>Achse %1: Die Beschleunigung muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the jerk must be above zero.</source>
+        <translation>Achse %1: Der Ruck muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>The rapid must be above zero.</source>
+        <translation>Der Eilgang muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>Tool %1: every tool needs its own number above zero.</source>
+        <translation>Werkzeug %1: Jedes Werkzeug braucht eine eigene Nummer über null.</translation>
     </message>
 </context>
 <context>
@@ -1691,6 +1866,37 @@
     <message>
         <source>%1 cannot be written. Check permissions and free space.</source>
         <translation>%1 kann nicht geschrieben werden. Rechte und freien Platz prüfen.</translation>
+    </message>
+</context>
+<context>
+    <name>SetUpTexts</name>
+    <message>
+        <source>Connect first: limits belong to one machine.</source>
+        <translation>Zuerst verbinden: Grenzen gehören zu einer Maschine.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this, and not during a run.</source>
+        <translation>Das kann nur ein Einrichter, und nicht während eines Laufs.</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Kredit-Test</translation>
     </message>
 </context>
 <context>
@@ -1912,6 +2118,20 @@
     <message>
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineProfiles</name>
+    <message>
+        <source>The limits of %1 have been saved.</source>
+        <translation>Die Grenzen von %1 wurden gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Machines</name>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Letzter Lauf %1: %2, %3 von %4 Punkten</translation>
     </message>
 </context>
 <context>
@@ -2239,6 +2459,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
         <translation>Zuerst führt die Steuerung Zeile %1 aus: %2. Dann fährt das Werkzeug von seinem Ort zum ersten Punkt von Abschnitt 1.</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Verfahrweg</translation>
+    </message>
+    <message>
+        <source>Not checked: nobody has entered the limits of this machine.</source>
+        <translation>Nicht geprüft: Niemand hat die Grenzen dieser Maschine eingegeben.</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>Eingeben …</translation>
+    </message>
+    <message>
+        <source>%1 needs %2, the machine has %3</source>
+        <translation>%1 braucht %2, die Maschine hat %3</translation>
+    </message>
+    <message>
+        <source>The path is longer than the travel: %1.</source>
+        <translation>Die Bahn ist länger als der Verfahrweg: %1.</translation>
+    </message>
+    <message>
+        <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
+        <translation>Die Bahn (%1 mm) ist nicht länger als der Verfahrweg der Achsen. Wo das Werkstück liegt, weiß Rivulet nicht.</translation>
     </message>
 </context>
 <context>
@@ -2996,22 +3240,6 @@ GPL-3.0-or-later</translation>
         <translation>Unbekannt (%1)</translation>
     </message>
     <message>
-        <source>Stopped</source>
-        <translation>Gestoppt</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>Läuft</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>Wartet</translation>
-    </message>
-    <message>
-        <source>Ended</source>
-        <translation>Beendet</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Keiner</translation>
     </message>
@@ -3559,6 +3787,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Connection and state of the machine</source>
         <translation>Verbindung und Zustand der Maschine</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachinesPage</name>
+    <message>
+        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
+        <translation>Mit einem Fenster ist immer nur eine Maschine verbunden. Die anderen werden nicht gefragt, denn jede Frage kostet sie Zeit, die ein anderer Stream vielleicht braucht.</translation>
     </message>
 </context>
 <context>
@@ -4177,6 +4412,113 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the run is resumed</source>
         <translation>Vor dem Fortsetzen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProfilePage</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Werkzeug %1</translation>
+    </message>
+    <message>
+        <source>Number of the tool</source>
+        <translation>Nummer des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Entered by %1 on %2.</source>
+        <translation>Eingegeben von %1 am %2.</translation>
+    </message>
+    <message>
+        <source>Nobody has entered the limits of this machine. Feeds and simulations take those of the machine in the paper: %1.</source>
+        <translation>Niemand hat die Grenzen dieser Maschine eingegeben. Vorschübe und Simulationen nehmen die der Maschine aus dem Artikel: %1.</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Name der Maschine</translation>
+    </message>
+    <message>
+        <source>Simulated as</source>
+        <translation>Simuliert als</translation>
+    </message>
+    <message>
+        <source>Take over its limits</source>
+        <translation>Deren Grenzen übernehmen</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Travel from</source>
+        <translation>Verfahrweg von</translation>
+    </message>
+    <message>
+        <source>Travel to</source>
+        <translation>Verfahrweg bis</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>Rapid, mm/min</source>
+        <translation>Eilgang, mm/min</translation>
+    </message>
+    <message>
+        <source>Spindle up to, 1/min</source>
+        <translation>Spindel bis, 1/min</translation>
+    </message>
+    <message>
+        <source>0: no spindle</source>
+        <translation>0: keine Spindel</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Länge, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Radius, mm</translation>
+    </message>
+    <message>
+        <source>Add a tool</source>
+        <translation>Werkzeug hinzufügen</translation>
+    </message>
+    <message>
+        <source>Save the limits</source>
+        <translation>Grenzen speichern</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Änderungen verwerfen</translation>
     </message>
 </context>
 <context>

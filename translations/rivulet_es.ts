@@ -475,6 +475,30 @@
         <source>Connection lost</source>
         <translation>Conexión perdida</translation>
     </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrumpido</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parado</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En espera</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Terminado</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Desconocido (%1)</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -1458,6 +1482,134 @@
     </message>
 </context>
 <context>
+    <name>MachineCard</name>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n alarma</numerusform>
+            <numerusform>%n alarmas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No run is known.</source>
+        <translation>No se conoce ninguna ejecución.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
+        <source>Not connected with this window</source>
+        <translation>No conectada con esta ventana</translation>
+    </message>
+    <message>
+        <source>%1, seen %2 ago</source>
+        <translation>%1, vista hace %2</translation>
+    </message>
+</context>
+<context>
+    <name>MachinesPage</name>
+    <message>
+        <source>During a run, the window stays with its machine.</source>
+        <translation>Durante una ejecución, la ventana se queda con su máquina.</translation>
+    </message>
+</context>
+<context>
+    <name>NoteTexts</name>
+    <message>
+        <source>Form of access: %1.</source>
+        <translation>Forma de acceso: %1.</translation>
+    </message>
+    <message>
+        <source>Program %1: %2, %3, %4.</source>
+        <translation>Programa %1: %2, %3, %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has come from the control for %1 s.</source>
+        <translation>Hace %1 s que no llega nada del control.</translation>
+    </message>
+    <message>
+        <source>The control answers again.</source>
+        <translation>El control responde de nuevo.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Each took at least %3 s: the network is slow, or the server is busy with another OPC UA client.</source>
+        <translation>El control ha respondido despacio: los accesos duraron hasta %1 s, %2 veces lo esperado. Cada uno duró al menos %3 s: la red es lenta, o el servidor está ocupado con otro cliente OPC UA.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Others were fast: another OPC UA client keeps the server busy at times, or the network stalls.</source>
+        <translation>El control ha respondido despacio: los accesos duraron hasta %1 s, %2 veces lo esperado. Otros fueron rápidos: otro cliente OPC UA ocupa el servidor a ratos, o la red se detiene.</translation>
+    </message>
+    <message>
+        <source>Online correction in mm: X %1 Y %2 Z %3</source>
+        <translation>Corrección en línea en mm: X %1 Y %2 Z %3</translation>
+    </message>
+    <message>
+        <source>The control has refused a request: asked again.</source>
+        <translation>El control ha rechazado una petición: se ha vuelto a preguntar.</translation>
+    </message>
+    <message>
+        <source>No answer in time: asked again.</source>
+        <translation>Sin respuesta a tiempo: se ha vuelto a preguntar.</translation>
+    </message>
+    <message>
+        <source>The stream was given up: %1</source>
+        <translation>La transmisión se ha abandonado: %1</translation>
+    </message>
+    <message>
+        <source>A signal was out of sequence: a window has been executed again.</source>
+        <translation>Una señal llegó fuera de orden: una ventana se ha ejecutado otra vez.</translation>
+    </message>
+    <message>
+        <source>The place of the run could not be kept, so it cannot be resumed after a crash of this program: %1</source>
+        <translation>No se ha podido guardar el punto de la ejecución, por eso no se puede reanudar tras un fallo de este programa: %1</translation>
+    </message>
+    <message>
+        <source>The reason why the program ended could not be read.</source>
+        <translation>No se ha podido leer por qué terminó el programa.</translation>
+    </message>
+    <message>
+        <source>The trace of the control could not be fetched: %1</source>
+        <translation>No se ha podido obtener la grabación del control: %1</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: the run is not judged.</source>
+        <translation>La grabación del control está incompleta: la ejecución no se juzga.</translation>
+    </message>
+    <message>
+        <source>The name of the run could not be stored: %1</source>
+        <translation>No se ha podido guardar el nombre de la ejecución: %1</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>escrito</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>ya estaba</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>comparado</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>sin comparar</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>seleccionado</translation>
+    </message>
+    <message>
+        <source>to be selected</source>
+        <translation>por seleccionar</translation>
+    </message>
+</context>
+<context>
     <name>Pages</name>
     <message>
         <source>Program</source>
@@ -1470,14 +1622,6 @@
     <message>
         <source>Traces</source>
         <translation>Curvas</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Plantilla</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Calibración</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -1500,12 +1644,16 @@
         <translation>Usuarios</translation>
     </message>
     <message>
-        <source>Credit test</source>
-        <translation>Prueba crédito</translation>
-    </message>
-    <message>
         <source>Runs</source>
         <translation>Ejecuciones</translation>
+    </message>
+    <message>
+        <source>Configure</source>
+        <translation>Configurar</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Máquinas</translation>
     </message>
 </context>
 <context>
@@ -1536,6 +1684,33 @@
     <message>
         <source>predicted</source>
         <translation>prevista</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTexts</name>
+    <message>
+        <source>Axis %1: the travel must end above its beginning.</source>
+        <translation>Eje %1: el recorrido debe terminar por encima de su inicio.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the speed must be above zero.</source>
+        <translation>Eje %1: la velocidad debe ser mayor que cero.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the acceleration must be above zero.</source>
+        <translation>Eje %1: la aceleración debe ser mayor que cero.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the jerk must be above zero.</source>
+        <translation>Eje %1: la sacudida debe ser mayor que cero.</translation>
+    </message>
+    <message>
+        <source>The rapid must be above zero.</source>
+        <translation>El rápido debe ser mayor que cero.</translation>
+    </message>
+    <message>
+        <source>Tool %1: every tool needs its own number above zero.</source>
+        <translation>Herramienta %1: cada herramienta necesita su propio número mayor que cero.</translation>
     </message>
 </context>
 <context>
@@ -1691,6 +1866,37 @@
     <message>
         <source>%1 cannot be written. Check permissions and free space.</source>
         <translation>No se puede escribir %1. Comprobar los permisos y el espacio libre.</translation>
+    </message>
+</context>
+<context>
+    <name>SetUpTexts</name>
+    <message>
+        <source>Connect first: limits belong to one machine.</source>
+        <translation>Conectar primero: los límites pertenecen a una máquina.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this, and not during a run.</source>
+        <translation>Solo puede hacerlo un preparador, y no durante una ejecución.</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Límites</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Plantilla</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Prueba crédito</translation>
     </message>
 </context>
 <context>
@@ -1912,6 +2118,20 @@
     <message>
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>La calibración corresponde a otra versión del servidor y no se utiliza.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineProfiles</name>
+    <message>
+        <source>The limits of %1 have been saved.</source>
+        <translation>Se han guardado los límites de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Machines</name>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Última ejecución %1: %2, %3 de %4 puntos</translation>
     </message>
 </context>
 <context>
@@ -2239,6 +2459,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
         <translation>Primero el control ejecuta la línea %1: %2. Después la herramienta va desde donde está al primer punto del tramo 1.</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Not checked: nobody has entered the limits of this machine.</source>
+        <translation>No comprobado: nadie ha introducido los límites de esta máquina.</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>Introducir…</translation>
+    </message>
+    <message>
+        <source>%1 needs %2, the machine has %3</source>
+        <translation>%1 necesita %2, la máquina tiene %3</translation>
+    </message>
+    <message>
+        <source>The path is longer than the travel: %1.</source>
+        <translation>La trayectoria es más larga que el recorrido: %1.</translation>
+    </message>
+    <message>
+        <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
+        <translation>La trayectoria (%1 mm) no es más larga que el recorrido de los ejes. Rivulet no sabe dónde está la pieza.</translation>
     </message>
 </context>
 <context>
@@ -2996,22 +3240,6 @@ GPL-3.0-or-later</translation>
         <translation>Desconocido (%1)</translation>
     </message>
     <message>
-        <source>Stopped</source>
-        <translation>Parado</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>En marcha</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>En espera</translation>
-    </message>
-    <message>
-        <source>Ended</source>
-        <translation>Terminado</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Ninguna</translation>
     </message>
@@ -3559,6 +3787,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Connection and state of the machine</source>
         <translation>Conexión y estado de la máquina</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachinesPage</name>
+    <message>
+        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
+        <translation>A una ventana solo está conectada una máquina a la vez. A las demás no se les pregunta, porque cada pregunta les costaría tiempo que otra transmisión puede necesitar.</translation>
     </message>
 </context>
 <context>
@@ -4177,6 +4412,113 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the run is resumed</source>
         <translation>Antes de reanudar la ejecución</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProfilePage</name>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Herramienta %1</translation>
+    </message>
+    <message>
+        <source>Number of the tool</source>
+        <translation>Número de la herramienta</translation>
+    </message>
+    <message>
+        <source>Entered by %1 on %2.</source>
+        <translation>Introducido por %1 el %2.</translation>
+    </message>
+    <message>
+        <source>Nobody has entered the limits of this machine. Feeds and simulations take those of the machine in the paper: %1.</source>
+        <translation>Nadie ha introducido los límites de esta máquina. Los avances y las simulaciones toman los de la máquina del artículo: %1.</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Aún no guardado.</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Nombre de la máquina</translation>
+    </message>
+    <message>
+        <source>Simulated as</source>
+        <translation>Simulada como</translation>
+    </message>
+    <message>
+        <source>Take over its limits</source>
+        <translation>Tomar sus límites</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Travel from</source>
+        <translation>Recorrido desde</translation>
+    </message>
+    <message>
+        <source>Travel to</source>
+        <translation>Recorrido hasta</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Sacudida</translation>
+    </message>
+    <message>
+        <source>Rapid, mm/min</source>
+        <translation>Rápido, mm/min</translation>
+    </message>
+    <message>
+        <source>Spindle up to, 1/min</source>
+        <translation>Cabezal hasta, 1/min</translation>
+    </message>
+    <message>
+        <source>0: no spindle</source>
+        <translation>0: sin cabezal</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Longitud, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Radio, mm</translation>
+    </message>
+    <message>
+        <source>Add a tool</source>
+        <translation>Añadir una herramienta</translation>
+    </message>
+    <message>
+        <source>Save the limits</source>
+        <translation>Guardar los límites</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Descartar los cambios</translation>
     </message>
 </context>
 <context>

@@ -475,6 +475,30 @@
         <source>Connection lost</source>
         <translation>Connexion perdue</translation>
     </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrompu</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Inconnu (%1)</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -1458,6 +1482,134 @@
     </message>
 </context>
 <context>
+    <name>MachineCard</name>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n alarme</numerusform>
+            <numerusform>%n alarmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No run is known.</source>
+        <translation>Aucune exécution connue.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>Not connected with this window</source>
+        <translation>Pas connectée à cette fenêtre</translation>
+    </message>
+    <message>
+        <source>%1, seen %2 ago</source>
+        <translation>%1, vue il y a %2</translation>
+    </message>
+</context>
+<context>
+    <name>MachinesPage</name>
+    <message>
+        <source>During a run, the window stays with its machine.</source>
+        <translation>Pendant une exécution, la fenêtre reste à sa machine.</translation>
+    </message>
+</context>
+<context>
+    <name>NoteTexts</name>
+    <message>
+        <source>Form of access: %1.</source>
+        <translation>Forme d’accès&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Program %1: %2, %3, %4.</source>
+        <translation>Programme %1&#xa0;: %2, %3, %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has come from the control for %1 s.</source>
+        <translation>Rien n’est venu de la commande depuis %1 s.</translation>
+    </message>
+    <message>
+        <source>The control answers again.</source>
+        <translation>La commande répond de nouveau.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Each took at least %3 s: the network is slow, or the server is busy with another OPC UA client.</source>
+        <translation>La commande a répondu lentement&#xa0;: les accès ont duré jusqu’à %1 s, %2 fois plus que prévu. Chacun a duré au moins %3 s&#xa0;: le réseau est lent, ou le serveur est occupé par un autre client OPC UA.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Others were fast: another OPC UA client keeps the server busy at times, or the network stalls.</source>
+        <translation>La commande a répondu lentement&#xa0;: les accès ont duré jusqu’à %1 s, %2 fois plus que prévu. D’autres étaient rapides&#xa0;: un autre client OPC UA occupe parfois le serveur, ou le réseau se bloque.</translation>
+    </message>
+    <message>
+        <source>Online correction in mm: X %1 Y %2 Z %3</source>
+        <translation>Correction en ligne en mm&#xa0;: X %1 Y %2 Z %3</translation>
+    </message>
+    <message>
+        <source>The control has refused a request: asked again.</source>
+        <translation>La commande a refusé une demande&#xa0;: nouvelle demande.</translation>
+    </message>
+    <message>
+        <source>No answer in time: asked again.</source>
+        <translation>Pas de réponse à temps&#xa0;: nouvelle demande.</translation>
+    </message>
+    <message>
+        <source>The stream was given up: %1</source>
+        <translation>La transmission a été abandonnée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>A signal was out of sequence: a window has been executed again.</source>
+        <translation>Un signal était hors séquence&#xa0;: une fenêtre a été exécutée de nouveau.</translation>
+    </message>
+    <message>
+        <source>The place of the run could not be kept, so it cannot be resumed after a crash of this program: %1</source>
+        <translation>La place de l’exécution n’a pas pu être gardée, elle ne peut donc pas être reprise après un plantage de ce programme&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The reason why the program ended could not be read.</source>
+        <translation>La raison de la fin du programme n’a pas pu être lue.</translation>
+    </message>
+    <message>
+        <source>The trace of the control could not be fetched: %1</source>
+        <translation>L’enregistrement de la commande n’a pas pu être récupéré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: the run is not judged.</source>
+        <translation>L’enregistrement de la commande est incomplet&#xa0;: l’exécution n’est pas jugée.</translation>
+    </message>
+    <message>
+        <source>The name of the run could not be stored: %1</source>
+        <translation>Le nom de l’exécution n’a pas pu être enregistré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>écrit</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>déjà là</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>comparé</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>non comparé</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>sélectionné</translation>
+    </message>
+    <message>
+        <source>to be selected</source>
+        <translation>à sélectionner</translation>
+    </message>
+</context>
+<context>
     <name>Pages</name>
     <message>
         <source>Program</source>
@@ -1470,14 +1622,6 @@
     <message>
         <source>Traces</source>
         <translation>Courbes</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Modèle</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Étalonnage</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -1500,12 +1644,16 @@
         <translation>Utilisateurs</translation>
     </message>
     <message>
-        <source>Credit test</source>
-        <translation>Test crédit</translation>
-    </message>
-    <message>
         <source>Runs</source>
         <translation>Exécutions</translation>
+    </message>
+    <message>
+        <source>Configure</source>
+        <translation>Configurer</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Machines</translation>
     </message>
 </context>
 <context>
@@ -1536,6 +1684,33 @@
     <message>
         <source>predicted</source>
         <translation>prévue</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTexts</name>
+    <message>
+        <source>Axis %1: the travel must end above its beginning.</source>
+        <translation>Axe %1&#xa0;: la course doit finir au-dessus de son début.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the speed must be above zero.</source>
+        <translation>Axe %1&#xa0;: la vitesse doit être supérieure à zéro.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the acceleration must be above zero.</source>
+        <translation>Axe %1&#xa0;: l’accélération doit être supérieure à zéro.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the jerk must be above zero.</source>
+        <translation>Axe %1&#xa0;: le jerk doit être supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>The rapid must be above zero.</source>
+        <translation>Le rapide doit être supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>Tool %1: every tool needs its own number above zero.</source>
+        <translation>Outil %1&#xa0;: chaque outil a besoin de son propre numéro, supérieur à zéro.</translation>
     </message>
 </context>
 <context>
@@ -1691,6 +1866,37 @@
     <message>
         <source>%1 cannot be written. Check permissions and free space.</source>
         <translation>Impossible d’écrire %1. Vérifier les droits et l’espace libre.</translation>
+    </message>
+</context>
+<context>
+    <name>SetUpTexts</name>
+    <message>
+        <source>Connect first: limits belong to one machine.</source>
+        <translation>Se connecter d’abord&#xa0;: les limites appartiennent à une machine.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this, and not during a run.</source>
+        <translation>Seul un régleur peut le faire, et pas pendant une exécution.</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Test crédit</translation>
     </message>
 </context>
 <context>
@@ -1912,6 +2118,20 @@
     <message>
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>L’étalonnage correspond à une autre version du serveur et n’est pas utilisé.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineProfiles</name>
+    <message>
+        <source>The limits of %1 have been saved.</source>
+        <translation>Les limites de %1 ont été enregistrées.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Machines</name>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Dernière exécution %1&#xa0;: %2, %3 points sur %4</translation>
     </message>
 </context>
 <context>
@@ -2239,6 +2459,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
         <translation>La commande exécute d’abord la ligne %1 : %2. Puis l’outil va de sa position au premier point du tronçon 1.</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Course</translation>
+    </message>
+    <message>
+        <source>Not checked: nobody has entered the limits of this machine.</source>
+        <translation>Non vérifié&#xa0;: personne n’a saisi les limites de cette machine.</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>Saisir…</translation>
+    </message>
+    <message>
+        <source>%1 needs %2, the machine has %3</source>
+        <translation>%1 demande %2, la machine a %3</translation>
+    </message>
+    <message>
+        <source>The path is longer than the travel: %1.</source>
+        <translation>La trajectoire est plus longue que la course&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
+        <translation>La trajectoire (%1 mm) n’est pas plus longue que la course des axes. Rivulet ne sait pas où se trouve la pièce.</translation>
     </message>
 </context>
 <context>
@@ -2996,22 +3240,6 @@ GPL-3.0-or-later</translation>
         <translation>Inconnu (%1)</translation>
     </message>
     <message>
-        <source>Stopped</source>
-        <translation>Arrêté</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>En cours</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>En attente</translation>
-    </message>
-    <message>
-        <source>Ended</source>
-        <translation>Terminé</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Aucune</translation>
     </message>
@@ -3559,6 +3787,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Connection and state of the machine</source>
         <translation>Connexion et état de la machine</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachinesPage</name>
+    <message>
+        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
+        <translation>Une fenêtre n’est connectée qu’à une machine à la fois. Les autres ne sont pas interrogées, car chaque question leur coûterait du temps dont une autre transmission peut avoir besoin.</translation>
     </message>
 </context>
 <context>
@@ -4177,6 +4412,113 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the run is resumed</source>
         <translation>Avant la reprise de l’exécution</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProfilePage</name>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Outil %1</translation>
+    </message>
+    <message>
+        <source>Number of the tool</source>
+        <translation>Numéro de l’outil</translation>
+    </message>
+    <message>
+        <source>Entered by %1 on %2.</source>
+        <translation>Saisi par %1 le %2.</translation>
+    </message>
+    <message>
+        <source>Nobody has entered the limits of this machine. Feeds and simulations take those of the machine in the paper: %1.</source>
+        <translation>Personne n’a saisi les limites de cette machine. Avances et simulations prennent celles de la machine de l’article&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Pas encore enregistré.</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Nom de la machine</translation>
+    </message>
+    <message>
+        <source>Simulated as</source>
+        <translation>Simulée comme</translation>
+    </message>
+    <message>
+        <source>Take over its limits</source>
+        <translation>Reprendre ses limites</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Travel from</source>
+        <translation>Course de</translation>
+    </message>
+    <message>
+        <source>Travel to</source>
+        <translation>Course à</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Jerk</translation>
+    </message>
+    <message>
+        <source>Rapid, mm/min</source>
+        <translation>Rapide, mm/min</translation>
+    </message>
+    <message>
+        <source>Spindle up to, 1/min</source>
+        <translation>Broche jusqu’à, 1/min</translation>
+    </message>
+    <message>
+        <source>0: no spindle</source>
+        <translation>0&#xa0;: pas de broche</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Longueur, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Rayon, mm</translation>
+    </message>
+    <message>
+        <source>Add a tool</source>
+        <translation>Ajouter un outil</translation>
+    </message>
+    <message>
+        <source>Save the limits</source>
+        <translation>Enregistrer les limites</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Abandonner les modifications</translation>
     </message>
 </context>
 <context>

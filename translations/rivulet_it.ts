@@ -475,6 +475,30 @@
         <source>Connection lost</source>
         <translation>Connessione persa</translation>
     </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrotto</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrestato</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>In corso</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>In attesa</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Terminato</translation>
+    </message>
+    <message>
+        <source>Unknown (%1)</source>
+        <translation>Sconosciuto (%1)</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -1458,6 +1482,134 @@
     </message>
 </context>
 <context>
+    <name>MachineCard</name>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n allarme</numerusform>
+            <numerusform>%n allarmi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No run is known.</source>
+        <translation>Nessuna esecuzione nota.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Apri</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connessione</translation>
+    </message>
+    <message>
+        <source>Not connected with this window</source>
+        <translation>Non collegata a questa finestra</translation>
+    </message>
+    <message>
+        <source>%1, seen %2 ago</source>
+        <translation>%1, vista %2 fa</translation>
+    </message>
+</context>
+<context>
+    <name>MachinesPage</name>
+    <message>
+        <source>During a run, the window stays with its machine.</source>
+        <translation>Durante un’esecuzione, la finestra resta alla sua macchina.</translation>
+    </message>
+</context>
+<context>
+    <name>NoteTexts</name>
+    <message>
+        <source>Form of access: %1.</source>
+        <translation>Forma di accesso: %1.</translation>
+    </message>
+    <message>
+        <source>Program %1: %2, %3, %4.</source>
+        <translation>Programma %1: %2, %3, %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has come from the control for %1 s.</source>
+        <translation>Dal controllo non arriva nulla da %1 s.</translation>
+    </message>
+    <message>
+        <source>The control answers again.</source>
+        <translation>Il controllo risponde di nuovo.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Each took at least %3 s: the network is slow, or the server is busy with another OPC UA client.</source>
+        <translation>Il controllo ha risposto lentamente: gli accessi sono durati fino a %1 s, %2 volte il previsto. Ognuno è durato almeno %3 s: la rete è lenta, o il server è occupato con un altro client OPC UA.</translation>
+    </message>
+    <message>
+        <source>The control answered slowly: accesses took up to %1 s, %2 times as long as expected. Others were fast: another OPC UA client keeps the server busy at times, or the network stalls.</source>
+        <translation>Il controllo ha risposto lentamente: gli accessi sono durati fino a %1 s, %2 volte il previsto. Altri erano veloci: un altro client OPC UA occupa a tratti il server, o la rete si blocca.</translation>
+    </message>
+    <message>
+        <source>Online correction in mm: X %1 Y %2 Z %3</source>
+        <translation>Correzione online in mm: X %1 Y %2 Z %3</translation>
+    </message>
+    <message>
+        <source>The control has refused a request: asked again.</source>
+        <translation>Il controllo ha rifiutato una richiesta: chiesto di nuovo.</translation>
+    </message>
+    <message>
+        <source>No answer in time: asked again.</source>
+        <translation>Nessuna risposta in tempo: chiesto di nuovo.</translation>
+    </message>
+    <message>
+        <source>The stream was given up: %1</source>
+        <translation>La trasmissione è stata abbandonata: %1</translation>
+    </message>
+    <message>
+        <source>A signal was out of sequence: a window has been executed again.</source>
+        <translation>Un segnale era fuori sequenza: una finestra è stata eseguita di nuovo.</translation>
+    </message>
+    <message>
+        <source>The place of the run could not be kept, so it cannot be resumed after a crash of this program: %1</source>
+        <translation>Il punto dell’esecuzione non si è potuto conservare, perciò non può essere ripresa dopo un arresto anomalo di questo programma: %1</translation>
+    </message>
+    <message>
+        <source>The reason why the program ended could not be read.</source>
+        <translation>Non si è potuto leggere perché il programma è terminato.</translation>
+    </message>
+    <message>
+        <source>The trace of the control could not be fetched: %1</source>
+        <translation>La registrazione del controllo non si è potuta prelevare: %1</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: the run is not judged.</source>
+        <translation>La registrazione del controllo è incompleta: l’esecuzione non viene giudicata.</translation>
+    </message>
+    <message>
+        <source>The name of the run could not be stored: %1</source>
+        <translation>Il nome dell’esecuzione non si è potuto salvare: %1</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>scritto</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>già presente</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>confrontato</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>non confrontato</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>selezionato</translation>
+    </message>
+    <message>
+        <source>to be selected</source>
+        <translation>da selezionare</translation>
+    </message>
+</context>
+<context>
     <name>Pages</name>
     <message>
         <source>Program</source>
@@ -1470,14 +1622,6 @@
     <message>
         <source>Traces</source>
         <translation>Curve</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Modello</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -1500,12 +1644,16 @@
         <translation>Utenti</translation>
     </message>
     <message>
-        <source>Credit test</source>
-        <translation>Test credito</translation>
-    </message>
-    <message>
         <source>Runs</source>
         <translation>Esecuzioni</translation>
+    </message>
+    <message>
+        <source>Configure</source>
+        <translation>Configura</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Macchine</translation>
     </message>
 </context>
 <context>
@@ -1536,6 +1684,33 @@
     <message>
         <source>predicted</source>
         <translation>prevista</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTexts</name>
+    <message>
+        <source>Axis %1: the travel must end above its beginning.</source>
+        <translation>Asse %1: la corsa deve finire sopra il suo inizio.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the speed must be above zero.</source>
+        <translation>Asse %1: la velocità deve essere maggiore di zero.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the acceleration must be above zero.</source>
+        <translation>Asse %1: l’accelerazione deve essere maggiore di zero.</translation>
+    </message>
+    <message>
+        <source>Axis %1: the jerk must be above zero.</source>
+        <translation>Asse %1: lo strappo deve essere maggiore di zero.</translation>
+    </message>
+    <message>
+        <source>The rapid must be above zero.</source>
+        <translation>Il rapido deve essere maggiore di zero.</translation>
+    </message>
+    <message>
+        <source>Tool %1: every tool needs its own number above zero.</source>
+        <translation>Utensile %1: ogni utensile richiede un proprio numero maggiore di zero.</translation>
     </message>
 </context>
 <context>
@@ -1691,6 +1866,37 @@
     <message>
         <source>%1 cannot be written. Check permissions and free space.</source>
         <translation>Impossibile scrivere %1. Controllare i permessi e lo spazio libero.</translation>
+    </message>
+</context>
+<context>
+    <name>SetUpTexts</name>
+    <message>
+        <source>Connect first: limits belong to one machine.</source>
+        <translation>Prima collegarsi: i limiti appartengono a una macchina.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this, and not during a run.</source>
+        <translation>Può farlo solo un attrezzista, e non durante un’esecuzione.</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Connessione</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limiti</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modello</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibrazione</translation>
+    </message>
+    <message>
+        <source>Credit test</source>
+        <translation>Test credito</translation>
     </message>
 </context>
 <context>
@@ -1912,6 +2118,20 @@
     <message>
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>La calibrazione appartiene a un’altra versione del server e non viene usata.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::MachineProfiles</name>
+    <message>
+        <source>The limits of %1 have been saved.</source>
+        <translation>I limiti di %1 sono stati salvati.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Machines</name>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Ultima esecuzione %1: %2, %3 punti su %4</translation>
     </message>
 </context>
 <context>
@@ -2239,6 +2459,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
         <translation>Prima il controllo esegue la riga %1: %2. Poi l’utensile va da dove si trova al primo punto del tratto 1.</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Corsa</translation>
+    </message>
+    <message>
+        <source>Not checked: nobody has entered the limits of this machine.</source>
+        <translation>Non controllato: nessuno ha inserito i limiti di questa macchina.</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>Inserisci…</translation>
+    </message>
+    <message>
+        <source>%1 needs %2, the machine has %3</source>
+        <translation>%1 richiede %2, la macchina ha %3</translation>
+    </message>
+    <message>
+        <source>The path is longer than the travel: %1.</source>
+        <translation>Il percorso è più lungo della corsa: %1.</translation>
+    </message>
+    <message>
+        <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
+        <translation>Il percorso (%1 mm) non è più lungo della corsa degli assi. Rivulet non sa dove si trova il pezzo.</translation>
     </message>
 </context>
 <context>
@@ -2996,22 +3240,6 @@ GPL-3.0-or-later</translation>
         <translation>Sconosciuto (%1)</translation>
     </message>
     <message>
-        <source>Stopped</source>
-        <translation>Arrestato</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>In corso</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>In attesa</translation>
-    </message>
-    <message>
-        <source>Ended</source>
-        <translation>Terminato</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Nessuno</translation>
     </message>
@@ -3559,6 +3787,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Connection and state of the machine</source>
         <translation>Connessione e stato della macchina</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::MachinesPage</name>
+    <message>
+        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
+        <translation>A una finestra è collegata una sola macchina alla volta. Le altre non vengono interrogate, perché ogni domanda costerebbe loro tempo che può servire a un’altra trasmissione.</translation>
     </message>
 </context>
 <context>
@@ -4177,6 +4412,113 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the run is resumed</source>
         <translation>Prima di riprendere l’esecuzione</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProfilePage</name>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Utensile %1</translation>
+    </message>
+    <message>
+        <source>Number of the tool</source>
+        <translation>Numero dell’utensile</translation>
+    </message>
+    <message>
+        <source>Entered by %1 on %2.</source>
+        <translation>Inserito da %1 il %2.</translation>
+    </message>
+    <message>
+        <source>Nobody has entered the limits of this machine. Feeds and simulations take those of the machine in the paper: %1.</source>
+        <translation>Nessuno ha inserito i limiti di questa macchina. Avanzamenti e simulazioni usano quelli della macchina dell’articolo: %1.</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Non ancora salvato.</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Nome della macchina</translation>
+    </message>
+    <message>
+        <source>Simulated as</source>
+        <translation>Simulata come</translation>
+    </message>
+    <message>
+        <source>Take over its limits</source>
+        <translation>Adotta i suoi limiti</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>Travel from</source>
+        <translation>Corsa da</translation>
+    </message>
+    <message>
+        <source>Travel to</source>
+        <translation>Corsa a</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocità</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accelerazione</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Strappo</translation>
+    </message>
+    <message>
+        <source>Rapid, mm/min</source>
+        <translation>Rapido, mm/min</translation>
+    </message>
+    <message>
+        <source>Spindle up to, 1/min</source>
+        <translation>Mandrino fino a, 1/min</translation>
+    </message>
+    <message>
+        <source>0: no spindle</source>
+        <translation>0: nessun mandrino</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Utensili</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numero</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Lunghezza, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Raggio, mm</translation>
+    </message>
+    <message>
+        <source>Add a tool</source>
+        <translation>Aggiungi un utensile</translation>
+    </message>
+    <message>
+        <source>Save the limits</source>
+        <translation>Salva i limiti</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Annulla le modifiche</translation>
     </message>
 </context>
 <context>
