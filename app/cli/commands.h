@@ -80,6 +80,20 @@ struct TemplateOptions {
 };
 [[nodiscard]] Exit makeTemplate(const TemplateOptions& options);
 
+/// A source of points that arrive while the machine moves, and what is agreed with it.
+struct LiveOptions {
+  std::string source;         ///< see `sources::openSource`; empty: a program is streamed
+  std::vector<double> boxMm;  ///< least and largest X, Y, Z
+  double stepMmMax = 5.0;
+  double turnDegMax = 5.0;
+  double feedMmPerMinMax = 1000.0;
+  double mergeMm = 0.001;
+  double startMmMax = 1.0;
+  double fullWithinMs = 100.0;
+  double holdAfterS = 5.0;
+  double endAfterS = 60.0;
+};
+
 struct StreamOptions {
   OperatingOptions point;
   std::string file;
@@ -103,8 +117,11 @@ struct StreamOptions {
   bool acceptChanges = false;        ///< the program differs where nothing has been executed
   std::vector<std::string> command;  ///< the words of the command line
   bool json = false;
+  LiveOptions live;
 };
 [[nodiscard]] Exit stream(const StreamOptions& options);
+/// The same with points of a live source.
+[[nodiscard]] Exit streamLive(const StreamOptions& options);
 
 struct JobOptions {
   OperatingOptions point;

@@ -255,11 +255,39 @@ void addTemplateCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] { exit = rivulet::cli::makeTemplate(*options); });
 }
 
+void addLive(CLI::App* command, rivulet::cli::LiveOptions& live) {
+  auto* source = command->add_option(
+      "--live", live.source,
+      "Points that arrive while the machine moves: - (standard input), unix:PATH, tcp:PORT, "
+      "udp:PORT or opcua:ENDPOINT#N=R50,X=R51,Y=R52 (docs/live.md)");
+  auto* box = command
+                  ->add_option("--box", live.boxMm,
+                               "Agreed with the source: least and largest X, Y and Z, mm")
+                  ->expected(6)
+                  ->needs(source);
+  source->needs(box);
+  const auto add = [&](const char* name, double& value, const char* text) {
+    command->add_option(name, value, text)->needs(source)->check(kPositive)->capture_default_str();
+  };
+  add("--step-max", live.stepMmMax, "Agreed: largest distance of two points, mm");
+  add("--turn-max", live.turnDegMax, "Agreed: largest turn of a rotary axis, degrees");
+  add("--feed-max", live.feedMmPerMinMax, "Agreed: largest F, mm/min");
+  add("--start-within", live.startMmMax, "Agreed: distance of the first point from the tool, mm");
+  command->add_option("--merge-below", live.mergeMm, "Points that are closer are merged, mm")
+      ->needs(source)
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  add("--full-within", live.fullWithinMs, "A window that is not full is sent after this, ms");
+  add("--hold-after", live.holdAfterS, "The run holds after this much silence, s");
+  add("--end-after", live.endAfterS, "The run ends after this much silence, s");
+}
+
 void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   const auto options = std::make_shared<rivulet::cli::StreamOptions>();
   options->command = std::move(words);
   CLI::App* command = app.add_subcommand("stream", "Stream an NC program to a control");
-  command->add_option("FILE", options->file, "NC program")->required();
+  command->add_option("FILE", options->file, "NC program");
+  addLive(command, options->live);
   addLoading(command, options->loading);
   addResampling(command, options->resampling);
   addPoint(command, options->point);
@@ -320,7 +348,11 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
     if (!options->simulate && options->endpoint.empty()) {
       throw CLI::RequiredError("--endpoint or --simulate");
     }
-    exit = rivulet::cli::stream(*options);
+    const bool isLive = !options->live.source.empty();
+    if (isLive != options->file.empty()) {
+      throw CLI::RequiredError("FILE or --live, one of them");
+    }
+    exit = isLive ? rivulet::cli::streamLive(*options) : rivulet::cli::stream(*options);
   });
 }
 

@@ -15,6 +15,7 @@
 #include "cli/connection.h"
 #include "cli/correction_source.h"
 #include "cli/found_run.h"
+#include "cli/stream_settings.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
 #include "log/log.h"
@@ -38,6 +39,65 @@
 #include "trace/recording.h"
 
 namespace rivulet::cli {
+
+namespace {
+
+streaming::AccessPreference preferenceOf(const std::string& name) {
+  using streaming::AccessPreference;
+  return name == "single"  ? AccessPreference::Single
+         : name == "array" ? AccessPreference::Array
+         : name == "list"  ? AccessPreference::List
+                           : AccessPreference::Automatic;
+}
+
+}  // namespace
+
+streaming::RunSettings settingsOf(const StreamOptions& options,
+                                  const gcode::Trajectory& trajectory) {
+  streaming::RunSettings settings;
+  settings.parameters = options.point.parameters();
+  if (options.point.axes.empty()) {
+    settings.parameters = streaming::withTurnedAxes(settings.parameters, trajectory);
+  }
+  settings.deltaMm = options.point.deltaMm;
+  settings.passedBy = streaming::passedByFromName(options.passedBy).value_or(settings.passedBy);
+  if (options.point.feedMmPerMin > 0.0) {
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
+  }
+  const streaming::AccessPlan plan =
+      streaming::accessPlan(preferenceOf(options.access), settings.parameters.method);
+  settings.access = plan.choice;
+  settings.grouping = plan.grouping;
+  settings.monitor = !options.noMonitor;
+  settings.transfer =
+      options.transfer == "by-hand" ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
+  settings.placePauses = !options.evenPauses;
+  return settings;
+}
+
+base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
+  if (!options.simulate) {
+    const auto identity = connection.control->identity();
+    if (!identity) {
+      return base::fail(identity.error());
+    }
+    const auto test = report::MachineStore().creditTest(connection.name, *identity);
+    return test ? streaming::requireCreditTest(*test, connection.name, *identity)
+                : base::Result<void>(base::fail(test.error()));
+  }
+  streaming::CommissioningPlan plan;
+  plan.firstCell = options.point.baseCell;
+  const auto result = streaming::commission(*connection.link, *connection.control, plan);
+  if (!result) {
+    return base::fail(result.error());
+  }
+  if (!result->passed()) {
+    return base::fail(streaming::StreamError::NotCommissioned,
+                      "This virtual machine does not pass the test of method credit: see "
+                      "commission --simulate. Choose method window.");
+  }
+  return {};
+}
 
 namespace {
 
@@ -131,37 +191,6 @@ struct Judgement {
   std::optional<streaming::OverrideLimit> limit;
 };
 
-streaming::AccessPreference preferenceOf(const std::string& name) {
-  using streaming::AccessPreference;
-  return name == "single"  ? AccessPreference::Single
-         : name == "array" ? AccessPreference::Array
-         : name == "list"  ? AccessPreference::List
-                           : AccessPreference::Automatic;
-}
-
-streaming::RunSettings settingsOf(const StreamOptions& options,
-                                  const gcode::Trajectory& trajectory) {
-  streaming::RunSettings settings;
-  settings.parameters = options.point.parameters();
-  if (options.point.axes.empty()) {
-    settings.parameters = streaming::withTurnedAxes(settings.parameters, trajectory);
-  }
-  settings.deltaMm = options.point.deltaMm;
-  settings.passedBy = streaming::passedByFromName(options.passedBy).value_or(settings.passedBy);
-  if (options.point.feedMmPerMin > 0.0) {
-    settings.feedMmPerS = base::mmPerSFromMmPerMin(options.point.feedMmPerMin);
-  }
-  const streaming::AccessPlan plan =
-      streaming::accessPlan(preferenceOf(options.access), settings.parameters.method);
-  settings.access = plan.choice;
-  settings.grouping = plan.grouping;
-  settings.monitor = !options.noMonitor;
-  settings.transfer =
-      options.transfer == "by-hand" ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
-  settings.placePauses = !options.evenPauses;
-  return settings;
-}
-
 void print(const streaming::RunReport& report, const CalibrationChoice& calibrated,
            const Judgement& judged) {
   fmt::print("{}: {} of {} points executed", streaming::outcomeName(report.outcome),
@@ -231,31 +260,6 @@ base::Result<void> printSteps(const StreamOptions& options,
              path, name, templates::layoutNumber(parameters),
              templates::planCells(parameters)->layout,
              base::toSeconds(streaming::RunSettings{}.startDeadline));
-  return {};
-}
-
-/// Method credit only if its test has been passed. In virtual time the test is made now.
-base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
-  if (!options.simulate) {
-    const auto identity = connection.control->identity();
-    if (!identity) {
-      return base::fail(identity.error());
-    }
-    const auto test = report::MachineStore().creditTest(connection.name, *identity);
-    return test ? streaming::requireCreditTest(*test, connection.name, *identity)
-                : base::Result<void>(base::fail(test.error()));
-  }
-  streaming::CommissioningPlan plan;
-  plan.firstCell = options.point.baseCell;
-  const auto result = streaming::commission(*connection.link, *connection.control, plan);
-  if (!result) {
-    return base::fail(result.error());
-  }
-  if (!result->passed()) {
-    return base::fail(streaming::StreamError::NotCommissioned,
-                      "This virtual machine does not pass the test of method credit: see "
-                      "commission --simulate. Choose method window.");
-  }
   return {};
 }
 

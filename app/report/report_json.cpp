@@ -28,6 +28,27 @@ ordered_json durationsJson(const trace::DurationStatistics& durations) {
           {"max", base::toMilliseconds(durations.max)}};
 }
 
+ordered_json liveJson(const live::Summary& live) {
+  ordered_json delay = durationsJson(live.delay);
+  delay["p90"] = base::toMilliseconds(live.delay.p90);
+  ordered_json json{{"source", live.source},
+                    {"lines", live.lines},
+                    {"accepted", live.accepted},
+                    {"merged", live.merged},
+                    {"executed_to_line", live.lastLine},
+                    {"windows", live.windows},
+                    {"short_windows", live.shortWindows},
+                    {"delay_ms", std::move(delay)},
+                    {"window_ms", base::toMilliseconds(live.windowTime)},
+                    {"delay_in_theory_ms",
+                     {{"least", base::toMilliseconds(live.leastDelay)},
+                      {"most", base::toMilliseconds(live.mostDelay)}}}};
+  if (live.refusal.code) {
+    json["refused"] = errorJson(live.refusal);
+  }
+  return json;
+}
+
 }  // namespace
 
 ordered_json errorJson(const base::Error& error) {
@@ -150,6 +171,9 @@ ordered_json runJson(const streaming::RunReport& report) {
       {"requests", report.access.requests},
       {"settings", settingsJson(report.settings)},
   };
+  if (report.live) {
+    json["live"] = liveJson(*report.live);
+  }
   if (report.wrong) {
     json["wrong_motion_seen"] = streaming::describe(*report.wrong);
   }

@@ -248,10 +248,12 @@ void PointStream::executed(std::size_t points) {
 }
 
 void PointStream::report(Instant now) {
-  const bool isNew = m_summary.accepted != m_reportedAccepted || m_executed != m_reportedExecuted;
+  const bool isNew = !m_hasReported || m_summary.accepted != m_reportedAccepted ||
+                     m_executed != m_reportedExecuted;
   if (!m_source.takesReplies() || !isNew || now - m_reportedAt < kReportInterval) {
     return;
   }
+  m_hasReported = true;
   m_reportedAt = now;
   m_reportedAccepted = m_summary.accepted;
   m_reportedExecuted = m_executed;

@@ -115,6 +115,7 @@ class PointStream {
   std::optional<double> m_number;
   trace::DurationCounter m_delays;
   Summary m_summary;
+  bool m_hasReported = false;  ///< the sender has been told where the tool is
   base::Instant m_reportedAt{};
   std::size_t m_reportedAccepted = 0;
   std::size_t m_reportedExecuted = 0;

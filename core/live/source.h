@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the bytes of a live source come from. Sockets, pipes and other servers implement it
-/// outside of core. @threadsafety one object, on the thread of the run.
+/// Where the bytes of a live source come from. Sockets and pipes implement it outside of
+/// core. @threadsafety one object, on the thread of the run.
 #pragma once
 
 #include <cstddef>

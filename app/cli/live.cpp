@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "base/units.h"
+#include "cli/access_text.h"
+#include "cli/commands.h"
+#include "cli/connection.h"
+#include "cli/paced_link.h"
+#include "cli/stream_settings.h"
+#include "live/point_stream.h"
+#include "log/log.h"
+#include "recorder/recording_file.h"
+#include "report/report_json.h"
+#include "report/run_store.h"
+#include "sources/open_source.h"
+#include "streaming/job.h"
+#include "streaming/simulation/template_proof.h"
+#include "templates/generator.h"
+#include "trace/recording.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+using base::Result;
+
+/// Ctrl-C stops; a line on a terminal says how far the run is.
+class LiveConsole final : public streaming::RunSink, public streaming::RunOrders {
+ public:
+  explicit LiveConsole(double stopAfterS) : m_stopAfterS(stopAfterS), m_isTerminal(isTerminal()) {}
+  ~LiveConsole() override {
+    if (m_isDrawn) {
+      std::fputs("\r\x1b[K", stderr);
+    }
+  }
+  bool stopRequested(base::Instant now) override {
+    m_first = m_first.value_or(now);
+    return wasInterrupted() ||
+           (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
+  }
+  void update(const streaming::LiveUpdate& update) override {
+    if (update.wrong && !m_saysWrong) {
+      m_saysWrong = true;
+      log::logger().error("Wrong motion: {}. Stop the run, then check workpiece and tool.",
+                          streaming::describe(*update.wrong));
+    }
+    if (!m_isTerminal || !update.source || update.counters.executed == m_shown) {
+      return;
+    }
+    m_isDrawn = true;
+    m_shown = update.counters.executed;
+    fmt::print(stderr, "\r\x1b[K{:<8} {} points executed, {} of at most {} waiting",
+               streaming::runStateName(update.state), update.counters.executed,
+               update.source->waiting, update.source->capacity);
+    std::fflush(stderr);
+  }
+  void access(const trace::Access&) override {}
+  void note(const trace::Note&) override {}
+
+ private:
+  double m_stopAfterS;
+  bool m_isTerminal;
+  bool m_isDrawn = false;
+  bool m_saysWrong = false;
+  std::size_t m_shown = 0;
+  std::optional<base::Instant> m_first;
+};
+
+live::Agreement agreementOf(const LiveOptions& live) {
+  live::Agreement agreed;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    agreed.lowestMm.set(axis, live.boxMm[2 * axis]);
+    agreed.highestMm.set(axis, live.boxMm[2 * axis + 1]);
+  }
+  agreed.stepMmMax = live.stepMmMax;
+  agreed.turnDegMax = live.turnDegMax;
+  agreed.feedMmPerMinMax = live.feedMmPerMinMax;
+  agreed.distanceMmMin = live.mergeMm;
+  agreed.startMmMax = live.startMmMax;
+  return agreed;
+}
+
+live::Limits limitsOf(const LiveOptions& live, int pointsPerWindow) {
+  live::Limits limits;
+  limits.fullWithin = base::fromSeconds(live.fullWithinMs / 1000.0);
+  limits.holdAfter = base::fromSeconds(live.holdAfterS);
+  limits.endAfter = base::fromSeconds(live.endAfterS);
+  limits.queuedMax = 2 * static_cast<std::size_t>(pointsPerWindow);
+  return limits;
+}
+
+class LiveCommand {
+ public:
+  explicit LiveCommand(const StreamOptions& options) : m_options(options) {}
+  Result<void> prepare();
+  [[nodiscard]] Exit run();
+
+ private:
+  Result<void> plan();
+  Result<void> connect();
+  Result<void> openRecording();
+  [[nodiscard]] Exit show(const streaming::RunReport& done, const Result<void>& recorded) const;
+
+  const StreamOptions& m_options;
+  streaming::RunSettings m_settings;
+  std::unique_ptr<live::Source> m_source;
+  Connection m_connection;
+  std::unique_ptr<recorder::RecordingFile> m_file;
+  std::unique_ptr<trace::RecordingWriter> m_writer;
+};
+
+Result<void> LiveCommand::prepare() {
+  for (const auto step : {&LiveCommand::plan, &LiveCommand::connect, &LiveCommand::openRecording}) {
+    if (Result<void> done = (this->*step)(); !done) {
+      return done;
+    }
+  }
+  auto source = sources::openSource(m_options.live.source);
+  if (!source) {
+    return base::fail(source.error());
+  }
+  m_source = std::move(*source);
+  fmt::print(stderr, "Points are taken from {}.\n", m_source->name());
+  return {};
+}
+
+Result<void> LiveCommand::plan() {
+  m_settings = settingsOf(m_options, {});
+  if (m_options.point.feedMmPerMin <= 0.0) {
+    m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_options.live.feedMmPerMinMax);
+  }
+  const auto cells = templates::planCells(m_settings.parameters);
+  return cells ? Result<void>() : Result<void>(base::fail(cells.error()));
+}
+
+Result<void> LiveCommand::connect() {
+  auto connection = m_options.simulate ? simulate(m_options.preset, m_options.seed)
+                                       : connectTo(m_options.endpoint);
+  if (!connection) {
+    return base::fail(connection.error());
+  }
+  m_connection = std::move(*connection);
+  if (base::needsCommissioning(m_settings.parameters.method)) {
+    if (Result<void> tested = requireTest(m_options, m_connection); !tested) {
+      return tested;
+    }
+    m_settings.isCommissioned = true;
+  }
+  if (m_options.simulate) {
+    return {};
+  }
+  m_settings.origin = report::thisUser();
+  return streaming::requireProven(m_settings.parameters);
+}
+
+Result<void> LiveCommand::openRecording() {
+  if (m_options.record.empty()) {
+    return {};
+  }
+  auto file = recorder::RecordingFile::open(m_options.record);
+  if (!file) {
+    return base::fail(file.error());
+  }
+  m_file = std::move(*file);
+  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
+  return {};
+}
+
+Exit LiveCommand::run() {
+  streaming::JobRecorder recorder;
+  recorder.writer = m_writer.get();
+  recorder.start.toolVersion = RIVULET_VERSION;
+  recorder.start.endpoint = m_connection.name;
+  recorder.start.startedAtUtc = m_settings.origin.startedAtUtc;
+  live::PointStream points(*m_source, agreementOf(m_options.live),
+                           limitsOf(m_options.live, m_settings.parameters.pointsPerLoop));
+  PacedLink paced(*m_connection.link);
+  opcua::Link& link = m_options.simulate ? static_cast<opcua::Link&>(paced) : *m_connection.link;
+  streaming::RunReport done;
+  {
+    LiveConsole console(m_options.stopAfterS);
+    done = streaming::runLive(link, *m_connection.control, m_source->name(), points, m_settings,
+                              console, console, std::move(recorder));
+  }
+  m_source.reset();  // the sender hears the end
+  return show(done, m_file ? m_file->finish() : Result<void>());
+}
+
+void printLive(const live::Summary& live) {
+  if (live.merged > 0) {
+    fmt::print(
+        "{} points were merged with the one before, which was too close; the first in line "
+        "{}\n",
+        live.merged, live.firstMerged);
+  }
+  fmt::print(
+      "{} lines of {}, executed to line {}; {} windows of {:.0f} ms, {} of them sent before they "
+      "were full\n",
+      live.lines, live.source, live.lastLine, live.windows, base::toMilliseconds(live.windowTime),
+      live.shortWindows);
+  if (live.delay.count > 0) {
+    fmt::print(
+        "delay from arrival to motion: median {:.0f} ms, 90 % {:.0f} ms, 99 % {:.0f} ms, "
+        "max {:.0f} ms; in theory {:.0f} ms at least, {:.0f} ms with all buffers full\n",
+        base::toMilliseconds(live.delay.p50), base::toMilliseconds(live.delay.p90),
+        base::toMilliseconds(live.delay.p99), base::toMilliseconds(live.delay.max),
+        base::toMilliseconds(live.leastDelay), base::toMilliseconds(live.mostDelay));
+  }
+}
+
+Exit LiveCommand::show(const streaming::RunReport& done, const Result<void>& recorded) const {
+  if (m_options.json) {
+    nlohmann::ordered_json json = report::runJson(done);
+    json["endpoint"] = m_connection.name;
+    if (!m_options.record.empty()) {
+      json["recording"] = m_options.record;
+      json["recording_complete"] = recorded.has_value();
+    }
+    printJson(json);
+  } else {
+    fmt::print("{}: {} of {} points executed, {}\n", streaming::outcomeName(done.outcome),
+               done.counters.executed, done.counters.total,
+               done.integrity.judged
+                   ? fmt::format("{} repeated, {} skipped, {} foreign", done.integrity.repeated,
+                                 done.integrity.skipped, done.integrity.foreign)
+                   : std::string("not judged"));
+    fmt::print("{:.1f} s, access form: {}\n", base::toSeconds(done.duration),
+               accessText(done.settings.grouping, done.accessForms));
+    if (done.live) {
+      printLive(*done.live);
+    }
+    if (done.error.code) {
+      log::logger().error(done.error.text());
+    }
+  }
+  if (!recorded) {
+    log::logger().error(recorded.error().text());
+  }
+  using streaming::StreamError;
+  const bool isAnothers =
+      done.error.code == StreamError::Claimed || done.error.code == StreamError::ChannelBusy;
+  if (done.error.code && (isAnothers || exitFor(done.error) == Exit::Connection)) {
+    return exitFor(done.error);
+  }
+  return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
+}
+
+}  // namespace
+
+Exit streamLive(const StreamOptions& options) {
+  watchForInterrupt();
+  LiveCommand command(options);
+  if (const Result<void> prepared = command.prepare(); !prepared) {
+    return reportError(prepared.error(), options.json);
+  }
+  return command.run();
+}
+
+}  // namespace rivulet::cli

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sources/open_source.h"
+
+#include <unistd.h>
+
+#include "base/text.h"
+#include "live/error.h"
+#include "sources/socket_source.h"
+
+namespace rivulet::sources {
+
+base::Result<std::unique_ptr<live::Source>> openSource(const std::string& address) {
+  if (address == "-") {
+    return std::unique_ptr<live::Source>(std::make_unique<PipeSource>(STDIN_FILENO));
+  }
+  const std::string kind = address.substr(0, address.find(':'));
+  const std::string rest = address.substr(std::min(kind.size() + 1, address.size()));
+  if (kind == "unix") {
+    return StreamSocketSource::listenUnix(rest);
+  }
+  const std::optional<int> port = base::parseInteger(rest);
+  if ((kind == "tcp" || kind == "udp") && port && *port >= 0 && *port <= 65'535) {
+    return kind == "tcp" ? StreamSocketSource::listenTcp(*port) : DatagramSource::listen(*port);
+  }
+  return base::fail(live::LiveError::NotOpened,
+                    "This is no live source. Give -, unix:PATH, tcp:PORT or udp:PORT.", address);
+}
+
+}  // namespace rivulet::sources

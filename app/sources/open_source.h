@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Live sources by their address. @threadsafety main thread or that of the run.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "live/source.h"
+
+namespace rivulet::sources {
+
+/// @param address  "-": standard input; "unix:PATH"; "tcp:PORT" and "udp:PORT" on this computer
+/// @return NotOpened
+[[nodiscard]] base::Result<std::unique_ptr<live::Source>> openSource(const std::string& address);
+
+}  // namespace rivulet::sources
