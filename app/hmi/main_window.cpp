@@ -414,7 +414,8 @@ void MainWindow::showAlarms() {
 }
 
 void MainWindow::showFirstPage() {
-  const bool isUntouched = m_tabs->currentIndex() == 0 && m_document.requestedPath().isEmpty() &&
+  const bool isUntouched = !m_isMachineChosen && m_tabs->currentIndex() == 0 &&
+                           m_document.requestedPath().isEmpty() &&
                            m_machine.link().state == session::LinkState::Disconnected;
   if (m_machines.cards().size() > 1 && isUntouched) {
     showPageOf(m_tabs->findChild<widgets::MachinesPage*>());

@@ -59,7 +59,10 @@ class MainWindow final : public QMainWindow {
 
   /// Reads a program in the background; the present one stays until the new one is there.
   void openProgram(const QString& path);
-  void connectTo(const QString& endpoint) { m_machine.connectTo(endpoint); }
+  void connectTo(const QString& endpoint) {
+    m_isMachineChosen = true;
+    m_machine.connectTo(endpoint);
+  }
   void setStreamSettings(const widgets::StreamSettings& settings) {
     m_document.setSettings(settings);
   }
@@ -152,6 +155,7 @@ class MainWindow final : public QMainWindow {
   Machines m_machines;
 
   bool m_closesAfterRun = false;
+  bool m_isMachineChosen = false;  ///< the page Machines does not come first
   bool m_isStopRequested = false;  ///< by Escape, of the run in progress
 
   QToolButton* m_machineButton = nullptr;

@@ -278,10 +278,12 @@ class TestUsability : public QObject {
     settings.stream.feedMmPerS = base::mmPerSFromMmPerMin(1500.0);
     m_window = std::make_unique<MainWindow>(settings, false);
     m_window->resize(size);
+    // Before the window is up, as with --connect: otherwise the page Machines comes first as soon
+    // as there are runs on several machines.
+    m_window->connectTo(QString::fromStdString(proxy.endpoint()));
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->connectTo(QString::fromStdString(proxy.endpoint()));
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
     Person person(*m_window, static_cast<Hand>(hand));
 
