@@ -24,6 +24,22 @@ struct Message {
   bool isFinished = true;
 };
 
+/// The text of a translation; of one with plural forms the last form.
+QString textOf(QXmlStreamReader& xml) {
+  QString text;
+  QString form;
+  for (;;) {
+    const QXmlStreamReader::TokenType token = xml.readNext();
+    if (token == QXmlStreamReader::StartElement) {
+      form = xml.readElementText();
+    } else if (token == QXmlStreamReader::Characters) {
+      text += xml.text();
+    } else {
+      return form.isEmpty() ? text : form;
+    }
+  }
+}
+
 QList<Message> messagesOf(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) {
@@ -44,7 +60,7 @@ QList<Message> messagesOf(const QString& path) {
       messages.last().source = xml.readElementText();
     } else if (xml.name() == QLatin1String("translation")) {
       messages.last().isFinished = !xml.attributes().hasAttribute(QLatin1String("type"));
-      messages.last().translation = xml.readElementText();
+      messages.last().translation = textOf(xml);
     }
   }
   return messages;
