@@ -40,9 +40,9 @@ class TestRecordingFile : public QObject {
     return error.message.find(std::make_error_code(reason).message()) != std::string::npos;
   }
 
-  /// Text that cannot be compressed much.
-  static std::string noise(std::size_t size) {
-    base::Random random(size);
+  /// Text that cannot be compressed much; each seed has another.
+  static std::string noise(std::size_t size, std::uint64_t seed = 1) {
+    base::Random random(seed);
     std::string text(size, ' ');
     for (char& c : text) {
       c = static_cast<char>('!' + random.below(90));
@@ -132,13 +132,13 @@ class TestRecordingFile : public QObject {
     auto file =
         RecordingFile::open(path("hangs"), {std::size_t{1} << 20U, std::chrono::milliseconds{50}});
     QVERIFY(file.has_value());
-    const std::string line = noise(100);
+    constexpr std::size_t kLineBytes = 100;
     std::size_t taken = 0;
-    while ((*file)->append(line)) {
+    while ((*file)->append(noise(kLineBytes, taken))) {
       ++taken;
-      QVERIFY(taken * line.size() <= (std::size_t{2} << 20U));
+      QVERIFY(taken * kLineBytes <= (std::size_t{2} << 20U));
     }
-    QVERIFY(taken * line.size() > (std::size_t{1} << 19U));
+    QVERIFY(taken * kLineBytes > (std::size_t{1} << 19U));
     QVERIFY(!(*file)->append(noise(std::size_t{1} << 19U)));
     const auto finished = (*file)->finish();
     QVERIFY(!finished.has_value());
