@@ -173,7 +173,6 @@ class TestSameLanguage : public QObject {
     row("tangent arc", "X10\nCT X20 Y10\nG1 X21", "10,0,0 20,10,0 21,10,0");
     row("tangent after an arc", "G2 X10 Y10 I10 J0\nCT X20 Y0", "10,10,0 20,0,0");
     row("functions by group and number", "G[14]=2 X5\nX5", "5,0,0 10,0,0");
-    row("local offset", "G52 X10\nX1\nG52 X0\nX1", "11,0,0 1,0,0");
     row("assignments of one block", "R1=1 R2=R1+1 R3=R2+1\nX=R1 Y=R2 Z=R3", "1,2,3");
     row("text with a semicolon", "MSG(\"A;B\")\nX1 ; X2", "1,0,0");
     row("lower case", "r1=5\nx=r1", "5,0,0");
