@@ -749,7 +749,9 @@ class TestMainWindow : public QObject {
     picturePages(*m_window, QStringLiteral("window-light-en"));
 
     auto* hold = button(QStringLiteral("Hold"));
-    auto* resume = button(QStringLiteral("Resume …"));
+    // The bar of a run that was found has a button of the same text.
+    auto* strip = m_window->findChild<widgets::RunPanel*>();
+    auto* resume = strip->findChild<QPushButton*>(QStringLiteral("resume"));
     QVERIFY(!hold->isEnabled() && !resume->isVisible());
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
     startByHand();
@@ -773,7 +775,6 @@ class TestMainWindow : public QObject {
     auto* line = m_window->findChild<widgets::PositionLine*>();
     QTRY_VERIFY_WITH_TIMEOUT(countOf(line, QStringLiteral("to go 0.000")) == 3, kRunMs);
     QVERIFY(shows(line, QStringLiteral("set 6,000")));
-    auto* strip = m_window->findChild<widgets::RunPanel*>();
     const std::size_t at =
         gcode::streamPoints(m_window->program()->trajectory, {}).points[held - 1].line.value;
     QVERIFY(shows(strip, QStringLiteral("%1 of %2").arg(at).arg(kScorpionLines)));
@@ -791,7 +792,7 @@ class TestMainWindow : public QObject {
     QVERIFY(first->integrity.executed < kScorpionPoints);
 
     // The control is asked; nothing moves for it, nor until the operator says so.
-    QTRY_VERIFY_WITH_TIMEOUT(resume->isEnabled(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(resume->isVisible() && resume->isEnabled(), kSoonMs);
     QTest::mouseClick(resume, Qt::LeftButton);
     auto* bar = m_window->findChild<widgets::ResumeBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(bar->place().has_value(), kSoonMs);
