@@ -323,6 +323,8 @@ class TestWindowKills : public QObject {
     writeSettings(false);
     Window window(m_scene, m_scene.programFile());
     QVERIFY(start(window));
+    // Before that nothing can move, and there would be nothing to resume.
+    QTRY_VERIFY_WITH_TIMEOUT(m_scene.isGranted(), kRunMs);
     window.signal(number);
     QCOMPARE(window.exit(), 0);
     QVERIFY(m_scene.isReset());
