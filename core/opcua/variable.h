@@ -31,6 +31,8 @@ enum class VariableKind : unsigned char {
 
 /// `ChannelStatus` while no program is active.
 inline constexpr int kChannelReset = 0;
+/// `ChannelStatus` while the program waits for cycle start, as at M0.
+inline constexpr int kChannelInterrupted = 2;
 
 /// One variable of channel 1.
 struct Variable {

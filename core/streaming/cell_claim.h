@@ -33,12 +33,12 @@
 
 #include "base/instant.h"
 #include "base/result.h"
-#include "opcua/link.h"
+#include "opcua/forwarding_link.h"
 
 namespace rivulet::streaming {
 
 /// A link that repeats the claim while somebody waits for an answer on it.
-class CellClaim final : public opcua::Link {
+class CellClaim final : public opcua::ForwardingLink {
  public:
   static constexpr base::Duration kSettle = std::chrono::milliseconds{1000};
   static constexpr base::Duration kQuick = std::chrono::milliseconds{600};
@@ -56,7 +56,7 @@ class CellClaim final : public opcua::Link {
   /// @param cell  R number  @param number  of the run, 1 to `kRunNumberMax`
   /// @param deadline  of one request
   CellClaim(opcua::Link& link, int cell, int number, base::Duration deadline)
-      : m_link(link), m_cell(cell), m_number(number), m_deadline(deadline) {}
+      : ForwardingLink(link), m_cell(cell), m_number(number), m_deadline(deadline) {}
 
   /// Claims the cells; nothing else is changed on the control.
   /// @return nothing: they are claimed; else the number of the run that has them. ChannelBusy (a
@@ -68,21 +68,7 @@ class CellClaim final : public opcua::Link {
   /// Gives up the claim, if it stands. Errors do not matter: it lapses.
   void release();
 
-  [[nodiscard]] base::Instant now() const override { return m_link.now(); }
-  base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
-                       opcua::Grouping grouping) override {
-    return m_link.read(variables, deadline, grouping);
-  }
-  base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
-                        opcua::Grouping grouping) override {
-    return m_link.write(assignments, deadline, grouping);
-  }
-  base::RequestId store(const std::string& name, const std::string& text,
-                        base::Duration deadline) override {
-    return m_link.store(name, text, deadline);
-  }
   std::optional<opcua::Event> wait(base::Instant until) override;
-  [[nodiscard]] base::Duration silence() const override { return m_link.silence(); }
 
  private:
   struct Seen {
@@ -95,7 +81,6 @@ class CellClaim final : public opcua::Link {
   [[nodiscard]] base::Result<Seen> awaitFree(const Hooks& hooks, std::optional<int>& holder);
   [[nodiscard]] base::Result<void> pause(const Hooks& hooks);
 
-  opcua::Link& m_link;
   int m_cell;
   int m_number;
   base::Duration m_deadline;

@@ -13,7 +13,7 @@
 
 #include "job/main_program.h"
 #include "opcua/await.h"
-#include "opcua/link.h"
+#include "opcua/forwarding_link.h"
 #include "streaming/resume.h"
 #include "streaming/run_on_control.h"
 #include "streaming/whole_job.h"
@@ -30,25 +30,15 @@ using templates::JobProtocol;
 constexpr const char* kFromStretch = " Choose a stretch to begin with (--from-stretch).";
 
 /// Tells the positions of the axes in a workpiece frame.
-class FrameLink final : public opcua::Link {
+class FrameLink final : public opcua::ForwardingLink {
  public:
-  FrameLink(opcua::Link& link, base::Vec3 zeroMm) : m_link(link), m_zeroMm(zeroMm) {}
+  FrameLink(opcua::Link& link, base::Vec3 zeroMm) : ForwardingLink(link), m_zeroMm(zeroMm) {}
 
-  [[nodiscard]] base::Instant now() const override { return m_link.now(); }
-  [[nodiscard]] base::Duration silence() const override { return m_link.silence(); }
   base::RequestId read(std::span<const Variable> variables, base::Duration deadline,
                        opcua::Grouping grouping) override {
     const base::RequestId id = m_link.read(variables, deadline, grouping);
     m_reads.emplace_back(id, std::vector<Variable>(variables.begin(), variables.end()));
     return id;
-  }
-  base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
-                        opcua::Grouping grouping) override {
-    return m_link.write(assignments, deadline, grouping);
-  }
-  base::RequestId store(const std::string& name, const std::string& text,
-                        base::Duration deadline) override {
-    return m_link.store(name, text, deadline);
   }
   std::optional<opcua::Event> wait(base::Instant until) override {
     std::optional<opcua::Event> event = m_link.wait(until);
@@ -71,7 +61,6 @@ class FrameLink final : public opcua::Link {
   }
 
  private:
-  opcua::Link& m_link;
   base::Vec3 m_zeroMm;
   std::vector<std::pair<base::RequestId, std::vector<Variable>>> m_reads;
 };

@@ -14,6 +14,7 @@
 #include "base/hash.h"
 #include "base/units.h"
 #include "opcua/await.h"
+#include "opcua/forwarding_link.h"
 #include "streaming/access_probe.h"
 #include "streaming/control_alarm.h"
 #include "streaming/job.h"
@@ -38,24 +39,19 @@ using templates::WindowProtocol;
 constexpr double kStartToleranceMm = 0.05;
 constexpr Duration kPartPoll = std::chrono::milliseconds{20};
 constexpr Duration kShowInterval = std::chrono::milliseconds{100};
-/// `VariableKind::ChannelStatus` while the program waits for cycle start, at M0.
-constexpr double kChannelInterrupted = 2.0;
 
 /// Presents one stretch as if it were a program of its own: the channel is in reset before and
 /// after it, and what prepares a program has been done. Everything else goes to the control.
-class StretchLink final : public opcua::Link, public opcua::Control {
+class StretchLink final : public opcua::ForwardingLink, public opcua::Control {
  public:
   StretchLink(opcua::Link& link, opcua::Control& control, const templates::JobLoop& loop,
               double call)
-      : m_link(link),
+      : ForwardingLink(link),
         m_control(control),
         m_state{opcua::rParameter(loop.callCell), opcua::rParameter(loop.cells.state)},
         m_call(call),
         m_end{opcua::rParameter(loop.cells.endCell), static_cast<double>(loop.cells.endValue)},
         m_beat{opcua::rParameter(loop.cells.heartbeat), 0.5} {}
-
-  [[nodiscard]] Instant now() const override { return m_link.now(); }
-  [[nodiscard]] Duration silence() const override { return m_link.silence(); }
 
   base::RequestId read(std::span<const Variable> variables, Duration deadline,
                        opcua::Grouping grouping) override {
@@ -74,10 +70,6 @@ class StretchLink final : public opcua::Link, public opcua::Control {
     // What a run clears before its start has been cleared by the loop.
     return m_isStarted ? m_link.write(assignments, deadline, grouping)
                        : m_link.write({&m_beat, 1}, deadline, opcua::Grouping::List);
-  }
-  base::RequestId store(const std::string& name, const std::string& text,
-                        Duration deadline) override {
-    return m_link.store(name, text, deadline);
   }
   std::optional<opcua::Event> wait(Instant until) override {
     std::optional<opcua::Event> event = m_link.wait(until);
@@ -134,7 +126,6 @@ class StretchLink final : public opcua::Link, public opcua::Control {
     m_reads.erase(read);
   }
 
-  opcua::Link& m_link;
   opcua::Control& m_control;
   std::array<Variable, 2> m_state;
   double m_call;
@@ -664,7 +655,7 @@ class WholeJob {
     if ((*numbers)[1] != 0.0) {
       return base::fail(alarm(static_cast<int>((*numbers)[1]), (*numbers)[2], (*numbers)[3]));
     }
-    return State{(*numbers)[0] == opcua::kChannelReset, (*numbers)[0] == kChannelInterrupted,
+    return State{(*numbers)[0] == opcua::kChannelReset, (*numbers)[0] == opcua::kChannelInterrupted,
                  (*numbers)[2], (*numbers)[3]};
   }
 

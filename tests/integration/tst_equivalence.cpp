@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "opcua/forwarding_link.h"
 #include "streaming/access_probe.h"
 #include "streaming/job.h"
 #include "streaming/simulation/scenario.h"
@@ -24,14 +25,10 @@ using streaming::RunReport;
 namespace {
 
 /// Notes what is written, and passes everything on.
-class NotingLink final : public opcua::Link {
+class NotingLink final : public opcua::ForwardingLink {
  public:
-  explicit NotingLink(opcua::Link& link) : m_link(link) {}
-  base::Instant now() const override { return m_link.now(); }
-  base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
-                       opcua::Grouping grouping) override {
-    return m_link.read(variables, deadline, grouping);
-  }
+  using ForwardingLink::ForwardingLink;
+
   base::RequestId write(std::span<const opcua::Assignment> assignments, base::Duration deadline,
                         opcua::Grouping grouping) override {
     for (const opcua::Assignment& assignment : assignments) {
@@ -40,16 +37,8 @@ class NotingLink final : public opcua::Link {
     writes.emplace_back(-1, 0.0);  // end of the request
     return m_link.write(assignments, deadline, grouping);
   }
-  base::RequestId store(const std::string& name, const std::string& text,
-                        base::Duration deadline) override {
-    return m_link.store(name, text, deadline);
-  }
-  std::optional<opcua::Event> wait(base::Instant until) override { return m_link.wait(until); }
 
   std::vector<std::pair<int, double>> writes;
-
- private:
-  opcua::Link& m_link;
 };
 
 struct Seen {

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "machine/machine.h"
+#include "opcua/forwarding_link.h"
 #include "streaming/access_probe.h"
 #include "streaming/run.h"
 #include "streaming/simulation/simulated_link.h"
@@ -26,12 +27,11 @@ namespace {
 constexpr streaming::ScratchCells kCells{20, 49};
 
 /// A control that gets arrays wrong in its own way.
-class WrongLink final : public opcua::Link {
+class WrongLink final : public opcua::ForwardingLink {
  public:
   enum class Way { OneFurther, OneTooMany, LosesConnection, DoesNotAnswer };
-  WrongLink(opcua::Link& link, Way way) : m_link(link), m_way(way) {}
+  WrongLink(opcua::Link& link, Way way) : ForwardingLink(link), m_way(way) {}
 
-  [[nodiscard]] base::Instant now() const override { return m_link.now(); }
   base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
                        Grouping grouping) override {
     if (opcua::isArray(grouping) && m_way == Way::DoesNotAnswer) {
@@ -58,10 +58,6 @@ class WrongLink final : public opcua::Link {
     }
     return m_link.write(items, deadline, grouping);
   }
-  base::RequestId store(const std::string& name, const std::string& text,
-                        base::Duration deadline) override {
-    return m_link.store(name, text, deadline);
-  }
   std::optional<opcua::Event> wait(base::Instant until) override {
     if (m_lost) {
       opcua::Event event;
@@ -84,7 +80,6 @@ class WrongLink final : public opcua::Link {
     return *m_unanswered;
   }
 
-  opcua::Link& m_link;
   Way m_way;
   std::optional<base::RequestId> m_unanswered;
   bool m_lost = false;
