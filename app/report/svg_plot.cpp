@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/nice_step.h"
+#include "report/markup.h"
 
 namespace rivulet::report {
 
@@ -35,29 +36,6 @@ constexpr double kPlotWidth = kWidth - kLeft - kRight;
 constexpr std::array<std::string_view, 6> kColours{"#0072B2", "#D55E00", "#009E73",
                                                    "#CC79A7", "#E69F00", "#56B4E9"};
 constexpr std::array<std::string_view, 4> kDashes{"", "7 3", "2 3", "9 3 2 3"};
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// One axis: from data to the picture, with ticks at round values.
 class Scale {
@@ -105,10 +83,10 @@ class Picture {
     line(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:g} {1:g}" width="{0:g}" height="{1:g}" font-family="DejaVu Sans, Arial, sans-serif" font-size="13" fill="#222222">)",
         kWidth, height);
-    line(R"(<title>{}</title>)", escaped(m_plot.title));
+    line(R"(<title>{}</title>)", markupText(m_plot.title));
     line(R"(<rect width="{:g}" height="{:g}" fill="#ffffff"/>)", kWidth, height);
     line(R"(<text x="{:g}" y="24" font-size="15" font-weight="bold">{}</text>)", kLeft,
-         escaped(m_plot.title));
+         markupText(m_plot.title));
     axes();
     // Bands are below everything else, the paper's own marks on top.
     const auto drawAll = [this](auto chosen) {
@@ -183,9 +161,9 @@ class Picture {
     line(R"(<path d="M{0:g} {1:g}V{2:g}H{3:g}" fill="none" stroke="#222222"/>)", kLeft, kTop,
          kTop + kPlotHeight, kLeft + kPlotWidth);
     line(R"(<text x="{:g}" y="{:g}" text-anchor="middle">{}</text>)", kLeft + 0.5 * kPlotWidth,
-         kTop + kPlotHeight + 42.0, escaped(m_plot.xLabel));
+         kTop + kPlotHeight + 42.0, markupText(m_plot.xLabel));
     line(R"x(<text transform="translate(18 {:g}) rotate(-90)" text-anchor="middle">{}</text>)x",
-         kTop + 0.5 * kPlotHeight, escaped(m_plot.yLabel));
+         kTop + 0.5 * kPlotHeight, markupText(m_plot.yLabel));
   }
 
   [[nodiscard]] std::string_view colour(std::size_t index) const {
@@ -260,7 +238,7 @@ class Picture {
                kLeft, y, colour(i), dash(i));
       }
       line(R"(<text x="{:g}" y="{:g}">{}</text>)", kLeft + 32.0, y + 4.5,
-           escaped(m_plot.series[i].name));
+           markupText(m_plot.series[i].name));
     }
   }
 

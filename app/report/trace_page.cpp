@@ -11,6 +11,7 @@
 
 #include "base/nice_step.h"
 #include "base/units.h"
+#include "report/markup.h"
 
 namespace rivulet::report {
 
@@ -22,29 +23,6 @@ constexpr double kPictureWidth = 700.0;
 constexpr double kPictureHeight = 240.0;
 /// Stops that are listed; the rest is counted.
 constexpr std::size_t kStopsListed = 12;
-
-std::string htmlEscaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// A range of values onto a range of the picture.
 struct PictureScale {
@@ -179,7 +157,7 @@ std::string stopsTable(const trace::TraceAnalysis& analysis) {
         base::toSeconds(stop.start - analysis.motion.samples.front().at),
         base::toMilliseconds(stop.duration), stop.placeMm.x, stop.placeMm.y, stop.placeMm.z,
         stop.line, trace::stopCauseName(stop.cause),
-        stop.evidence.empty() ? "" : ": " + htmlEscaped(stop.evidence));
+        stop.evidence.empty() ? "" : ": " + markupText(stop.evidence));
   }
   return out + "</table>\n";
 }
@@ -201,14 +179,14 @@ std::string tracePageHtml(const TracePage& page, const trace::TraceAnalysis& ana
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta "
       "charset=\"utf-8\"><title>{0}</title><style>{1}"
       "</style></head><body>\n<h1>{0}</h1>\n<div class=\"result {2}\">{3}</div>\n",
-      htmlEscaped(page.title), kStyle, page.isWrong ? "bad" : "good", htmlEscaped(page.result));
+      markupText(page.title), kStyle, page.isWrong ? "bad" : "good", markupText(page.result));
   out += "<div class=\"facts\">\n";
   for (const auto& [name, value] : page.facts) {
-    out += fmt::format("<div><b>{}</b> {}</div>\n", htmlEscaped(name), htmlEscaped(value));
+    out += fmt::format("<div><b>{}</b> {}</div>\n", markupText(name), markupText(value));
   }
   out += "</div>\n";
   if (!page.limitedBy.empty()) {
-    out += fmt::format("<p>What limited the run: {}</p>\n", htmlEscaped(page.limitedBy));
+    out += fmt::format("<p>What limited the run: {}</p>\n", markupText(page.limitedBy));
   }
   if (!analysis.motion.samples.empty()) {
     out += picture("XY: programmed (grey), actual (blue), faults (red)", pathPicture(analysis));
