@@ -8,6 +8,7 @@
 #include "log/log.h"
 #include "opcua/error.h"
 #include "report/report_json.h"
+#include "streaming/run.h"
 
 namespace rivulet::cli {
 
@@ -19,6 +20,14 @@ void printJson(const nlohmann::ordered_json& json) {
 Exit exitFor(const base::Error& error) {
   const std::error_code anyLinkError = opcua::LinkError::NotReachable;
   return error.code.category() == anyLinkError.category() ? Exit::Connection : Exit::BadInput;
+}
+
+Exit exitForRun(const base::Error& error) {
+  using streaming::StreamError;
+  const bool isAnothers =
+      error.code == StreamError::Claimed || error.code == StreamError::ChannelBusy;
+  const Exit exit = exitFor(error);
+  return isAnothers || exit == Exit::Connection ? exit : Exit::Wrong;
 }
 
 void startLog(const std::string& level, int argc, const char* const* argv) {

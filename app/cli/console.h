@@ -21,11 +21,11 @@ enum class Exit { Done = 0, Wrong = 1, BadInput = 2, Connection = 3, RuleApplies
 /// Prints the object on standard output, as one JSON text.
 void printJson(const nlohmann::ordered_json& json);
 
-/// Prints the error on standard error, or as {"error": …} with `asJson`.
-/// @return the exit code that belongs to the error
 /// Sets up the log and writes the command line into it.
 void startLog(const std::string& level, int argc, const char* const* argv);
 
+/// Prints the error on standard error, or as {"error": …} with `asJson`.
+/// @return the exit code that belongs to the error
 Exit reportError(const base::Error& error, bool asJson);
 
 /// Said while a run waits for the cells (`StartClaim`).
@@ -34,6 +34,10 @@ inline constexpr const char* kClaimMayLapse =
 
 /// The exit code for a failure: connection trouble is 3, everything else that was given 2.
 [[nodiscard]] Exit exitFor(const base::Error& error);
+
+/// The exit code of a run or job that has ended with this error: that of `exitFor` if the
+/// connection failed or the control belongs to somebody else, else Wrong.
+[[nodiscard]] Exit exitForRun(const base::Error& error);
 
 /// Options of an operating point, common to several commands.
 struct OperatingOptions {

@@ -500,10 +500,7 @@ Exit JobCommand::run() {
   if (!m_options.json) {
     log::logger().error(done.error.text());
   }
-  using streaming::StreamError;
-  const bool isAnothers =
-      done.error.code == StreamError::Claimed || done.error.code == StreamError::ChannelBusy;
-  return isAnothers || exitFor(done.error) == Exit::Connection ? exitFor(done.error) : Exit::Wrong;
+  return exitForRun(done.error);
 }
 
 }  // namespace

@@ -241,11 +241,8 @@ Exit LiveCommand::show(const streaming::RunReport& done, const Result<void>& rec
   if (!recorded) {
     log::logger().error(recorded.error().text());
   }
-  using streaming::StreamError;
-  const bool isAnothers =
-      done.error.code == StreamError::Claimed || done.error.code == StreamError::ChannelBusy;
-  if (done.error.code && (isAnothers || exitFor(done.error) == Exit::Connection)) {
-    return exitFor(done.error);
+  if (done.error.code && exitForRun(done.error) != Exit::Wrong) {
+    return exitForRun(done.error);
   }
   return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
 }

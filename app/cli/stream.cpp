@@ -652,11 +652,8 @@ Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<vo
     fmt::print(stderr, "The run is not complete. To go on:\n  {}\n",
                resumeCommand(savedRun(), *left));
   }
-  using streaming::StreamError;
-  const bool isAnothers =
-      done.error.code == StreamError::Claimed || done.error.code == StreamError::ChannelBusy;
-  if (done.error.code && (isAnothers || exitFor(done.error) == Exit::Connection)) {
-    return exitFor(done.error);
+  if (done.error.code && exitForRun(done.error) != Exit::Wrong) {
+    return exitForRun(done.error);
   }
   return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
 }
