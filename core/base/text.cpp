@@ -58,9 +58,7 @@ std::string_view trim(std::string_view text) {
 std::string toUpper(std::string_view text) {
   std::string upper(text);
   for (char& c : upper) {
-    if (c >= 'a' && c <= 'z') {
-      c = static_cast<char>(c - 'a' + 'A');
-    }
+    c = toUpper(c);
   }
   return upper;
 }

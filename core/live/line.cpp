@@ -18,6 +18,7 @@ namespace rivulet::live {
 namespace {
 
 using base::Result;
+using base::toUpper;
 
 constexpr std::string_view kNumberLetters = "0123456789+-.eE";
 
@@ -44,10 +45,6 @@ std::optional<double>* place(Line& line, char letter) {
   return letter == 'F' ? &line.feedMmPerMin : letter == 'N' ? &line.number : nullptr;
 }
 
-char upper(char letter) {
-  return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-}
-
 /// A line that names only F or N says where the tool stays: that is no point.
 Result<Line> asPoint(Line line) {
   const auto isNamed = [](const std::optional<double>& value) { return value.has_value(); };
@@ -61,7 +58,7 @@ Result<Line> asPoint(Line line) {
 Result<Line> parseWords(std::string_view text) {
   Line line;
   while (!text.empty() && text.front() != ';' && text.front() != '#') {
-    const char letter = upper(text.front());
+    const char letter = toUpper(text.front());
     std::optional<double>* const value = place(line, letter);
     if (value == nullptr || *value) {
       return notALine();
@@ -110,7 +107,7 @@ class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
   }
   bool string(std::string&) override { return m_isComment = m_key == "comment"; }
   bool null() override {
-    m_badNumber = m_key.size() == 1 ? upper(m_key.front()) : '\0';
+    m_badNumber = m_key.size() == 1 ? toUpper(m_key.front()) : '\0';
     return false;
   }
   bool binary(nlohmann::json::binary_t&) override { return false; }
@@ -123,12 +120,12 @@ class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
  private:
   bool take(double number) {
     std::optional<double>* const value =
-        m_key.size() == 1 ? place(m_line, upper(m_key.front())) : nullptr;
+        m_key.size() == 1 ? place(m_line, toUpper(m_key.front())) : nullptr;
     if (value == nullptr || *value) {
       return false;
     }
     if (!std::isfinite(number)) {
-      m_badNumber = upper(m_key.front());
+      m_badNumber = toUpper(m_key.front());
       return false;
     }
     *value = number;
