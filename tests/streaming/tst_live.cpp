@@ -8,12 +8,12 @@
 #include <QtTest>
 #include <cmath>
 #include <functional>
-#include <map>
 
 #include "live/error.h"
 #include "streaming/job.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
+#include "support/timed_source.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -27,26 +27,11 @@ using streaming::RunState;
 
 namespace {
 
-/// Says its lines at their times, counted from the first time it is asked.
-class TimedSource final : public live::Source {
+/// Reads replies and answers them.
+class AnsweringSource final : public tests::TimedSource {
  public:
-  explicit TimedSource(const opcua::Link& link) : m_link(link) {}
-  void say(Duration at, const std::string& text) { m_lines.emplace(at, text); }
-  void closeAt(Duration at) { m_closes = at; }
+  using TimedSource::TimedSource;
 
-  std::string name() const override { return "script"; }
-  std::size_t read(std::span<char> into) override {
-    const Duration now = time();
-    for (auto next = m_lines.begin(); next != m_lines.end() && next->first <= now;
-         next = m_lines.erase(next)) {
-      m_text += next->second;
-    }
-    const std::size_t count = std::min(into.size(), m_text.size());
-    std::copy_n(m_text.begin(), count, into.begin());
-    m_text.erase(0, count);
-    return count;
-  }
-  bool isClosed() const override { return m_text.empty() && m_closes && time() >= *m_closes; }
   bool takesReplies() const override { return true; }
   void reply(std::string_view line) override {
     lastReply = line;
@@ -59,17 +44,6 @@ class TimedSource final : public live::Source {
 
   std::function<std::string(const std::string&)> answer;
   std::string lastReply;
-
- private:
-  [[nodiscard]] Duration time() const {
-    m_first = m_first.value_or(m_link.now());
-    return m_link.now() - *m_first;
-  }
-  const opcua::Link& m_link;
-  std::multimap<Duration, std::string> m_lines;
-  std::string m_text;
-  std::optional<Duration> m_closes;
-  mutable std::optional<Instant> m_first;
 };
 
 class Watcher final : public streaming::RunSink, public streaming::RunOrders {
@@ -146,7 +120,7 @@ struct Bench {
 
   machine::Machine machine;
   streaming::SimulatedLink link;
-  TimedSource source;
+  AnsweringSource source;
   Watcher watcher;
   streaming::RunSettings settings;
   live::Agreement agreed;

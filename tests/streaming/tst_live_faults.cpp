@@ -10,7 +10,6 @@
 
 #include <QtTest>
 #include <cmath>
-#include <map>
 
 #include "base/random.h"
 #include "live/error.h"
@@ -18,6 +17,7 @@
 #include "streaming/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "support/test_program.h"
+#include "support/timed_source.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -33,9 +33,9 @@ int setting(const char* name, int otherwise) {
 }
 
 /// Says a drawn script; keeps the points that may be executed.
-class DrawnSource final : public live::Source {
+class DrawnSource final : public tests::TimedSource {
  public:
-  DrawnSource(const opcua::Link& link, Random& random) : m_link(link) {
+  DrawnSource(const opcua::Link& link, Random& random) : TimedSource(link) {
     Vec3 at{0.0, 0.0, 50.0};
     Duration when{};
     double angle = 0.0;
@@ -59,46 +59,21 @@ class DrawnSource final : public live::Source {
       }
       // Now and then in two pieces.
       const std::size_t cut = random.below(10) == 0 ? random.below(line.size()) : 0;
-      m_lines.emplace(when, line.substr(0, cut));
-      m_lines.emplace(when + (cut > 0 ? interval / 2 : Duration{}), line.substr(cut) + "\n");
+      say(when, line.substr(0, cut));
+      say(when + (cut > 0 ? interval / 2 : Duration{}), line.substr(cut) + "\n");
     }
     if (badAt >= 0 && badAt < count) {
       static constexpr std::array kBad{"Xnan\n", "X250\n", "Z-7\n", "\xff\xfe\n", "X1.", ""};
-      m_lines.emplace(when, kBad[random.below(kBad.size())]);
-      m_closes = when + 1ms;
+      say(when, kBad[random.below(kBad.size())]);
+      closeAt(when + 1ms);
     } else if (random.below(8) != 0) {
-      m_lines.emplace(when + 1ms, "end\n");
+      say(when + 1ms, "end\n");
       endsWell = true;
     }
   }
 
-  std::string name() const override { return "drawn"; }
-  std::size_t read(std::span<char> into) override {
-    const Duration now = time();
-    for (auto next = m_lines.begin(); next != m_lines.end() && next->first <= now;
-         next = m_lines.erase(next)) {
-      m_text += next->second;
-    }
-    const std::size_t bytes = std::min(into.size(), m_text.size());
-    std::copy_n(m_text.begin(), bytes, into.begin());
-    m_text.erase(0, bytes);
-    return bytes;
-  }
-  bool isClosed() const override { return m_text.empty() && m_closes && time() > *m_closes; }
-
   std::vector<Vec3> points;
   bool endsWell = false;
-
- private:
-  [[nodiscard]] Duration time() const {
-    m_first = m_first.value_or(m_link.now());
-    return m_link.now() - *m_first;
-  }
-  const opcua::Link& m_link;
-  std::multimap<Duration, std::string> m_lines;
-  std::string m_text;
-  std::optional<Duration> m_closes;
-  mutable std::optional<Instant> m_first;
 };
 
 class Operator final : public streaming::RunSink, public streaming::RunOrders {
@@ -155,8 +130,9 @@ Outcome judge(const std::vector<Vec3>& pointsMm, const trace::ControlTrace& trac
   } else if (report.integrity.judged && report.counters.executed != outcome.points) {
     outcome.wrong =
         fmt::format("{} executed, {} reported", outcome.points, report.counters.executed);
-  } else if (report.error.code.category() == live::make_error_code(live::LiveError::NoPoint).category() && !isWhole &&
-             !isStopped) {
+  } else if (report.error.code.category() ==
+                 live::make_error_code(live::LiveError::NoPoint).category() &&
+             !isWhole && !isStopped) {
     outcome.wrong = fmt::format("a good point was left out: {}", report.error.text());
   }
   return outcome;
