@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/contract.h"
 
@@ -15,6 +16,7 @@ namespace {
 using base::Duration;
 using base::Instant;
 
+constexpr std::size_t kLowest = 64;  // points of an entry of the lowest level
 constexpr std::size_t kFanOut = 16;
 
 /// Instants beyond 70 years are clamped to that, so that spans cannot overflow.
@@ -33,49 +35,64 @@ Instant columnStart(Instant from, Duration span, std::size_t column, std::size_t
 }  // namespace
 
 void Envelope::append(Instant instant, double value) {
-  RIVULET_ASSERT(m_points.empty() || m_points[m_points.size() - 1].at <= instant);
+  RIVULET_ASSERT(m_points.empty() || m_points.timeAt(m_points.size() - 1) <= instant);
+  RIVULET_ASSERT(m_points.size() < kNone);
+  merge(m_open, of(m_points.size(), value));
   m_points.append({instant, value});
+  if (m_points.size() % kLowest != 0) {
+    return;
+  }
   // A level gets an entry when the last of its points arrives, built from the level below.
-  std::size_t stretch = 1;
-  for (std::size_t level = 0; m_points.size() % (stretch * kFanOut) == 0; ++level) {
-    Extremes entry;
-    const std::size_t first = m_points.size() / stretch - kFanOut;
-    for (std::size_t i = first; i < first + kFanOut; ++i) {
-      merge(entry, level == 0 ? at(i) : m_levels[level - 1][i]);
-    }
+  Extremes entry = std::exchange(m_open, {});
+  for (std::size_t level = 0;; ++level) {
     if (level == m_levels.size()) {
       m_levels.emplace_back();
     }
-    m_levels[level].append(entry);
-    stretch *= kFanOut;
+    std::vector<Extremes>& entries = m_levels[level];
+    entries.push_back(entry);
+    if (entries.size() % kFanOut != 0) {
+      return;
+    }
+    entry = {};
+    for (std::size_t i = entries.size() - kFanOut; i < entries.size(); ++i) {
+      merge(entry, entries[i]);
+    }
   }
 }
 
 void Envelope::clear() {
   m_points.clear();
+  m_open = {};
   m_levels.clear();
 }
 
-void Envelope::merge(Extremes& into, const Extremes& later) const {
+std::size_t Envelope::memoryBytes() const {
+  std::size_t bytes = m_points.memoryBytes();
+  for (const std::vector<Extremes>& level : m_levels) {
+    bytes += level.capacity() * sizeof(Extremes);
+  }
+  return bytes;
+}
+
+void Envelope::merge(Extremes& into, const Extremes& later) {
   // Strictly smaller and larger: of equal values the first one stays.
-  if (later.min != Extremes::kNone &&
-      (into.min == Extremes::kNone || m_points[later.min].value < m_points[into.min].value)) {
+  if (later.minAt != kNone && (into.minAt == kNone || later.min < into.min)) {
     into.min = later.min;
+    into.minAt = later.minAt;
   }
-  if (later.max != Extremes::kNone &&
-      (into.max == Extremes::kNone || m_points[later.max].value > m_points[into.max].value)) {
+  if (later.maxAt != kNone && (into.maxAt == kNone || later.max > into.max)) {
     into.max = later.max;
+    into.maxAt = later.maxAt;
   }
-  if (into.gap == Extremes::kNone) {
-    into.gap = later.gap;
+  if (into.gapAt == kNone) {
+    into.gapAt = later.gapAt;
   }
 }
 
-Envelope::Extremes Envelope::at(std::size_t index) const {
-  if (std::isnan(m_points[index].value)) {
-    return {Extremes::kNone, Extremes::kNone, index};
-  }
-  return {index, index, Extremes::kNone};
+Envelope::Extremes Envelope::of(std::size_t index, double value) {
+  const auto at = static_cast<std::uint32_t>(index);
+  return std::isnan(value) ? Extremes{0.0, 0.0, kNone, kNone, at}
+                           : Extremes{value, value, at, at, kNone};
 }
 
 Envelope::Extremes Envelope::extremes(std::size_t begin, std::size_t end) const {
@@ -85,11 +102,12 @@ Envelope::Extremes Envelope::extremes(std::size_t begin, std::size_t end) const 
     // a multiple of their length and end within the points are always complete.
     std::size_t length = 1;
     std::size_t levels = 0;
-    while (begin % (length * kFanOut) == 0 && begin + length * kFanOut <= end) {
-      length *= kFanOut;
+    for (std::size_t next = kLowest; begin % next == 0 && begin + next <= end; next *= kFanOut) {
+      length = next;
       ++levels;
     }
-    merge(result, levels == 0 ? at(begin) : m_levels[levels - 1][begin / length]);
+    merge(result,
+          levels == 0 ? of(begin, m_points.valueAt(begin)) : m_levels[levels - 1][begin / length]);
     begin += length;
   }
   return result;
@@ -99,7 +117,7 @@ std::size_t Envelope::find(Instant instant, bool after, std::size_t begin) const
   std::size_t end = m_points.size();
   while (begin < end) {
     const std::size_t middle = begin + (end - begin) / 2;
-    const Instant at = m_points[middle].at;
+    const Instant at = m_points.timeAt(middle);
     if (at < instant || (after && at == instant)) {
       begin = middle + 1;
     } else {
@@ -127,10 +145,10 @@ std::vector<SeriesPoint> Envelope::visible(Instant from, Instant to, std::size_t
             ? last
             : std::min(last, find(columnStart(from, to - from, column + 1, columns), false, begin));
     const Extremes found = extremes(begin, end);
-    std::array<std::size_t, 3> indices{found.min, found.max, found.gap};
+    std::array<std::uint32_t, 3> indices{found.minAt, found.maxAt, found.gapAt};
     std::sort(indices.begin(), indices.end());
     for (std::size_t i = 0; i < indices.size(); ++i) {
-      if (indices[i] != Extremes::kNone && (i == 0 || indices[i] != indices[i - 1])) {
+      if (indices[i] != kNone && (i == 0 || indices[i] != indices[i - 1])) {
         points.push_back(m_points[indices[i]]);
       }
     }
@@ -146,10 +164,10 @@ std::optional<ValueRange> Envelope::range(Instant from, Instant to) const {
   RIVULET_ASSERT(from <= to);
   const std::size_t begin = find(from, false);
   const Extremes found = extremes(begin, find(to, true, begin));
-  if (found.min == Extremes::kNone) {
+  if (found.minAt == kNone) {
     return std::nullopt;
   }
-  return ValueRange{m_points[found.min].value, m_points[found.max].value};
+  return ValueRange{found.min, found.max};
 }
 
 }  // namespace rivulet::trace

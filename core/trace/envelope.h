@@ -3,8 +3,9 @@
 
 /// @file
 /// A signal over time that can be drawn in the width of a window, however long the run is. While
-/// values are appended, the smallest and largest of every 16, 256, 4096, ... are kept; a drawing
-/// uses two points per column of pixels. @threadsafety one object, one thread.
+/// values are appended, the smallest and largest of every 64, 1024, 16384, ... are kept; a drawing
+/// uses two points per column of pixels. Memory: that of `PackedPoints` and 0.6 bytes per value.
+/// @threadsafety one object, one thread; several may read what nobody appends to.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +14,9 @@
 #include <vector>
 
 #include "base/instant.h"
-#include "trace/series.h"
+#include "trace/packed_points.h"
 
 namespace rivulet::trace {
-
-struct SeriesPoint {
-  base::Instant at{};
-  double value = 0.0;  ///< NaN: the signal has a gap here, the line is interrupted
-
-  friend bool operator==(const SeriesPoint&, const SeriesPoint&) = default;
-};
 
 struct ValueRange {
   double min = 0.0;
@@ -38,7 +32,13 @@ class Envelope {
 
   [[nodiscard]] std::size_t size() const { return m_points.size(); }
   [[nodiscard]] bool empty() const { return m_points.empty(); }
-  [[nodiscard]] const SeriesPoint& operator[](std::size_t index) const { return m_points[index]; }
+  [[nodiscard]] SeriesPoint operator[](std::size_t index) const { return m_points[index]; }
+  [[nodiscard]] base::Instant timeAt(std::size_t index) const { return m_points.timeAt(index); }
+  [[nodiscard]] double valueAt(std::size_t index) const { return m_points.valueAt(index); }
+  /// Index of the first point at `instant` or later; `size()`: there is none. O(log(size)).
+  [[nodiscard]] std::size_t firstAt(base::Instant instant) const { return find(instant, false); }
+  /// Of points and levels.
+  [[nodiscard]] std::size_t memoryBytes() const;
 
   /// What to draw between two instants. The span is split into `columns` columns of equal width;
   /// the first ones include their left border, the last one also `to`. Each column that holds
@@ -55,24 +55,28 @@ class Envelope {
   [[nodiscard]] std::optional<ValueRange> range(base::Instant from, base::Instant to) const;
 
  private:
-  /// Of a range of points: indices of the first smallest, the first largest and the first gap.
+  static constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
+
+  /// Of a range of points: the first smallest, the first largest and the first gap.
   struct Extremes {
-    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-    std::size_t min = kNone;
-    std::size_t max = kNone;
-    std::size_t gap = kNone;
+    double min = 0.0;
+    double max = 0.0;
+    std::uint32_t minAt = kNone;
+    std::uint32_t maxAt = kNone;
+    std::uint32_t gapAt = kNone;
   };
 
   /// Adds a range of points that follows all those added so far.
-  void merge(Extremes& into, const Extremes& later) const;
-  [[nodiscard]] Extremes at(std::size_t index) const;
+  static void merge(Extremes& into, const Extremes& later);
+  [[nodiscard]] static Extremes of(std::size_t index, double value);
   /// Extremes of the points [begin, end).
   [[nodiscard]] Extremes extremes(std::size_t begin, std::size_t end) const;
   /// Index of the first point at `instant` or later (with `after`: later), from `begin` on.
   [[nodiscard]] std::size_t find(base::Instant instant, bool after, std::size_t begin = 0) const;
 
-  Series<SeriesPoint> m_points;
-  std::vector<Series<Extremes, 1024>> m_levels;  ///< level k: one entry per 16^(k+1) points
+  PackedPoints m_points;
+  Extremes m_open;  ///< of the points that are in no entry of the lowest level yet
+  std::vector<std::vector<Extremes>> m_levels;  ///< level k: one entry per 64 * 16^k points
 };
 
 }  // namespace rivulet::trace

@@ -5,6 +5,7 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -143,6 +144,48 @@ class TestEnvelope : public QObject {
     QVERIFY(!envelope.range(at(5), at(25)));
   }
 
+  void keepsEveryValueToTheBit() {
+    PackedPoints packed;
+    std::vector<SeriesPoint> all;
+    Random random(7);
+    const double infinity = std::numeric_limits<double>::infinity();
+    const std::array<double, 8> odd{infinity, -infinity, 1e300,     5e-324,
+                                    9e15,     -9e15,     0.1 + 0.2, 1e-9};
+    std::int64_t now = std::numeric_limits<std::int64_t>::min();
+    for (std::size_t i = 0; i < 40 * PackedPoints::kBlockSize + 5; ++i) {
+      const std::size_t kind = i / PackedPoints::kBlockSize;
+      double value = static_cast<double>(random.below(2'000'000)) / 1e4 - 100.0;
+      if (kind % 4 == 1) {
+        value = random.below(10) == 0 ? kNaN : value;
+      } else if (kind % 4 == 2) {
+        value = odd[random.below(odd.size())];
+      } else if (kind % 4 == 3) {
+        value = kNaN;
+      }
+      packed.append({at(now), value});
+      all.push_back({at(now), value});
+      now += kind == 20 ? (std::int64_t{1} << 56)
+                        : (kind % 3 == 0 ? 4'000'000 : static_cast<std::int64_t>(random.below(9)));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      QVERIFY(same({packed[i]}, {all[i]}));
+    }
+    packed.clear();
+    QVERIFY(packed.empty());
+  }
+
+  void needsLittleMemory() {
+    // 0.1 µm every millisecond, at 50 mm/s.
+    Envelope envelope;
+    constexpr int kCount = 1'000'000;
+    for (int i = 0; i < kCount; ++i) {
+      const double mm = 200.0 * std::sin(i * 0.00025);
+      envelope.append(at(std::int64_t{i} * 1'000'000), std::round(mm * 1e4) / 1e4);
+    }
+    const double perValue = static_cast<double>(envelope.memoryBytes()) / kCount;
+    QVERIFY2(perValue < 4.0, qPrintable(QString::number(perValue)));
+  }
+
   void takesAnySpan() {
     Envelope envelope;
     envelope.append(at(0), 1.0);
@@ -162,12 +205,16 @@ class TestEnvelope : public QObject {
       const std::size_t count = random.below(random.below(4) == 0 ? 20'000 : 600);
       const bool coarse = random.below(2) == 0;  // equal values and equal instants
       const std::uint64_t gapEvery = random.below(3) == 0 ? 5 : 1'000;
+      const bool isDecimal = random.below(2) == 0;
       Envelope envelope;
       std::vector<SeriesPoint> all;
       std::int64_t now = -1'000;
       for (std::size_t i = 0; i < count; ++i) {
         now += static_cast<std::int64_t>(random.below(coarse ? 3 : 1'000));
         double value = coarse ? static_cast<double>(random.below(5)) : random.normal();
+        if (isDecimal) {
+          value = std::round(value * 1e4) / 1e4;
+        }
         if (random.below(gapEvery) == 0) {
           value = kNaN;
         }

@@ -378,6 +378,18 @@ void judgeVibration(MotionQuality& quality, const Motion& motion) {
 
 }  // namespace
 
+std::vector<ContourDistance> contourDistances(const Motion& motion, const ProgramPath& path,
+                                              const PathMatch& match) {
+  std::vector<ContourDistance> distances;
+  for (const MatchedSample& matched : match.samples) {
+    if (std::isfinite(matched.place.distanceMm)) {
+      distances.push_back({matched.sample, matched.place.segment, matched.place.distanceMm,
+                           placeOfActual(motion, path, matched).distanceMm});
+    }
+  }
+  return distances;
+}
+
 MotionQuality judgeMotion(const Motion& motion, const std::vector<Standstill>& stops,
                           const ProgramPath* path, const PathMatch* match) {
   MotionQuality quality;

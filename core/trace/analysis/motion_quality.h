@@ -88,6 +88,18 @@ struct MotionQuality {
   Vibration vibration;  ///< of the actual position, or of the set point
 };
 
+/// Distance of one sample to the programmed path.
+struct ContourDistance {
+  std::size_t sample = 0;   ///< of the motion
+  std::size_t segment = 0;  ///< of the path
+  double setMm = 0.0;       ///< of the set point, if there is one
+  double actualMm = 0.0;    ///< of the actual position, if there is one
+};
+/// Those of the contour errors, in time order.
+[[nodiscard]] std::vector<ContourDistance> contourDistances(const Motion& motion,
+                                                            const ProgramPath& path,
+                                                            const PathMatch& match);
+
 /// @param path, match  null: the program is not known; then there are no contour errors and corners
 [[nodiscard]] MotionQuality judgeMotion(const Motion& motion, const std::vector<Standstill>& stops,
                                         const ProgramPath* path, const PathMatch* match);

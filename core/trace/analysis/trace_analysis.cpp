@@ -39,16 +39,6 @@ Motion motionOfLive(const Recording& recording) {
   return motion;
 }
 
-Motion motionOfSubject(const TraceSubject& subject) {
-  if (const ControlTrace* trace = controlTraceOf(subject)) {
-    return motionOf(*trace);
-  }
-  if (subject.imported != nullptr) {
-    return motionOf(*subject.imported);
-  }
-  return subject.recording != nullptr ? motionOfLive(*subject.recording) : Motion{};
-}
-
 /// The points that should have been executed, with their feeds as far as they are known.
 std::vector<gcode::StreamPoint> pointsOf(const TraceSubject& subject, base::Vec3 startMm,
                                          const base::RotaryDeg& startDeg) {
@@ -111,9 +101,19 @@ void findProgrammedDwells(std::vector<Standstill>& stops, const gcode::Program& 
 
 }  // namespace
 
+Motion motionOf(const TraceSubject& subject) {
+  if (const ControlTrace* trace = controlTraceOf(subject)) {
+    return motionOf(*trace);
+  }
+  if (subject.imported != nullptr) {
+    return motionOf(*subject.imported);
+  }
+  return subject.recording != nullptr ? motionOfLive(*subject.recording) : Motion{};
+}
+
 TraceAnalysis analyseTrace(const TraceSubject& subject) {
   TraceAnalysis analysis;
-  analysis.motion = motionOfSubject(subject);
+  analysis.motion = motionOf(subject);
   const Motion& motion = analysis.motion;
   analysis.stops = findStandstills(motion);
   findCauses(analysis.stops, motion, subject.recording);

@@ -39,6 +39,9 @@ struct TraceAnalysis {
   MotionQuality quality;
 };
 
+/// What the axes did; the same that the analysis is about.
+[[nodiscard]] Motion motionOf(const TraceSubject& subject);
+
 [[nodiscard]] TraceAnalysis analyseTrace(const TraceSubject& subject);
 
 }  // namespace rivulet::trace

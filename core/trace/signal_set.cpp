@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trace/signal_set.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "base/axes.h"
+
+namespace rivulet::trace {
+
+namespace {
+
+using base::Instant;
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kRankedMax = 1'000'000;
+
+std::string axisName(std::size_t axis, std::string_view suffix) {
+  std::string name(1, static_cast<char>(base::kAxisNames[axis] - 'A' + 'a'));
+  return name.append(suffix);
+}
+
+/// A name as a formula has to write it.
+std::string quotedName(const std::string& name) {
+  const bool isWord = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  }) && !(name[0] >= '0' && name[0] <= '9');
+  return isWord ? name : "'" + name + "'";
+}
+
+using ValueOf = std::function<double(const MotionSample&)>;
+
+std::shared_ptr<const Envelope> envelopeOf(const Motion& motion, Instant origin,
+                                           const ValueOf& valueOf) {
+  auto samples = std::make_shared<Envelope>();
+  for (const MotionSample& sample : motion.samples) {
+    samples->append(Instant{sample.at - origin}, valueOf(sample));
+  }
+  return samples;
+}
+
+void addMotion(SignalSet& signalSet, const Motion& motion, Instant origin) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (motion.hasSet) {
+      signalSet.add({axisName(axis, "_set"), "mm",
+                     envelopeOf(motion, origin,
+                                [axis](const MotionSample& one) { return one.setMm[axis]; })});
+    }
+    if (motion.hasActual) {
+      signalSet.add({axisName(axis, "_act"), "mm",
+                     envelopeOf(motion, origin,
+                                [axis](const MotionSample& one) { return one.actualMm[axis]; })});
+    }
+  }
+  signalSet.add({"path_speed", "mm/s", envelopeOf(motion, origin, [](const MotionSample& one) {
+                   return one.pathMmPerS;
+                 })});
+  if (motion.hasFeed) {
+    signalSet.add(
+        {"programmed_feed", "mm/s",
+         envelopeOf(motion, origin, [](const MotionSample& one) { return one.feedMmPerS; })});
+  }
+  if (motion.hasOverride) {
+    signalSet.add({"override", "%", envelopeOf(motion, origin, [](const MotionSample& one) {
+                     return 100.0 * one.overrideFactor;
+                   })});
+  }
+  if (motion.hasLine) {
+    signalSet.add({"line", "", envelopeOf(motion, origin, [](const MotionSample& one) {
+                     return one.line == 0 ? kNoValue : static_cast<double>(one.line);
+                   })});
+  }
+}
+
+void addColumns(SignalSet& signalSet, const SignalTrace& imported, Instant origin) {
+  for (const Signal& signal : imported.signalList) {
+    const std::vector<Instant>& at = imported.timeBases[signal.timeBase].at;
+    auto samples = std::make_shared<Envelope>();
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      samples->append(Instant{at[i] - origin}, signal.values[i]);
+    }
+    // A column that is called as a signal of ours is still to be found.
+    const bool isTaken = signalSet.find(signal.name) != nullptr;
+    signalSet.add(
+        {isTaken ? signal.name + " (file)" : signal.name, signal.unit, std::move(samples)});
+  }
+}
+
+void addAccesses(SignalSet& signalSet, const Recording& recording, Instant origin) {
+  const auto add = [&](const char* name, bool write) {
+    auto samples = std::make_shared<Envelope>();
+    for (const Access& access : recording.accesses) {
+      const Instant at{access.sent - origin};
+      const bool isLater = samples->empty() || (*samples)[samples->size() - 1].at <= at;
+      if (access.write == write && isLater) {
+        samples->append(at, base::toMilliseconds(access.took));
+      }
+    }
+    if (!samples->empty()) {
+      signalSet.add({name, "ms", std::move(samples)});
+    }
+  };
+  add("write_ms", true);
+  add("read_ms", false);
+}
+
+/// Samples that do not move have no place of their own on the path.
+void addContour(SignalSet& signalSet, const TraceAnalysis& analysis, Instant origin) {
+  if (analysis.programPath == nullptr || !analysis.path.judged) {
+    return;
+  }
+  const auto distances = contourDistances(analysis.motion, *analysis.programPath, analysis.path);
+  const auto add = [&](const char* name, bool has, double ContourDistance::*mm) {
+    auto samples = std::make_shared<Envelope>();
+    for (const ContourDistance& one : distances) {
+      samples->append(Instant{analysis.motion.samples[one.sample].at - origin}, one.*mm);
+    }
+    if (has && !samples->empty()) {
+      signalSet.add({name, "mm", std::move(samples)});
+    }
+  };
+  add("contour_error", analysis.motion.hasActual, &ContourDistance::actualMm);
+  add("contour_error_set", analysis.motion.hasSet, &ContourDistance::setMm);
+  auto points = std::make_shared<Envelope>();
+  auto lines = std::make_shared<Envelope>();
+  for (const ContourDistance& one : distances) {
+    const Instant at{analysis.motion.samples[one.sample].at - origin};
+    points->append(at, static_cast<double>(one.segment));
+    lines->append(at, static_cast<double>(analysis.programPath->points()[one.segment].line.value));
+  }
+  if (!points->empty()) {
+    signalSet.add({"program_point", "", std::move(points)});
+    signalSet.add({"program_line", "", std::move(lines)});
+  }
+}
+
+/// Of whatever begins first.
+Instant originOf(const TraceSubject& subject, const Motion& motion) {
+  if (!motion.samples.empty()) {
+    return motion.samples.front().at;
+  }
+  Instant origin = Instant::max();
+  if (subject.imported != nullptr) {
+    for (const TimeBase& base : subject.imported->trace.timeBases) {
+      origin = base.at.empty() ? origin : std::min(origin, base.at.front());
+    }
+  }
+  if (subject.recording != nullptr && !subject.recording->accesses.empty()) {
+    origin = std::min(origin, subject.recording->accesses.front().sent);
+  }
+  return origin == Instant::max() ? Instant{} : origin;
+}
+
+void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnalysis* analysis) {
+  if (subject.imported != nullptr) {
+    shown.remarks = subject.imported->trace.remarks;
+  }
+  if (const Recording* recording = subject.recording) {
+    if (!recording->complete) {
+      shown.remarks.push_back("The recording ends before its run: what came before is shown.");
+    }
+    if (recording->unreadableLines > 0) {
+      shown.remarks.push_back(std::to_string(recording->unreadableLines) +
+                              " lines of the recording cannot be read and were left out.");
+    }
+  }
+  const ControlTrace* trace = subject.recording != nullptr && subject.recording->controlTrace
+                                  ? &*subject.recording->controlTrace
+                                  : subject.controlTrace;
+  if (trace != nullptr && trace->truncated) {
+    shown.remarks.push_back("The trace of the control is incomplete: its memory was full.");
+  }
+  if (analysis != nullptr && analysis->path.departure) {
+    const double atS =
+        base::toSeconds(analysis->path.departure->at - originOf(subject, analysis->motion));
+    shown.remarks.push_back("The program does not belong to this trace from " +
+                            std::to_string(static_cast<long>(atS)) + " s on.");
+  }
+}
+
+}  // namespace
+
+const Channel* SignalSet::find(std::string_view name) const {
+  const auto found = std::find_if(m_channels.begin(), m_channels.end(),
+                                  [name](const Channel& one) { return one.name == name; });
+  return found == m_channels.end() ? nullptr : &*found;
+}
+
+std::vector<SignalOffer> SignalSet::offers() const {
+  std::vector<SignalOffer> offers;
+  std::vector<std::string> used;
+  const auto offer = [&](SignalGroup group, std::string label, const std::string& formula,
+                         std::string unit, const std::string& needs) {
+    if (find(needs) != nullptr) {
+      offers.push_back({group, std::move(label), formula, std::move(unit)});
+      used.push_back(needs);
+    }
+  };
+  const auto perAxis = [&](SignalGroup group, std::string_view before, std::string_view after,
+                           const char* unit) {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const std::string actual = axisName(axis, "_act");
+      const std::string name = find(actual) != nullptr ? actual : axisName(axis, "_set");
+      offer(group, std::string(1, base::kAxisNames[axis]),
+            std::string(before) + name + std::string(after), unit, name);
+    }
+  };
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    offer(SignalGroup::SetPoint, std::string(1, base::kAxisNames[axis]), axisName(axis, "_set"),
+          "mm", axisName(axis, "_set"));
+  }
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    offer(SignalGroup::Actual, std::string(1, base::kAxisNames[axis]), axisName(axis, "_act"), "mm",
+          axisName(axis, "_act"));
+  }
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (find(axisName(axis, "_set")) != nullptr) {
+      offer(SignalGroup::Lag, std::string(1, base::kAxisNames[axis]),
+            axisName(axis, "_set - ") + axisName(axis, "_act"), "mm", axisName(axis, "_act"));
+    }
+  }
+  offer(SignalGroup::Speed, "", "per_min(path_speed)", "mm/min", "path_speed");
+  perAxis(SignalGroup::Speed, "per_min(d(", "))", "mm/min");
+  offer(SignalGroup::Acceleration, "", "d(path_speed)", "mm/s²", "path_speed");
+  perAxis(SignalGroup::Acceleration, "d(d(", "))", "mm/s²");
+  perAxis(SignalGroup::Jerk, "d(d(d(", ")))", "mm/s³");
+  offer(SignalGroup::ContourError, "", "contour_error", "mm", "contour_error");
+  offer(SignalGroup::ContourError, "set", "contour_error_set", "mm", "contour_error_set");
+  for (const char* name : {"line", "program_line", "program_point"}) {
+    offer(SignalGroup::Program, name, name, "", name);
+  }
+  offer(SignalGroup::Program, "programmed_feed", "per_min(programmed_feed)", "mm/min",
+        "programmed_feed");
+  offer(SignalGroup::Program, "override", "override", "%", "override");
+  for (const char* name : {"write_ms", "read_ms"}) {
+    offer(SignalGroup::Client, name, name, "ms", name);
+  }
+  for (const Channel& channel : m_channels) {
+    if (std::find(used.begin(), used.end(), channel.name) == used.end()) {
+      offers.push_back({SignalGroup::Column, channel.name, quotedName(channel.name), channel.unit});
+    }
+  }
+  return offers;
+}
+
+base::Result<std::shared_ptr<const Envelope>> SignalSet::calculate(std::string_view text) const {
+  auto formula = Formula::parse(text);
+  if (!formula) {
+    return base::fail(formula.error());
+  }
+  std::vector<const Envelope*> inputs;
+  for (const std::string& name : formula->names()) {
+    const Channel* channel = find(name);
+    if (channel == nullptr) {
+      return base::fail(FormulaError::UnknownSignal, "there is no such signal", name);
+    }
+    if (formula->isName()) {
+      return channel->samples;
+    }
+    inputs.push_back(channel->samples.get());
+  }
+  if (inputs.empty()) {
+    return base::fail(FormulaError::NotUnderstood, "the formula names no signal",
+                      std::string(text));
+  }
+  const std::size_t count = inputs.front()->size();
+  std::vector<Instant> at(count);
+  std::vector<std::vector<double>> values(inputs.size(), std::vector<double>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const SeriesPoint point = (*inputs.front())[i];
+    at[i] = point.at;
+    values.front()[i] = point.value;
+  }
+  for (std::size_t input = 1; input < inputs.size(); ++input) {
+    for (std::size_t i = 0; i < count; ++i) {
+      // Nearly always both have the same samples.
+      const Envelope& samples = *inputs[input];
+      const bool isSame = i < samples.size() && samples.timeAt(i) == at[i];
+      values[input][i] = isSame ? samples.valueAt(i) : valueAt(samples, at[i]);
+    }
+  }
+  const std::vector<double> results = formula->evaluate(at, values);
+  auto samples = std::make_shared<Envelope>();
+  for (std::size_t i = 0; i < count; ++i) {
+    samples->append(at[i], results[i]);
+  }
+  return samples;
+}
+
+std::size_t SignalSet::memoryBytes() const {
+  std::size_t bytes = 0;
+  for (const Channel& channel : m_channels) {
+    bytes += channel.samples->memoryBytes();
+  }
+  return bytes;
+}
+
+ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
+                          const TraceAnalysis* analysis) {
+  ShownTrace shown;
+  const Instant origin = originOf(subject, motion);
+  if (!motion.samples.empty()) {
+    addMotion(shown.signalSet, motion, origin);
+  }
+  if (analysis != nullptr) {
+    addContour(shown.signalSet, *analysis, origin);
+    shown.stops = analysis->stops;
+    for (Standstill& stop : shown.stops) {
+      stop.start = Instant{stop.start - origin};
+    }
+    shown.isAnalysed = true;
+  }
+  if (subject.recording != nullptr) {
+    addAccesses(shown.signalSet, *subject.recording, origin);
+  }
+  if (subject.imported != nullptr) {
+    addColumns(shown.signalSet, subject.imported->trace, origin);
+  }
+  for (const Channel& channel : shown.signalSet.channels()) {
+    if (!channel.samples->empty()) {
+      const Instant last = channel.samples->timeAt(channel.samples->size() - 1);
+      shown.length = std::max(shown.length, last.time_since_epoch());
+    }
+  }
+  shown.step = motion.step;
+  addRemarks(shown, subject, analysis);
+  return shown;
+}
+
+SampleStatistics sampleStatistics(const Envelope& samples, Instant from, Instant to) {
+  SampleStatistics figures;
+  const std::size_t begin = samples.firstAt(from);
+  const std::size_t end = samples.firstAt(to + base::Duration{1});
+  const std::size_t stride = (end - begin) / kRankedMax + 1;
+  std::vector<double> ranked;
+  ranked.reserve((end - begin) / stride + 1);
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double value = samples.valueAt(i);
+    if (std::isnan(value)) {
+      continue;
+    }
+    figures.min = figures.count == 0 ? value : std::min(figures.min, value);
+    figures.max = figures.count == 0 ? value : std::max(figures.max, value);
+    ++figures.count;
+    sum += value;
+    squares += value * value;
+    if ((i - begin) % stride == 0) {
+      ranked.push_back(value);
+    }
+  }
+  if (figures.count == 0) {
+    return figures;
+  }
+  const auto count = static_cast<double>(figures.count);
+  figures.mean = sum / count;
+  figures.rms = std::sqrt(squares / count);
+  std::sort(ranked.begin(), ranked.end());
+  const auto quantile = [&ranked, &figures](double share) {
+    if (ranked.empty()) {
+      return figures.min;
+    }
+    const double rank = std::ceil(share * static_cast<double>(ranked.size()));
+    return ranked[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+  };
+  figures.p50 = quantile(0.50);
+  figures.p95 = quantile(0.95);
+  figures.p99 = quantile(0.99);
+  return figures;
+}
+
+double valueAt(const Envelope& samples, Instant at) {
+  const std::size_t next = samples.firstAt(at);
+  if (next == samples.size()) {
+    return kNoValue;
+  }
+  const SeriesPoint later = samples[next];
+  if (later.at == at || next == 0) {
+    return later.at == at ? later.value : kNoValue;
+  }
+  const SeriesPoint earlier = samples[next - 1];
+  const double share = base::toSeconds(at - earlier.at) / base::toSeconds(later.at - earlier.at);
+  return earlier.value + share * (later.value - earlier.value);
+}
+
+}  // namespace rivulet::trace

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The signals of one trace, ready to be drawn: those that were recorded, packed, and what can be
+/// calculated from them on request. Everything counts from the first sample. @threadsafety plain
+/// values; several threads may read.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/instant.h"
+#include "base/result.h"
+#include "trace/analysis/trace_analysis.h"
+#include "trace/envelope.h"
+#include "trace/formula.h"
+
+namespace rivulet::trace {
+
+/// What a signal says, for the headings of a list.
+enum class SignalGroup {
+  SetPoint,
+  Actual,
+  Lag,  ///< set point minus actual position
+  Speed,
+  Acceleration,
+  Jerk,
+  ContourError,
+  Program,  ///< line, programmed feed, override
+  Client,   ///< what the requests took
+  Column,   ///< of a file of another tool, as it is
+};
+
+/// A recorded signal.
+struct Channel {
+  std::string name;  ///< by which formulas know it
+  std::string unit;
+  std::shared_ptr<const Envelope> samples;  ///< never null
+};
+
+/// A signal that can be shown.
+struct SignalOffer {
+  SignalGroup group = SignalGroup::Column;
+  std::string label;    ///< "X"; empty: that of the group says all
+  std::string formula;  ///< `Formula`
+  std::string unit;
+};
+
+class SignalSet {
+ public:
+  void add(Channel channel) { m_channels.push_back(std::move(channel)); }
+  /// Null: there is none of that name.
+  [[nodiscard]] const Channel* find(std::string_view name) const;
+  [[nodiscard]] const std::vector<Channel>& channels() const { return m_channels; }
+
+  /// In the order of the groups.
+  [[nodiscard]] std::vector<SignalOffer> offers() const;
+  /// The samples are those of the first signal in the formula; others are interpolated there.
+  /// O(samples). @return error UnknownSignal; as `Formula::parse`
+  [[nodiscard]] base::Result<std::shared_ptr<const Envelope>> calculate(
+      std::string_view formula) const;
+
+  [[nodiscard]] std::size_t memoryBytes() const;
+
+ private:
+  std::vector<Channel> m_channels;
+};
+
+/// A trace as the window shows it; immutable once it is made.
+struct ShownTrace {
+  std::string name;  ///< of the file, or of the run
+  SignalSet signalSet;
+  base::Duration length{};
+  base::Duration step{};             ///< median time between two samples of the position
+  std::vector<Standstill> stops;     ///< with their causes
+  std::vector<std::string> remarks;  ///< one sentence each, in English
+  bool isAnalysed = false;           ///< stops, and contour error if there is a program
+};
+
+/// Signals of what there is. @param analysis  null: not yet made
+[[nodiscard]] ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
+                                        const TraceAnalysis* analysis);
+
+/// Figures of the values between two instants, both included.
+struct SampleStatistics {
+  std::size_t count = 0;  ///< values; gaps do not count. 0: all others are 0
+  double min = 0.0;
+  double max = 0.0;
+  double mean = 0.0;
+  double rms = 0.0;
+  double p50 = 0.0;  ///< nearest rank
+  double p95 = 0.0;
+  double p99 = 0.0;
+};
+/// O(values between). Beyond a million values, percentiles are those of every second, fourth, ...
+[[nodiscard]] SampleStatistics sampleStatistics(const Envelope& samples, base::Instant from,
+                                                base::Instant to);
+
+/// Linear between the neighbours; NaN outside and beside gaps.
+[[nodiscard]] double valueAt(const Envelope& samples, base::Instant at);
+
+}  // namespace rivulet::trace
