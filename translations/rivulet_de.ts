@@ -456,6 +456,10 @@
         <source>The test of method credit is in progress.</source>
         <translation>Der Test des Verfahrens Kredit läuft.</translation>
     </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>Der Auftrag wird mit der Maschine verglichen.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1377,6 +1381,45 @@
     <message>
         <source>Arrays by range</source>
         <translation>Felder nach Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>HazardTexts</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>Line %1 (stretch %2)</source>
+        <translation>Zeile %1 (Abschnitt %2)</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>S%1 is %2 1/min more than the spindle can turn; the control reduces it to %3 1/min.</source>
+        <translation>S%1 ist um %2 1/min mehr, als die Spindel drehen kann; die Steuerung begrenzt auf %3 1/min.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine. Enter it there, or choose another tool.</source>
+        <translation>Werkzeug %1 ist nicht in der Werkzeugtabelle der Maschine. Dort eintragen oder ein anderes Werkzeug wählen.</translation>
+    </message>
+    <message>
+        <source>The machine would stop with alarm %1: %2</source>
+        <translation>Die Maschine würde mit Alarm %1 anhalten: %2</translation>
+    </message>
+    <message>
+        <source>From here on the job cannot be checked, because only the control knows what this block does: %1</source>
+        <translation>Ab hier lässt sich der Auftrag nicht prüfen, weil nur die Steuerung weiß, was dieser Satz tut: %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
+        <translation>%1 würde auf %2 in Maschinenkoordinaten fahren, %3 über die Grenze von %4 hinaus. Werkstück versetzen oder Nullpunktverschiebung ändern.</translation>
     </message>
 </context>
 <context>
@@ -2483,6 +2526,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
         <translation>Die Bahn (%1 mm) ist nicht länger als der Verfahrweg der Achsen. Wo das Werkstück liegt, weiß Rivulet nicht.</translation>
+    </message>
+    <message>
+        <source>Travel, spindle and tools</source>
+        <translation>Verfahrweg, Spindel und Werkzeuge</translation>
+    </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>Der Auftrag wird mit der Maschine verglichen.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
+        <translation>Alle Sätze bleiben innerhalb von Verfahrweg, Spindeldrehzahl und Werkzeugtabelle.</translation>
     </message>
 </context>
 <context>

@@ -456,6 +456,10 @@
         <source>The test of method credit is in progress.</source>
         <translation>La prueba del método Crédito está en curso.</translation>
     </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>El trabajo se está comparando con la máquina.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1377,6 +1381,45 @@
     <message>
         <source>Arrays by range</source>
         <translation>Matrices por rango</translation>
+    </message>
+</context>
+<context>
+    <name>HazardTexts</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, línea %2</translation>
+    </message>
+    <message>
+        <source>Line %1 (stretch %2)</source>
+        <translation>Línea %1 (tramo %2)</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Línea %1</translation>
+    </message>
+    <message>
+        <source>S%1 is %2 1/min more than the spindle can turn; the control reduces it to %3 1/min.</source>
+        <translation>S%1 supera en %2 1/min lo que puede girar el cabezal; el control lo reduce a %3 1/min.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine. Enter it there, or choose another tool.</source>
+        <translation>La herramienta %1 no está en la tabla de herramientas de la máquina. Introdúzcala allí o elija otra.</translation>
+    </message>
+    <message>
+        <source>The machine would stop with alarm %1: %2</source>
+        <translation>La máquina se pararía con la alarma %1: %2</translation>
+    </message>
+    <message>
+        <source>From here on the job cannot be checked, because only the control knows what this block does: %1</source>
+        <translation>A partir de aquí no se puede comprobar el trabajo, porque solo el control sabe qué hace esta secuencia: %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+    <message>
+        <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
+        <translation>%1 iría a %2 en coordenadas de máquina, %3 más allá de su límite de %4. Desplace la pieza o cambie el decalaje de origen.</translation>
     </message>
 </context>
 <context>
@@ -2483,6 +2526,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
         <translation>La trayectoria (%1 mm) no es más larga que el recorrido de los ejes. Rivulet no sabe dónde está la pieza.</translation>
+    </message>
+    <message>
+        <source>Travel, spindle and tools</source>
+        <translation>Recorridos, cabezal y herramientas</translation>
+    </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>El trabajo se está comparando con la máquina.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
+        <translation>Todas las secuencias respetan los recorridos de los ejes, la velocidad del cabezal y la tabla de herramientas.</translation>
     </message>
 </context>
 <context>

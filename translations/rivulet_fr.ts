@@ -456,6 +456,10 @@
         <source>The test of method credit is in progress.</source>
         <translation>Le test de la méthode Crédit est en cours.</translation>
     </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>La tâche est comparée à la machine.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1377,6 +1381,45 @@
     <message>
         <source>Arrays by range</source>
         <translation>Tableaux par plage</translation>
+    </message>
+</context>
+<context>
+    <name>HazardTexts</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>Line %1 (stretch %2)</source>
+        <translation>Ligne %1 (tronçon %2)</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+    <message>
+        <source>S%1 is %2 1/min more than the spindle can turn; the control reduces it to %3 1/min.</source>
+        <translation>S%1 dépasse de %2 1/min ce que la broche peut tourner&#xa0;; la commande le réduit à %3 1/min.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine. Enter it there, or choose another tool.</source>
+        <translation>L’outil %1 n’est pas dans la table d’outils de la machine. L’y saisir ou choisir un autre outil.</translation>
+    </message>
+    <message>
+        <source>The machine would stop with alarm %1: %2</source>
+        <translation>La machine s’arrêterait avec l’alarme %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>From here on the job cannot be checked, because only the control knows what this block does: %1</source>
+        <translation>À partir d’ici, la tâche ne peut pas être vérifiée, car seule la commande sait ce que fait ce bloc&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message>
+        <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
+        <translation>%1 irait à %2 en coordonnées machine, %3 au-delà de sa limite de %4. Déplacer la pièce ou changer le décalage d’origine.</translation>
     </message>
 </context>
 <context>
@@ -2483,6 +2526,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
         <translation>La trajectoire (%1 mm) n’est pas plus longue que la course des axes. Rivulet ne sait pas où se trouve la pièce.</translation>
+    </message>
+    <message>
+        <source>Travel, spindle and tools</source>
+        <translation>Courses, broche et outils</translation>
+    </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>La tâche est comparée à la machine.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
+        <translation>Tous les blocs respectent les courses des axes, la vitesse de la broche et la table d’outils.</translation>
     </message>
 </context>
 <context>

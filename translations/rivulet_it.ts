@@ -456,6 +456,10 @@
         <source>The test of method credit is in progress.</source>
         <translation>Il test del metodo Credito è in corso.</translation>
     </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>Il lavoro viene confrontato con la macchina.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionTexts</name>
@@ -1377,6 +1381,45 @@
     <message>
         <source>Arrays by range</source>
         <translation>Array per intervallo</translation>
+    </message>
+</context>
+<context>
+    <name>HazardTexts</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, riga %2</translation>
+    </message>
+    <message>
+        <source>Line %1 (stretch %2)</source>
+        <translation>Riga %1 (tratto %2)</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Riga %1</translation>
+    </message>
+    <message>
+        <source>S%1 is %2 1/min more than the spindle can turn; the control reduces it to %3 1/min.</source>
+        <translation>S%1 supera di %2 1/min la velocità massima del mandrino; il controllo la riduce a %3 1/min.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine. Enter it there, or choose another tool.</source>
+        <translation>L’utensile %1 non è nella tabella utensili della macchina. Inserirlo lì o scegliere un altro utensile.</translation>
+    </message>
+    <message>
+        <source>The machine would stop with alarm %1: %2</source>
+        <translation>La macchina si fermerebbe con l’allarme %1: %2</translation>
+    </message>
+    <message>
+        <source>From here on the job cannot be checked, because only the control knows what this block does: %1</source>
+        <translation>Da qui in poi il lavoro non può essere controllato, perché solo il controllo sa cosa fa questo blocco: %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>e altri %1</translation>
+    </message>
+    <message>
+        <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
+        <translation>%1 andrebbe a %2 in coordinate macchina, %3 oltre il limite di %4. Spostare il pezzo o cambiare lo spostamento origine.</translation>
     </message>
 </context>
 <context>
@@ -2483,6 +2526,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The path (%1 mm) is not longer than the travel of the axes. Where the workpiece lies is not known to Rivulet.</source>
         <translation>Il percorso (%1 mm) non è più lungo della corsa degli assi. Rivulet non sa dove si trova il pezzo.</translation>
+    </message>
+    <message>
+        <source>Travel, spindle and tools</source>
+        <translation>Corse, mandrino e utensili</translation>
+    </message>
+    <message>
+        <source>The job is being compared with the machine.</source>
+        <translation>Il lavoro viene confrontato con la macchina.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
+        <translation>Tutti i blocchi rientrano nelle corse degli assi, nella velocità del mandrino e nella tabella utensili.</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,8 @@
 #include "machine/config.h"
 #include "opcua/await.h"
 #include "report/job_json.h"
+#include "report/machine_profile.h"
+#include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/plan_json.h"
 #include "report/report_json.h"
@@ -283,16 +285,11 @@ base::Result<std::optional<machine::MachineConfig>> JobCommand::machine() {
   if (!identity) {
     return base::fail(identity.error());
   }
-  const std::string preset = identity->buildNumber;
-  const std::vector<std::string> known = machine::presetNames();
-  if (std::find(known.begin(), known.end(), preset) == known.end()) {
-    return std::nullopt;
+  const auto profile = report::MachineStore().profile(m_connection.name, *identity);
+  if (!profile) {
+    return base::fail(profile.error());
   }
-  auto config = machine::loadPreset(preset);
-  if (!config) {
-    return base::fail(config.error());
-  }
-  return std::optional(std::move(*config));
+  return report::knownMachine(*identity, *profile ? &**profile : nullptr);
 }
 
 base::Result<void> JobCommand::restart() {

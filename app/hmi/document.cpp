@@ -65,6 +65,12 @@ Document::Document(const widgets::StreamSettings& settings)
               Q_EMIT pausesChanged();
             }
           });
+  connect(&m_jobCheck, &session::JobCheck::finished, this,
+          [this](const std::shared_ptr<const session::Hazards>& hazards) {
+            m_hazards = hazards;
+            m_findings.hazards = hazards;
+            Q_EMIT judged();
+          });
   connect(&m_rehearsal, &session::Rehearsal::finished, this, &Document::takeRehearsal);
   m_estimateTimer.setSingleShot(true);
   m_estimateTimer.setInterval(kEstimateMs);
@@ -302,6 +308,26 @@ void Document::setMachine(std::shared_ptr<const machine::MachineConfig> machine)
   judge();
 }
 
+void Document::setJobMachine(std::shared_ptr<const machine::MachineConfig> machine) {
+  m_jobMachine = std::move(machine);
+  m_checkedPlan.reset();
+  judge();
+}
+
+void Document::checkJob() {
+  const auto plan = isJob() && m_jobMachine ? m_view->plan : nullptr;
+  if (plan != m_checkedPlan) {
+    m_checkedPlan = plan;
+    m_hazards.reset();
+    m_jobCheck.cancel();
+    if (plan) {
+      m_jobCheck.start(plan, m_jobMachine);
+    }
+  }
+  m_findings.isJobChecked = plan != nullptr;
+  m_findings.hazards = m_hazards;
+}
+
 void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record,
                               bool isOutdated) {
   m_source.record = std::move(record);
@@ -395,6 +421,7 @@ void Document::judge() {
     }
   }
   m_findings = std::move(found);
+  checkJob();
   // The equations see averages; a feasible verdict is checked by a simulation before any start.
   if (m_findings.verdict && m_findings.verdict->feasible) {
     m_findings.rehearsed = streaming::Rehearsed{};

@@ -17,6 +17,7 @@
 #include "feasibility/verdict.h"
 #include "machine/config.h"
 #include "session/file_watch.h"
+#include "session/job_check.h"
 #include "session/native_times.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
@@ -47,6 +48,9 @@ struct Findings {
   /// The simulation of the program with these settings; nothing: there is no verdict to check.
   std::optional<streaming::Rehearsed> rehearsed;
   std::shared_ptr<const session::RehearsalOutcome> rehearsal;  ///< null: not done (yet)
+  /// The machine that is to run the job is known: the job is compared with it.
+  bool isJobChecked = false;
+  std::shared_ptr<const session::Hazards> hazards;  ///< null: not known (yet)
 };
 
 class Document final : public QObject {
@@ -101,6 +105,12 @@ class Document final : public QObject {
   void setMachine(std::shared_ptr<const machine::MachineConfig> machine);
   [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& machine() const {
     return m_machine;
+  }
+  /// The machine that whole jobs are compared with before they start. @param machine  null: it is
+  /// not known
+  void setJobMachine(std::shared_ptr<const machine::MachineConfig> machine);
+  [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& jobMachine() const {
+    return m_jobMachine;
   }
   /// No feed can be larger, mm/s.
   [[nodiscard]] double feedMmPerSMax() const { return m_machineFeeds.feedMmPerSMax; }
@@ -163,6 +173,8 @@ class Document final : public QObject {
   void rehearse();
   void takeRehearsal(const std::shared_ptr<const session::RehearsalOutcome>& outcome,
                      const std::string& key);
+  /// Compares a whole job with the machine.
+  void checkJob();
   void forgetTimes();
   [[nodiscard]] session::TimeSettings timeSettings() const;
   /// Null: not known for the present settings (yet).
@@ -171,11 +183,15 @@ class Document final : public QObject {
   session::ProgramLoader m_loader;
   session::ProgramTimer m_timer;
   session::Rehearsal m_rehearsal;
+  session::JobCheck m_jobCheck;
   session::FileWatch m_watch;
   QTimer m_estimateTimer;  ///< settings change while an operator turns them: wait for a rest
 
-  std::shared_ptr<const machine::MachineConfig> m_machine;  ///< null: that of the paper
-  gcode::ProgramFeeds m_machineFeeds;                       ///< limits, at 100 %
+  std::shared_ptr<const machine::MachineConfig> m_machine;     ///< null: that of the paper
+  std::shared_ptr<const machine::MachineConfig> m_jobMachine;  ///< null: not known
+  std::shared_ptr<const job::Plan> m_checkedPlan;              ///< of `m_hazards`, or in progress
+  std::shared_ptr<const session::Hazards> m_hazards;           ///< null: not known (yet)
+  gcode::ProgramFeeds m_machineFeeds;                          ///< limits, at 100 %
   widgets::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
   struct FeedCells {

@@ -52,6 +52,10 @@ void MachineProfiles::apply() {
   m_document.setMachine(
       m_profile ? std::make_shared<const machine::MachineConfig>(report::configOf(&*m_profile))
                 : nullptr);
+  const auto known =
+      report::knownMachine(m_machine.link().server, m_profile ? &*m_profile : nullptr);
+  m_document.setJobMachine(known ? std::make_shared<const machine::MachineConfig>(*known)
+                                 : nullptr);
   Q_EMIT changed();
 }
 

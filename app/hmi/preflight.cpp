@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "hmi/hazard_text.h"
 #include "hmi/pages/pages.h"
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
@@ -233,7 +234,41 @@ PreflightItem Preflight::firstMoveItem() const {
   return item;
 }
 
+PreflightItem Preflight::hazardItem() const {
+  PreflightItem item{Status::Plain, tr("Travel, spindle and tools"), {}, {}, 0};
+  const Findings& findings = m_document.findings();
+  if (!findings.isJobChecked) {
+    item.status = Status::Unknown;
+    item.text = tr("Not checked: nobody has entered the limits of this machine.");
+    item.remedy = tr("Enter …");
+    item.remedyId = EnterLimits;
+    return item;
+  }
+  if (!findings.hazards) {
+    item.status = Status::Busy;
+    item.text = tr("The job is being compared with the machine.");
+    return item;
+  }
+  const QString stops = hazardsText(*findings.hazards, true);
+  const QString others = hazardsText(*findings.hazards, false);
+  if (stops.isEmpty() && others.isEmpty()) {
+    item.status = Status::Good;
+    item.text =
+        tr("Every block is within the travel of the axes, the speed of the spindle and the "
+           "tool table.");
+    return item;
+  }
+  item.status = stops.isEmpty() ? Status::Attention : Status::Fault;
+  item.text = stops.isEmpty()    ? others
+              : others.isEmpty() ? stops
+                                 : stops + QLatin1Char('\n') + others;
+  return item;
+}
+
 PreflightItem Preflight::travelItem() const {
+  if (m_document.isJob()) {
+    return hazardItem();
+  }
   PreflightItem item{Status::Plain, tr("Travel"), {}, {}, 0};
   const auto& machine = m_document.machine();
   if (!machine) {

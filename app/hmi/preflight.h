@@ -22,7 +22,14 @@ class Preflight final : public QObject {
   Q_OBJECT
 
  public:
-  enum Remedy { ReloadProgram, UseProgramFeed, ReleaseJob, TakeBackRelease, RunWholeJob, EnterLimits };
+  enum Remedy {
+    ReloadProgram,
+    UseProgramFeed,
+    ReleaseJob,
+    TakeBackRelease,
+    RunWholeJob,
+    EnterLimits
+  };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
 
@@ -60,6 +67,8 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem jobItem() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
   [[nodiscard]] widgets::PreflightItem travelItem() const;
+  /// What the machine cannot do of a whole job.
+  [[nodiscard]] widgets::PreflightItem hazardItem() const;
   [[nodiscard]] widgets::PreflightItem resumeItem() const;
   [[nodiscard]] widgets::PreflightItem originItem() const;
   [[nodiscard]] widgets::PreflightItem feedItem() const;

@@ -9,6 +9,8 @@
 #include <algorithm>
 
 #include "gcode/nearest_move.h"
+#include "hmi/hazard_text.h"
+#include "job/main_program.h"
 #include "templates/generator.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -106,6 +108,14 @@ streaming::StartFacts RunController::facts(Act act) const {
   facts.settingsError = findings.settingsError;
   facts.verdict = findings.verdict;
   facts.rehearsed = findings.rehearsed;
+  if (findings.isJobChecked) {
+    facts.jobCheck = streaming::JobCheck{findings.hazards != nullptr, {}};
+    if (const QString why = findings.hazards ? hazardsText(*findings.hazards, true) : QString();
+        !why.isEmpty()) {
+      facts.jobCheck->obstacle = base::makeError(
+          job::JobError::BeyondMachine, why.section(QLatin1Char('\n'), 0, 0).toStdString());
+    }
+  }
   facts.channelStatus = machine.channelStatus;
   facts.alarm = machine.alarmNumber;
   facts.controlAxes = machine.rotaryAxes;

@@ -204,4 +204,17 @@ machine::MachineConfig configOf(const MachineProfile* profile) {
   return config;
 }
 
+std::optional<machine::MachineConfig> knownMachine(const opcua::ServerIdentity& server,
+                                                   const MachineProfile* profile) {
+  if (profile != nullptr) {
+    return configOf(profile);
+  }
+  const std::vector<std::string> known = machine::presetNames();
+  if (std::find(known.begin(), known.end(), server.buildNumber) == known.end()) {
+    return std::nullopt;
+  }
+  const auto preset = machine::loadPreset(server.buildNumber);
+  return preset ? std::optional(*preset) : std::nullopt;
+}
+
 }  // namespace rivulet::report

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "machine/config.h"
 #include "streaming/machine_profile.h"
@@ -27,5 +28,11 @@ inline constexpr const char* kAssumedPreset = machine::kDefaultPreset;
 /// The preset of the profile with the limits of the profile. An unknown preset counts as
 /// `kAssumedPreset`. @param profile  null: that preset as it is
 [[nodiscard]] machine::MachineConfig configOf(const streaming::MachineProfile* profile);
+
+/// The machine that a whole job is compared with: the limits that were entered for it, or the
+/// preset that a virtual machine names as its build.
+/// @param profile  null: nobody has entered limits  @return nothing: it is not known
+[[nodiscard]] std::optional<machine::MachineConfig> knownMachine(
+    const opcua::ServerIdentity& server, const streaming::MachineProfile* profile);
 
 }  // namespace rivulet::report

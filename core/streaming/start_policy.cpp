@@ -84,6 +84,12 @@ Reason settingsBlocked(const StartFacts& facts) {
                    {std::string(feasibility::equationLabel(facts.verdict->limiting.equation)),
                     fmt::format("{:.0f}", feedMax)});
   }
+  if (facts.jobCheck && !facts.jobCheck->isDone) {
+    return because(BlockReason::JobNotChecked);
+  }
+  if (facts.jobCheck && facts.jobCheck->obstacle) {
+    return Blocked{BlockReason::BeyondMachine, {}, facts.jobCheck->obstacle};
+  }
   if (facts.rehearsed && !facts.acceptsInfeasible) {
     if (!facts.rehearsed->isDone) {
       return because(BlockReason::NotRehearsed);
@@ -154,6 +160,8 @@ StreamError codeOf(BlockReason reason) {
     case BlockReason::Infeasible:
     case BlockReason::NotRehearsed:
     case BlockReason::RehearsalFailed:
+    case BlockReason::JobNotChecked:
+    case BlockReason::BeyondMachine:
     case BlockReason::Locked:
     case BlockReason::NeedsEngineer:
     case BlockReason::NotReleased:
@@ -223,6 +231,10 @@ std::string sentence(const Blocked& blocked) {
       return "Only an engineer may do this. Log in as one.";
     case BlockReason::NotReleased:
       return "This program with these settings is not released. An engineer has to release it.";
+    case BlockReason::JobNotChecked:
+      return "The job is being compared with the machine. Wait for the result.";
+    case BlockReason::BeyondMachine:
+      return "The machine cannot do this job.";
     case BlockReason::SettingsInvalid:
       break;
   }

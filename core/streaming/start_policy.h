@@ -55,12 +55,14 @@ enum class BlockReason {
   NeedsEngineer,        ///< who is there may not do this
   NotReleased,          ///< an operator starts only what an engineer has released
   MethodCannotResume,   ///< only methods with numbered windows go on where a run was left
+  JobNotChecked,        ///< the comparison of the whole job with the machine is in progress
+  BeyondMachine,        ///< the machine cannot do the job; see `Blocked::cause`
 };
 
 struct Blocked {
   BlockReason reason = BlockReason::NotConnected;
   std::vector<std::string> arguments;
-  std::optional<base::Error> cause;  ///< SettingsInvalid only
+  std::optional<base::Error> cause;  ///< SettingsInvalid and BeyondMachine only
 };
 
 /// A simulation of the program that is to be started, with the settings it is to be started with.
@@ -68,6 +70,13 @@ struct Rehearsed {
   bool isDone = false;  ///< false: in progress
   std::size_t runs = 0;
   std::size_t failures = 0;
+};
+
+/// A whole job compared with the machine that is to run it: travel, spindle and tools.
+struct JobCheck {
+  bool isDone = false;  ///< false: in progress
+  /// Why the job must not start, in the language of whoever asks; nothing: it may.
+  std::optional<base::Error> obstacle;
 };
 
 /// What is known when somebody wants to start something. What is not known blocks nothing: the run
@@ -82,6 +91,7 @@ struct StartFacts {
   std::optional<base::Error> settingsError;     ///< no program can be made of the settings
   std::optional<feasibility::Verdict> verdict;  ///< nothing: there is none to be had
   std::optional<Rehearsed> rehearsed;           ///< nothing: it cannot be simulated
+  std::optional<JobCheck> jobCheck;    ///< nothing: no whole job, or the machine is not known
   bool acceptsInfeasible = false;      ///< wrong motion does no harm, or the user answers for it
   std::optional<bool> isCommissioned;  ///< the control has passed the test of the method
   std::optional<int> channelStatus;    ///< 0: reset

@@ -12,10 +12,12 @@
 #include "base/units.h"
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
+#include "hmi/preflight.h"
 #include "hmi/run_controller.h"
 #include "machine/machine.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
+#include "widgets/common/blocked_text.h"
 
 using namespace rivulet;
 using hmi::Document;
@@ -85,19 +87,22 @@ struct Models {
   RunController runs{session, document, machine, messages};
 
   /// Connects to a machine with tools, and opens a program that needs them.
-  void openJob() {
+  void openJob(const char* text = kJob) {
+    load(text);
+    QTRY_VERIFY_WITH_TIMEOUT(document.view() && !reason(), kSoonMs);
+  }
+  void load(const char* text) {
     widgets::StreamSettings whole = document.settings();
     whole.wholeJob = true;
     document.setSettings(whole);
     const QString path = folder.filePath(QStringLiteral("JOB.MPF"));
     QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(kJob) < 0) {
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) < 0) {
       qFatal("the program cannot be written");
     }
     file.close();
     machine.connectTo(kMill);
     document.open(path);
-    QTRY_VERIFY_WITH_TIMEOUT(document.view() && !reason(), kSoonMs);
   }
 
   [[nodiscard]] std::optional<BlockReason> reason() const {
@@ -251,6 +256,36 @@ class TestRunController : public QObject {
     QCOMPARE(executed, models.document.points().size());
     QVERIFY(!models.runs.job());
     QVERIFY(report->controlTrace != nullptr);
+  }
+
+  /// Travel, spindle and tools are compared before the start; what is found is named with line,
+  /// axis and limit.
+  void aJobBeyondTheMachineIsNotStarted() {
+    Models models;
+    hmi::Preflight preflight(models.document, models.machine, models.runs);
+    models.document.setJobMachine(
+        std::make_shared<const machine::MachineConfig>(*machine::loadPreset("dmu75-mill")));
+    models.load("T99 M6\nS99000 M3\nG0 X500 Y0 Z10\nG1 X400 F600\nX20\nM30\n");
+    QTRY_VERIFY_WITH_TIMEOUT(models.reason() == BlockReason::BeyondMachine, kSoonMs);
+    QVERIFY(!models.runs.start());
+    const QString why = widgets::blockedText(models.runs.startBlocked());
+    QVERIFY2(why.startsWith(QStringLiteral("Line 1: ")) && why.contains(QStringLiteral("T99")),
+             qPrintable(why));
+    const auto items = preflight.items();
+    const auto item = std::find_if(items.begin(), items.end(), [](const auto& each) {
+      return each.name == QStringLiteral("Travel, spindle and tools");
+    });
+    QVERIFY(item != items.end() && item->status == widgets::Status::Fault);
+    for (const char* part : {"T99", "S99000", "X would go to 500.000", "Line 3 (stretch 1)"}) {
+      QVERIFY2(QString(item->text)
+                   .replace(QChar(0xA0), QLatin1Char(' '))
+                   .remove(QLatin1Char(','))
+                   .contains(QLatin1String(part)),
+               qPrintable(item->text));
+    }
+    // What the machine can do starts.
+    models.document.setJobMachine(nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
   }
 
   /// What is chosen, and what machine and method can do, decides how the program is read.

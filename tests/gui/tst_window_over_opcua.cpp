@@ -111,6 +111,29 @@ class TestWindowOverOpcua : public QObject {
     QVERIFY(report->counters.executed < report->counters.total);
   }
 
+  /// The machine says over the connection what it is: a job that it cannot do is not started.
+  void aJobBeyondTheMachineIsNotStarted() {
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),
+                                        {QStringLiteral("--preset"), QStringLiteral("dmu75-mill")});
+    QFile file(m_folder.filePath(QStringLiteral("BEYOND.MPF")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("G17 G90 G71\nT2 M6 D1\nG0 X0 Y0 Z45\nG1 Z40 F3000\nX500\nM30\n");
+    file.close();
+    MainWindow window(settings(), false);
+    widgets::StreamSettings stream;
+    stream.programFeeds = true;
+    stream.wholeJob = true;
+    window.setStreamSettings(stream);
+    window.openProgram(file.fileName());
+    window.connectTo(machine.endpoint());
+    QTRY_VERIFY2_WITH_TIMEOUT(
+        window.startBlockedReason().startsWith(QStringLiteral("Line 5 (stretch ")),
+        qPrintable(window.startBlockedReason()), kSoonMs);
+    QVERIFY(!window.start());
+    QTRY_VERIFY_WITH_TIMEOUT(window.startBlockedReason().contains(QStringLiteral("X would go to")),
+                             kSoonMs);
+  }
+
   void wrongAddressIsSaid() {
     MainWindow window(settings(), false);
     auto* messages = window.findChild<widgets::AlarmLine*>();

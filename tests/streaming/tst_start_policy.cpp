@@ -94,6 +94,20 @@ class TestStartPolicy : public QObject {
     QVERIFY(reason() == BlockReason::RunInProgress);
   }
 
+  /// The comparison with the machine ends before anything moves, and says what it has found.
+  void comparesAJobWithTheMachine() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    facts.jobCheck = streaming::JobCheck{};
+    QVERIFY(reasonOf(streaming::startBlocked(facts)) == BlockReason::JobNotChecked);
+    facts.jobCheck->isDone = true;
+    QVERIFY(!streaming::startBlocked(facts));
+    facts.jobCheck->obstacle = base::makeError(streaming::StreamError::AxisMissing, "line 5");
+    QVERIFY(reasonOf(streaming::startBlocked(facts)) == BlockReason::BeyondMachine);
+    QCOMPARE(streaming::blockedError(*streaming::startBlocked(facts)).message,
+             std::string("line 5"));
+  }
+
   /// A locked window hides every other reason; a release comes last.
   void asksWhoIsThere() {
     const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");

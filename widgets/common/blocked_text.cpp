@@ -69,6 +69,10 @@ struct BlockedTexts {
         return tr("Only an engineer may do this.");
       case BlockReason::NotReleased:
         return tr("Not released: an engineer has to release this program with these settings.");
+      case BlockReason::JobNotChecked:
+        return tr("The job is being compared with the machine.");
+      case BlockReason::BeyondMachine:
+        return blocked.cause ? errorText(*blocked.cause) : QString();
       case BlockReason::MethodCannotResume:
         return tr("Only method window can resume an interrupted run.");
     }
