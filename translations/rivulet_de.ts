@@ -1887,6 +1887,10 @@
         <source>%1 (line %2) cannot be given to the control.</source>
         <translation>%1 (Zeile %2) kann der Steuerung nicht übergeben werden.</translation>
     </message>
+    <message>
+        <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
+        <translation>%1 gestreamt, %2 Pausen, %3 Werkzeugwechsel, %4 andere Sätze der Steuerung, %5 Wechsel zwischen beiden; insgesamt %6</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2079,6 +2083,22 @@
     <message>
         <source>Access, 99th percentile</source>
         <translation>Zugriff, 99. Perzentil</translation>
+    </message>
+    <message>
+        <source>Streamed</source>
+        <translation>Gestreamt</translation>
+    </message>
+    <message>
+        <source>Tool changes</source>
+        <translation>Werkzeugwechsel</translation>
+    </message>
+    <message>
+        <source>Other blocks of the control</source>
+        <translation>Andere Sätze der Steuerung</translation>
+    </message>
+    <message>
+        <source>Changes between both</source>
+        <translation>Wechsel zwischen beiden</translation>
     </message>
 </context>
 <context>
@@ -5065,6 +5085,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Time spent</source>
+        <translation>Zeitaufteilung</translation>
     </message>
 </context>
 <context>

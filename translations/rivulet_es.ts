@@ -1887,6 +1887,10 @@
         <source>%1 (line %2) cannot be given to the control.</source>
         <translation>%1 (línea %2) no se puede pasar al control.</translation>
     </message>
+    <message>
+        <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
+        <translation>%1 transmitido, %2 pausas, %3 cambios de herramienta, %4 otras secuencias del control, %5 cambios entre ambos; %6 en total</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2079,6 +2083,22 @@
     <message>
         <source>Access, 99th percentile</source>
         <translation>Acceso, percentil 99</translation>
+    </message>
+    <message>
+        <source>Streamed</source>
+        <translation>Transmitido</translation>
+    </message>
+    <message>
+        <source>Tool changes</source>
+        <translation>Cambios de herramienta</translation>
+    </message>
+    <message>
+        <source>Other blocks of the control</source>
+        <translation>Otras secuencias del control</translation>
+    </message>
+    <message>
+        <source>Changes between both</source>
+        <translation>Cambios entre ambos</translation>
     </message>
 </context>
 <context>
@@ -5065,6 +5085,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>File</source>
         <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Time spent</source>
+        <translation>Reparto del tiempo</translation>
     </message>
 </context>
 <context>

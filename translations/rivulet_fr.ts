@@ -1887,6 +1887,10 @@
         <source>%1 (line %2) cannot be given to the control.</source>
         <translation>%1 (ligne %2) ne peut pas être transmis à la commande.</translation>
     </message>
+    <message>
+        <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
+        <translation>%1 transmis, %2 pauses, %3 changements d’outil, %4 autres blocs de la commande, %5 passages de l’un à l’autre&#xa0;; %6 au total</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2079,6 +2083,22 @@
     <message>
         <source>Access, 99th percentile</source>
         <translation>Accès, 99e centile</translation>
+    </message>
+    <message>
+        <source>Streamed</source>
+        <translation>Transmis</translation>
+    </message>
+    <message>
+        <source>Tool changes</source>
+        <translation>Changements d’outil</translation>
+    </message>
+    <message>
+        <source>Other blocks of the control</source>
+        <translation>Autres blocs de la commande</translation>
+    </message>
+    <message>
+        <source>Changes between both</source>
+        <translation>Passages de l’un à l’autre</translation>
     </message>
 </context>
 <context>
@@ -5065,6 +5085,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>File</source>
         <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Time spent</source>
+        <translation>Répartition du temps</translation>
     </message>
 </context>
 <context>

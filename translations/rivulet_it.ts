@@ -1887,6 +1887,10 @@
         <source>%1 (line %2) cannot be given to the control.</source>
         <translation>%1 (riga %2) non può essere passato al controllo.</translation>
     </message>
+    <message>
+        <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
+        <translation>%1 trasmessi, %2 pause, %3 cambi utensile, %4 altri blocchi del controllo, %5 passaggi tra i due; %6 in tutto</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2079,6 +2083,22 @@
     <message>
         <source>Access, 99th percentile</source>
         <translation>Accesso, 99º percentile</translation>
+    </message>
+    <message>
+        <source>Streamed</source>
+        <translation>Trasmesso</translation>
+    </message>
+    <message>
+        <source>Tool changes</source>
+        <translation>Cambi utensile</translation>
+    </message>
+    <message>
+        <source>Other blocks of the control</source>
+        <translation>Altri blocchi del controllo</translation>
+    </message>
+    <message>
+        <source>Changes between both</source>
+        <translation>Passaggi tra i due</translation>
     </message>
 </context>
 <context>
@@ -5065,6 +5085,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>File</source>
         <translation>File</translation>
+    </message>
+    <message>
+        <source>Time spent</source>
+        <translation>Ripartizione del tempo</translation>
     </message>
 </context>
 <context>

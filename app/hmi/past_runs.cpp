@@ -180,6 +180,8 @@ void PastRuns::applyRepeat() {
   const auto& feeds = run.report.settings.programFeeds;
   settings.programFeeds = feeds.has_value();
   settings.overrideFactor = feeds ? feeds->overrideFactor : settings.overrideFactor;
+  // A run that left out the blocks for the control is repeated without them.
+  settings.wholeJob = run.summary.jobTimes.has_value();
   m_document.setSettings(settings);
   if (!program) {
     m_messages.show(Severity::Warning, [was] {

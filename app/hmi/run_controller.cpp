@@ -16,6 +16,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/common/note_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/runs/run_texts.h"
 #include "widgets/streaming/report_panel.h"
 
 namespace rivulet::hmi {
@@ -302,9 +303,8 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
     command.plan = m_document.view()->plan;
     command.stretchStarts = m_document.view()->stretchStarts;
     command.points = m_document.points().size();
-  } else {
-    command.recordingPath = newRecordingPath().toStdString();
   }
+  command.recordingPath = newRecordingPath().toStdString();
   if (resume) {
     command.resumes = m_left;
   }
@@ -488,6 +488,10 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   m_document.setHeld(m_left.has_value());
   m_update.state = streaming::endState(m_report->outcome);
   m_update.counters = inProgram(m_report->counters, m_firstPoint);
+  if (wasJob && m_report->outcome == streaming::Outcome::Completed) {
+    const std::size_t all = m_document.points().size();
+    m_update.counters = {all, all, all, all};
+  }
   m_update.stopConfirmedAfter = m_report->stopConfirmedAfter;
   m_update.waitingFor.clear();
   m_machine.forgetExecuted();
@@ -515,6 +519,10 @@ void RunController::logOutcome(const session::RunFinished& finished) {
     return tr("Run ended: %1 of %2 points executed.")
         .arg(widgets::countText(counters.executed), widgets::countText(counters.total));
   });
+  if (finished.jobTimes) {
+    m_messages.log(Severity::Note, Source::Run,
+                   [times = *finished.jobTimes] { return widgets::jobTimesText(times); });
+  }
   raiseOutcome();
   if (finished.notKept.code) {
     m_messages.log(Severity::Warning, Source::Run, [error = finished.notKept] {
@@ -543,7 +551,7 @@ void RunController::raiseOutcome() {
     m_messages.raise(alarm::Code::RunIncomplete, {name, std::to_string(integrity.executed),
                                                   std::to_string(m_report->counters.total)});
   } else if (m_report->finding() == streaming::RunFinding::NotJudged &&
-             m_machine.view().isVirtualMachine && !m_document.isJob()) {
+             m_machine.view().isVirtualMachine) {
     // Most controls keep no trace: there it is no news, and the report says it.
     m_messages.raise(alarm::Code::NotJudged, {name});
   }

@@ -13,6 +13,7 @@
 #include "base/file.h"
 #include "base/units.h"
 #include "opcua/error.h"
+#include "report/job_json.h"
 #include "report/json_members.h"
 #include "report/report_json.h"
 
@@ -215,21 +216,32 @@ streaming::RunSummary knownOf(Members& members) {
   members.ifThere("/recording", known.recording, text);
   members.ifThere("/owns_recording", known.ownsRecording,
                   [&members](const char* at) { return members.flag(at); });
+  if (members.has("/job_times")) {
+    known.jobTimes = {
+        seconds(members, "/job_times/streamed_s"), seconds(members, "/job_times/pauses_s"),
+        seconds(members, "/job_times/native_s"), seconds(members, "/job_times/tool_change_s"),
+        seconds(members, "/job_times/handover_s")};
+  }
   return known;
 }
 
 ordered_json knownJson(const streaming::RunSummary& known) {
   const streaming::RunOrigin& origin = known.origin;
-  return {{kFinishedFormatKey, kFinishedFormat},
-          {"id", known.id},
-          {"program_file", known.programFile},
-          {"program_hash", known.programHash},
-          {"endpoint", known.endpoint},
-          {"started_by",
-           {{"user", origin.user}, {"computer", origin.computer}, {"at_utc", origin.startedAtUtc}}},
-          {"tool_version", known.toolVersion},
-          {"recording", known.recording},
-          {"owns_recording", known.ownsRecording}};
+  ordered_json json{
+      {kFinishedFormatKey, kFinishedFormat},
+      {"id", known.id},
+      {"program_file", known.programFile},
+      {"program_hash", known.programHash},
+      {"endpoint", known.endpoint},
+      {"started_by",
+       {{"user", origin.user}, {"computer", origin.computer}, {"at_utc", origin.startedAtUtc}}},
+      {"tool_version", known.toolVersion},
+      {"recording", known.recording},
+      {"owns_recording", known.ownsRecording}};
+  if (known.jobTimes) {
+    json["job_times"] = jobTimesJson(*known.jobTimes);
+  }
+  return json;
 }
 
 std::vector<gcode::SketchPoint> sketchOf(Members& members) {

@@ -17,6 +17,7 @@
 #include "job/plan.h"
 #include "report/run_store.h"
 #include "streaming/calibration_record.h"
+#include "streaming/job_times.h"
 #include "streaming/machine_facts.h"
 #include "streaming/run.h"
 #include "trace/recording.h"
@@ -62,6 +63,7 @@ struct RunFinished {
   std::shared_ptr<const streaming::RunReport> report;
   std::string recordingPath;  ///< empty: none could be written
   base::Error notKept{};      ///< why the history does not have the run; code clear: it has it
+  std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
 };
 
 /// The answer to a `ResumeQuestion`.

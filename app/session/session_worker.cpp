@@ -37,6 +37,32 @@ base::Error notConnected() {
 
 }  // namespace
 
+namespace {
+
+/// The recording of a run, if it is to have one and its file can be written.
+class RunFile {
+ public:
+  explicit RunFile(const std::string& path) {
+    if (path.empty()) {
+      return;
+    }
+    if (auto opened = recorder::RecordingFile::open(path)) {
+      m_file = std::move(*opened);
+      m_writer.emplace(m_file->sink());
+    }
+  }
+  /// Null: nothing is recorded.
+  [[nodiscard]] trace::RecordingWriter* writer() { return m_writer ? &*m_writer : nullptr; }
+  /// @return everything has been written
+  bool finish() { return m_file && m_file->finish(); }
+
+ private:
+  std::unique_ptr<recorder::RecordingFile> m_file;
+  std::optional<trace::RecordingWriter> m_writer;
+};
+
+}  // namespace
+
 /// Passes the reports of a run to the ring.
 class SessionWorker::Sink final : public streaming::RunSink {
  public:
@@ -135,15 +161,21 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
       report.counters.sent = before + std::min(run.counters.sent, size);
       report.counters.accepted = before + std::min(run.counters.accepted, size);
       report.counters.executed = before + std::min(run.counters.executed, size);
-      report.pauses.insert(report.pauses.end(), run.pauses.begin(), run.pauses.end());
-      report.access.requests += run.access.requests;
-      report.access.nodes += run.access.nodes;
       report.settings.grouping = run.settings.grouping;
       report.stopConfirmedAfter = run.stopConfirmedAfter;
       report.wrong = report.wrong ? report.wrong : run.wrong;
     }
+    report.pauses = job.pauses;
+    report.access = job.access;
+    report.integrity = job.integrity;
     if (job.outcome == streaming::Outcome::Completed) {
-      report.counters = {m_command.points, m_command.points, m_command.points, m_command.points};
+      // What the stretches have streamed: a point may repeat the last one before native blocks.
+      std::size_t total = 0;
+      for (const streaming::StretchReport& stretch : job.stretches) {
+        total += stretch.points.size();
+      }
+      report.counters = {total, total, job.integrity.judged ? job.integrity.executed : total,
+                         total};
     }
     report.controlTrace = job.controlTrace;
     return report;
@@ -491,48 +523,53 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
   return {};
 }
 
-streaming::RunReport SessionWorker::runMotion(const StartCommand& command,
-                                              const streaming::RunSettings& settings,
-                                              Requests& requests, bool& recorded) {
+SessionWorker::Done SessionWorker::runMotion(const StartCommand& command,
+                                             const streaming::RunSettings& settings,
+                                             Requests& requests) {
   Sink sink(*this);
-  std::unique_ptr<recorder::RecordingFile> file;
-  std::unique_ptr<trace::RecordingWriter> writer;
-  if (!command.recordingPath.empty()) {
-    if (auto opened = recorder::RecordingFile::open(command.recordingPath)) {
-      file = std::move(*opened);
-      writer = std::make_unique<trace::RecordingWriter>(file->sink());
-    }
-  }
-  streaming::JobRecorder recorder;
-  recorder.writer = writer.get();
-  recorder.start.toolVersion = RIVULET_VERSION;
-  recorder.start.endpoint = m_endpoint;
-  recorder.start.startedAtUtc = command.startedAtUtc;
-  report::SavedRun kept;
-  kept.programName = command.program->name;
-  kept.programFile = command.source.file;
-  kept.reading = command.source.reading;
-  kept.endpoint = m_endpoint;
-  kept.toolVersion = RIVULET_VERSION;
-  kept.recording = command.recordingPath;
-  report::RunKeeper keeper(m_runs, std::move(kept));
+  RunFile file(command.recordingPath);
+  streaming::JobRecorder recorder{file.writer(), runStart(command), nullptr};
+  report::RunKeeper keeper(m_runs, savedRun(command));
   recorder.keeper = &keeper;
-  streaming::RunReport report =
-      streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
-                        requests, sink, std::move(recorder));
-  keeper.finish(report);
-  recorded = file && file->finish();
-  return report;
+  Done done;
+  done.report = streaming::runJob(*m_connection.link, *m_connection.control, *command.program,
+                                  settings, requests, sink, std::move(recorder));
+  keeper.finish(done.report);
+  done.isRecorded = file.finish();
+  return done;
 }
 
-streaming::RunReport SessionWorker::runWholeJob(const StartCommand& command,
-                                                const streaming::RunSettings& settings,
-                                                Requests& requests) {
+SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
+                                               const streaming::RunSettings& settings,
+                                               Requests& requests) {
   const auto programs = job::makePrograms(*command.plan, settings.parameters);
   JobSink sink(*this, command, programs ? programs->mainName : std::string());
-  const streaming::WholeJobReport done = streaming::runWholeJob(
-      *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink);
-  return sink.reportOf(done, settings);
+  RunFile file(command.recordingPath);
+  streaming::WholeJobOptions options;
+  options.writer = file.writer();
+  options.start = runStart(command);
+  const streaming::WholeJobReport job = streaming::runWholeJob(
+      *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink, options);
+  return {sink.reportOf(job, settings), job.times, file.finish()};
+}
+
+trace::RunStart SessionWorker::runStart(const StartCommand& command) const {
+  trace::RunStart start;
+  start.toolVersion = RIVULET_VERSION;
+  start.endpoint = m_endpoint;
+  start.startedAtUtc = command.startedAtUtc;
+  return start;
+}
+
+report::SavedRun SessionWorker::savedRun(const StartCommand& command) const {
+  report::SavedRun saved;
+  saved.programName = command.program->name;
+  saved.programFile = command.source.file;
+  saved.reading = command.source.reading;
+  saved.endpoint = m_endpoint;
+  saved.toolVersion = RIVULET_VERSION;
+  saved.recording = command.recordingPath;
+  return saved;
 }
 
 void SessionWorker::start(const StartCommand& command) {
@@ -555,32 +592,31 @@ void SessionWorker::start(const StartCommand& command) {
   streaming::RunSettings settings = command.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
   settings.origin = report::thisUser();
-  bool recorded = false;
-  auto report = std::make_shared<streaming::RunReport>(
-      command.plan ? runWholeJob(command, settings, requests)
-                   : runMotion(command, settings, requests, recorded));
+  Done done = command.plan ? runWholeJob(command, settings, requests)
+                           : runMotion(command, settings, requests);
   m_seen = {};
   m_looksForLeft = true;
-  const bool lost = report->error.code == opcua::LinkError::ConnectionLost;
-  const base::Error error = report->error;
-  if (lost) {
+  if (done.report.error.code == opcua::LinkError::ConnectionLost) {
     // Told first: whoever hears of the end of the run knows that there is no connection.
-    tell(LinkChanged{LinkState::Lost, error, false, {}});
+    tell(LinkChanged{LinkState::Lost, done.report.error, false, {}});
     m_connection = {};
   }
-  const base::Error notKept = archive(command, *report, recorded);
-  tell(RunFinished{std::move(report), recorded ? command.recordingPath : std::string(), notKept});
+  const base::Error notKept = archive(command, done);
+  tell(RunFinished{std::make_shared<const streaming::RunReport>(std::move(done.report)),
+                   done.isRecorded ? command.recordingPath : std::string(), notKept,
+                   done.jobTimes});
 }
 
-base::Error SessionWorker::archive(const StartCommand& command, const streaming::RunReport& report,
-                                   bool recorded) const {
+base::Error SessionWorker::archive(const StartCommand& command, const Done& done) const {
+  const streaming::RunReport& report = done.report;
   streaming::RunSummary known;
   known.programFile = command.source.file;
   known.programHash = command.program->hash;
   known.endpoint = m_endpoint;
   known.toolVersion = RIVULET_VERSION;
-  known.recording = recorded ? command.recordingPath : std::string();
+  known.recording = done.isRecorded ? command.recordingPath : std::string();
   known.ownsRecording = true;
+  known.jobTimes = done.jobTimes;
   const base::Vec3 startMm = report.checkpoint ? report.checkpoint->startMm : base::Vec3{};
   const auto kept = m_history.add(report, std::move(known),
                                   gcode::streamPoints(command.program->trajectory, startMm).points);

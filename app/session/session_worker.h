@@ -60,12 +60,19 @@ class SessionWorker {
   void connect(const ConnectCommand& command);
   void disconnect();
   void start(const StartCommand& command);
-  [[nodiscard]] streaming::RunReport runMotion(const StartCommand& command,
-                                               const streaming::RunSettings& settings,
-                                               Requests& requests, bool& recorded);
-  [[nodiscard]] streaming::RunReport runWholeJob(const StartCommand& command,
-                                                 const streaming::RunSettings& settings,
-                                                 Requests& requests);
+  /// What a run has left behind.
+  struct Done {
+    streaming::RunReport report;
+    std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
+    bool isRecorded = false;
+  };
+  [[nodiscard]] Done runMotion(const StartCommand& command, const streaming::RunSettings& settings,
+                               Requests& requests);
+  [[nodiscard]] Done runWholeJob(const StartCommand& command,
+                                 const streaming::RunSettings& settings, Requests& requests);
+  /// What is known of a run before it starts, for its recording and for the store.
+  [[nodiscard]] trace::RunStart runStart(const StartCommand& command) const;
+  [[nodiscard]] report::SavedRun savedRun(const StartCommand& command) const;
   void answer(const ResumeQuestion& question);
   [[nodiscard]] base::Result<streaming::Resume> askResume(const ResumeQuestion& question);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
@@ -73,8 +80,7 @@ class SessionWorker {
                                                streaming::RunSink& sink);
   /// Puts a run that has ended into the history. @return why it could not be; code clear: it is
   /// there
-  [[nodiscard]] base::Error archive(const StartCommand& command, const streaming::RunReport& report,
-                                    bool recorded) const;
+  [[nodiscard]] base::Error archive(const StartCommand& command, const Done& done) const;
   void calibrate(const CalibrateCommand& command);
   void commission(const CommissionCommand& command);
   /// According to the file of the machine.

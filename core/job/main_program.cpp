@@ -77,6 +77,8 @@ class PlanWriter {
   virtual void writeStreamed(const Stretch& stretch) = 0;
   /// Before a native block. @param number  of it, from 1
   virtual void writeDue(const NativeBlock& native, int number) = 0;
+  /// Just before the text of a native block.
+  virtual void beforeText(const std::string& /*text*/) {}
   /// The text of a native block has just been written.
   virtual void written(const NativeBlock& /*native*/, int /*number*/) {}
 
@@ -147,6 +149,7 @@ class PlanWriter {
       line("{}", modalWords(native.before));
       m_hasFrame = !native.frame.empty();
     }
+    beforeText(native.text);
     lines(native.text);
     written(native, m_natives);
     m_hasFrame = m_hasFrame || native.setsFrame || native.reason == NativeReason::Subprogram;
@@ -206,6 +209,17 @@ class MainWriter final : public PlanWriter {
       writeWait(number - 1);
     }
     line("R{}={}", blockCell(m_loop), number);
+  }
+
+  /// A trace of the control names lines alone: where the loop moves, this program does not.
+  void beforeText(const std::string& text) override {
+    const auto count = 1 + static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
+    const auto isTaken = [this, count](std::uint32_t motion) {
+      return motion > lineCount() && motion <= lineCount() + count;
+    };
+    while (std::any_of(m_loop.motionLines.begin(), m_loop.motionLines.end(), isTaken)) {
+      line(";");
+    }
   }
 
   /// Stop and hold between two native blocks. The axes stand. @param done  blocks up to here

@@ -19,6 +19,7 @@
 #include "streaming/access_probe.h"
 #include "streaming/control_alarm.h"
 #include "streaming/feed_plan.h"
+#include "streaming/ledger.h"
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
 #include "streaming/resume.h"
@@ -41,66 +42,6 @@ using opcua::VariableKind;
 
 /// How often the control is asked while the operator goes to press cycle start.
 constexpr Duration kStartPollInterval = std::chrono::milliseconds{50};
-
-/// Passes everything on and keeps what the report and the recording need.
-class Ledger final : public RunSink {
- public:
-  Ledger(RunSink& next, trace::RecordingWriter* writer) : m_next(next), m_writer(writer) {}
-
-  void update(const LiveUpdate& update) override {
-    if (m_writer != nullptr && update.sample) {
-      m_writer->sample(*update.sample);
-    }
-    if (m_writer != nullptr && update.pause) {
-      m_writer->pause(*update.pause);
-    }
-    m_next.update(update);
-  }
-
-  void access(const trace::Access& access) override {
-    m_requests.add(access.took);
-    m_nodes += static_cast<std::size_t>(access.nodes);
-    if (access.nodes > 0) {  // a file has none
-      m_perNode.add(access.took / access.nodes);
-    }
-    if (m_writer != nullptr) {
-      m_writer->access(access);
-    }
-    m_next.access(access);
-  }
-
-  void note(const trace::Note& note) override {
-    if (m_writer != nullptr) {
-      m_writer->note(note);
-    }
-    m_next.note(note);
-  }
-
-  void granted() override {
-    if (onGranted) {
-      onGranted();
-    }
-    m_next.granted();
-  }
-
-  std::function<void()> onGranted;
-
-  [[nodiscard]] AccessStatistics statistics() const {
-    AccessStatistics statistics;
-    statistics.nodes = m_nodes;
-    statistics.perNode = m_perNode.statistics();
-    statistics.perRequest = m_requests.statistics();
-    statistics.requests = statistics.perRequest.count;
-    return statistics;
-  }
-
- private:
-  RunSink& m_next;
-  trace::RecordingWriter* m_writer;
-  trace::DurationCounter m_requests;
-  trace::DurationCounter m_perNode;
-  std::size_t m_nodes = 0;
-};
 
 /// Where the tool is, and whether the control is ready.
 /// @param turns  the program names rotary axes
@@ -278,22 +219,7 @@ class Job {
     if (m_recorder.writer == nullptr) {
       return;
     }
-    trace::RunStart& start = m_recorder.start;
-    start.method = base::methodName(m_settings.parameters.method);
-    start.pointsPerLoop = m_settings.parameters.pointsPerLoop;
-    start.layout = templates::layoutName(m_settings.parameters.layout);
-    if (const std::string axes = templates::axisLetters(m_settings.parameters); axes != "XYZ") {
-      start.axes = axes;
-    }
-    start.deltaMm = m_settings.deltaMm;
-    start.feedMmPerS = m_settings.feedMmPerS;
-    start.feedOverride = m_settings.programFeeds ? m_settings.programFeeds->overrideFactor : 0.0;
-    start.programName = m_program.name;
-    start.programHash = m_program.hash;
-    start.runNumber = m_settings.runNumber;
-    start.user = m_settings.origin.user;
-    start.computer = m_settings.origin.computer;
-    m_recorder.writer->start(start);
+    m_recorder.writer->start(runStartOf(std::move(m_recorder.start), m_settings, m_program));
     if (m_live == nullptr) {
       m_recorder.writer->points(m_flight.points);
     }

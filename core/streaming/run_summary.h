@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "streaming/job_times.h"
 #include "streaming/run.h"
 
 namespace rivulet::streaming {
@@ -23,6 +24,7 @@ struct RunSummary {
   std::string recording;  ///< file; empty: none
   /// The recording was made for the history, which removes it together with the run.
   bool ownsRecording = false;
+  std::optional<JobTimes> jobTimes{};  ///< of a whole job; nothing: the motion alone was run
 
   // Taken from its report.
   std::string programName;

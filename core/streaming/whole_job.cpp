@@ -18,6 +18,8 @@
 #include "streaming/access_probe.h"
 #include "streaming/control_alarm.h"
 #include "streaming/job.h"
+#include "streaming/job_trace.h"
+#include "streaming/ledger.h"
 #include "streaming/program_transfer.h"
 #include "streaming/start_claim.h"
 #include "templates/generator.h"
@@ -147,6 +149,7 @@ class WholeJob {
         m_settings(settings),
         m_orders(orders),
         m_sink(sink),
+        m_ledger(sink, options.writer),
         m_options(options) {
     for (std::size_t part = 0; part < plan.parts.size(); ++part) {
       const auto* const stretch = std::get_if<job::Stretch>(&plan.parts[part]);
@@ -180,6 +183,8 @@ class WholeJob {
         m_report.controlTrace = std::make_shared<const trace::ControlTrace>(std::move(*trace));
       }
     }
+    judge();
+    endRecording();
     if (m_report.error.code != opcua::LinkError::ConnectionLost) {
       m_claim.release();
     }
@@ -194,6 +199,68 @@ class WholeJob {
     double call = 0.0;
     double native = 0.0;  ///< of the block cell
   };
+
+  /// The stretches by the control's trace. Programs on the control have lines of their own.
+  void judge() {
+    for (const StretchReport& stretch : m_report.stretches) {
+      m_report.pauses.insert(m_report.pauses.end(), stretch.run.pauses.begin(),
+                             stretch.run.pauses.end());
+    }
+    m_report.access = m_ledger.statistics();
+    const bool hasPrograms = std::any_of(m_natives.begin(), m_natives.end(), [this](auto part) {
+      return std::get<job::NativeBlock>(m_plan.parts[part]).reason == job::NativeReason::Subprogram;
+    });
+    if (!m_report.controlTrace || hasPrograms) {
+      return;
+    }
+    std::vector<gcode::StreamPoint> points;
+    for (const StretchReport& stretch : m_report.stretches) {
+      points.insert(points.end(), stretch.points.begin(), stretch.points.end());
+    }
+    const trace::ControlTrace streamed = streamedTrace(*m_report.controlTrace, m_programs.loop);
+    m_report.integrity = trace::judgeRun(points, streamed, m_programs.loop.cells.rotaryAxes);
+    if (m_report.integrity.judged) {
+      m_report.pauses = pausesInStretches(*m_report.controlTrace, m_programs.loop);
+    }
+    if (m_options.writer != nullptr) {
+      m_options.writer->controlTrace(streamed);
+    }
+  }
+
+  void endRecording() {
+    if (m_options.writer == nullptr || !m_isRecording) {
+      return;
+    }
+    Counters counters;
+    for (const StretchReport& stretch : m_report.stretches) {
+      counters.sent += stretch.run.counters.sent;
+      counters.accepted += stretch.run.counters.accepted;
+      counters.executed += stretch.run.counters.executed;
+    }
+    for (const job::Stretch* stretch : m_stretches) {
+      counters.total += stretch->pointCount;
+    }
+    m_options.writer->end({std::string(outcomeName(m_report.outcome)), counters.sent,
+                           counters.accepted, counters.executed, counters.total,
+                           m_report.times.total(),
+                           m_report.error.code ? m_report.error.text() : std::string()});
+  }
+
+  void startRecording() {
+    if (m_options.writer != nullptr) {
+      RunSettings settings = m_settings;
+      settings.runNumber = m_firstRun;
+      m_options.writer->start(runStartOf(m_options.start, settings, m_plan.program));
+      m_isRecording = true;
+    }
+  }
+
+  /// In the recording alone.
+  void remark(std::string text) {
+    if (m_options.writer != nullptr) {
+      m_options.writer->note({m_link.now(), std::move(text)});
+    }
+  }
 
   Result<void> prepare() {
     Result<job::JobPrograms> programs = job::makePrograms(m_plan, m_settings.parameters);
@@ -212,6 +279,7 @@ class WholeJob {
             : runNumberFrom(base::hashOf(m_plan.program.hash) ^ (entropy * base::kHashPrime));
     m_firstRun = 1 + (m_firstRun - 1) % (kRunNumberMax - JobProtocol::kStretchesMax);
     m_report.runNumber = m_firstRun;
+    startRecording();
     const std::array<Variable, 2> watched{
         {{VariableKind::ChannelStatus, 0}, {VariableKind::Alarm, 0}}};
     const auto numbers = opcua::readNumbers(m_link, watched, m_settings.setupDeadline);
@@ -229,7 +297,7 @@ class WholeJob {
     return unlessCancelled(m_claim.take(m_firstRun,
                                         {[this] { return m_orders.stopRequested(m_link.now()); },
                                          [this] { publish(RunState::Armed, "claim"); }},
-                                        m_sink));
+                                        m_ledger));
   }
 
   Result<void> renewClaim() { return unlessCancelled(m_claim.renew()); }
@@ -456,8 +524,11 @@ class WholeJob {
     if (m_due != m_shownDue) {
       m_shownDue = m_due;
       if (m_due > 0) {
-        m_sink.nativeBlock(std::get<job::NativeBlock>(
-            m_plan.parts[m_natives[static_cast<std::size_t>(m_due) - 1]]));
+        const auto& block = std::get<job::NativeBlock>(
+            m_plan.parts[m_natives[static_cast<std::size_t>(m_due) - 1]]);
+        remark(
+            fmt::format("the control executes line {}: {}", block.place.line.value, block.source));
+        m_sink.nativeBlock(block);
       }
     }
     if (m_link.now() < m_nextShown) {
@@ -482,7 +553,7 @@ class WholeJob {
     update.sample->at = update.at;
     update.sample->positionMm = base::Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     update.sample->feedMmPerS = base::mmPerSFromMmPerMin((*numbers)[3]);
-    m_sink.update(update);
+    m_ledger.update(update);
     return {};
   }
 
@@ -561,10 +632,15 @@ class WholeJob {
     if (Result<void> there = requireStart(stretch, flight->toolMm); !there) {
       return there;
     }
+    remark(
+        fmt::format("stretch {} begins, {} points", stretch.number, flight->points.points.size()));
+    if (m_options.writer != nullptr) {
+      m_options.writer->points(flight->points);
+    }
     m_sink.stretchBegins(stretch, flight->toolMm);
     StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
     report.run =
-        runJob(link, link, program, settings, m_orders, m_sink, {nullptr, {}, m_options.keeper});
+        runJob(link, link, program, settings, m_orders, m_ledger, {nullptr, {}, m_options.keeper});
     const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
     accountStretch(stretch, m_report.stretches.back());
     if (run.outcome == Outcome::Completed) {
@@ -695,7 +771,7 @@ class WholeJob {
     update.state = state;
     update.at = m_link.now();
     update.waitingFor = waitingFor;
-    m_sink.update(update);
+    m_ledger.update(update);
   }
 
   opcua::Link& m_link;
@@ -704,7 +780,9 @@ class WholeJob {
   RunSettings m_settings;
   RunOrders& m_orders;
   WholeJobSink& m_sink;
+  Ledger m_ledger;
   const WholeJobOptions& m_options;
+  bool m_isRecording = false;
   std::vector<const job::Stretch*> m_stretches;
   std::vector<std::size_t> m_natives;  ///< parts that are native blocks, by their number less 1
   job::JobPrograms m_programs;

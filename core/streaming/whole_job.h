@@ -69,11 +69,18 @@ struct WholeJobReport {
   /// client's interval of 20 ms counts to its neighbour.
   std::vector<JobTimes> partTimes;
   JobPlace reached;
+  /// The streamed points by the control's trace. Not judged if programs on the control move, too.
+  trace::Integrity integrity;
+  /// Standstills in the stretches: by the control's trace if they are judged, else by the client.
+  std::vector<trace::Pause> pauses;
+  AccessStatistics access;
 };
 
 struct WholeJobOptions {
   std::optional<Resume> resume{};      ///< of the first stretch of the plan; nothing: all of it
   CheckpointKeeper* keeper = nullptr;  ///< of the stretch in progress; null: nothing is kept
+  trace::RecordingWriter* writer = nullptr;  ///< of the whole job; null: nothing is recorded
+  trace::RunStart start{};  ///< tool version, endpoint and time; the rest is completed
 };
 
 /// Runs a job. Nothing moves before every check has passed. A stop ends it at the next window or

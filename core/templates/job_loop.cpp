@@ -74,6 +74,26 @@ class SubprogramTemplate final : public Base {
   std::string m_name;
 };
 
+/// Where the loop moves, and where it waits after a stretch.
+void findLines(JobLoop& loop) {
+  std::uint32_t number = 0;
+  bool isExecuted = false;
+  std::string_view rest = loop.text;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    ++number;
+    if (line.starts_with("G1 ")) {
+      loop.motionLines.push_back(number);
+    }
+    isExecuted = isExecuted || line == "RIV_EXECUTED:";
+    if (isExecuted && loop.handoverLine == 0 && line.starts_with("G4 ")) {
+      loop.handoverLine = number;
+    }
+  }
+}
+
 }  // namespace
 
 base::Result<JobLoop> generateJobLoop(const TemplateParameters& parameters) {
@@ -98,6 +118,7 @@ base::Result<JobLoop> generateJobLoop(const TemplateParameters& parameters) {
     return base::fail(TemplateError::BadCells, "A whole job runs with method window or credit.");
   }
   loop.cells = std::move(*cells);
+  findLines(loop);
   return loop;
 }
 

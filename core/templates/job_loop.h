@@ -7,7 +7,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "templates/cells.h"
@@ -44,6 +46,10 @@ struct JobLoop {
   std::string text;
   CellMap cells;
   int callCell = 0;  ///< NC: `JobProtocol::callNumber`, negative: executed
+  /// Lines of `text` that move to a point, ascending, from 1.
+  std::vector<std::uint32_t> motionLines;
+  /// Line of `text` in which it waits for the client after a stretch.
+  std::uint32_t handoverLine = 0;
 };
 
 /// @param parameters  method window or credit, without online correction

@@ -188,8 +188,8 @@ bool Reader::readPoints(Fields fields) {
     }
   }
   if (fields.ok()) {
-    m_pointsAnnounced = count;
-    m_recording.points.merged = merged;
+    m_pointsAnnounced = m_pointsAnnounced.value_or(0) + count;  // a job has one list per stretch
+    m_recording.points.merged += merged;
   }
   return fields.ok();
 }

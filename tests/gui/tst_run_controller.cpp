@@ -9,12 +9,14 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "base/file.h"
 #include "base/units.h"
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
 #include "hmi/preflight.h"
 #include "hmi/run_controller.h"
 #include "machine/machine.h"
+#include "report/run_history.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 #include "widgets/common/blocked_text.h"
@@ -256,6 +258,22 @@ class TestRunController : public QObject {
     QCOMPARE(executed, models.document.points().size());
     QVERIFY(!models.runs.job());
     QVERIFY(report->controlTrace != nullptr);
+    // Judged by the trace of the control, recorded as one run, and in the history with its times.
+    QVERIFY(report->integrity.isFaultless());
+    QVERIFY(report->finding() == streaming::RunFinding::Faultless);
+    const auto history = report::RunHistory().list().runs;
+    QVERIFY(!history.empty());
+    const streaming::RunSummary& kept = history.front();
+    QVERIFY(kept.jobTimes && kept.jobTimes->toolChange > base::Duration{});
+    QCOMPARE(kept.executed, report->counters.total);
+    const auto text = base::readFile(kept.recording);
+    QVERIFY(text.has_value());
+    const auto recording = trace::parseRecording(*text);
+    QVERIFY(recording && recording->complete && recording->pointsComplete);
+    QCOMPARE(recording->points.points.size(), report->counters.total);
+    const auto read = report::readFinishedRun(report::RunHistory().reportFile(kept.id));
+    QVERIFY(read && read->summary.jobTimes);
+    QCOMPARE(read->summary.jobTimes->total(), kept.jobTimes->total());
   }
 
   /// Travel, spindle and tools are compared before the start; what is found is named with line,

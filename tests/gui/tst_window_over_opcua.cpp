@@ -11,6 +11,7 @@
 
 #include "base/units.h"
 #include "hmi/main_window.h"
+#include "report/run_history.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
@@ -109,6 +110,10 @@ class TestWindowOverOpcua : public QObject {
     QVERIFY2(report->outcome == streaming::Outcome::Stopped, report->error.text().c_str());
     QVERIFY(report->counters.executed > 0);
     QVERIFY(report->counters.executed < report->counters.total);
+    QVERIFY(report->integrity.isFaultless());
+    const auto kept = report::RunHistory().list().runs;
+    QVERIFY(!kept.empty() && kept.front().jobTimes && !kept.front().recording.empty());
+    QVERIFY(kept.front().judged);
   }
 
   /// The machine says over the connection what it is: a job that it cannot do is not started.

@@ -297,6 +297,76 @@ class TestWholeJob : public QObject {
     QCOMPARE(watcher.begun, (std::vector<int>{1, 2, 3, 4, 5, 6}));
   }
 
+  /// One recording of the whole job, in which its streamed points are judged like those of a run.
+  void isRecordedAndJudged() {
+    machine::Machine machine(*machine::loadPreset("dmu75-mill"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    std::string text;
+    trace::RecordingWriter writer([&text](std::string_view lines) {
+      text += lines;
+      return true;
+    });
+    streaming::WholeJobOptions options;
+    options.writer = &writer;
+    options.start.endpoint = "here";
+    const streaming::WholeJobReport report = streaming::runWholeJob(
+        link, link, planOf(kPart), settingsOf(), watcher, watcher, options);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    std::size_t points = 0;
+    for (const streaming::StretchReport& stretch : report.stretches) {
+      points += stretch.points.size();
+    }
+    QVERIFY(report.integrity.isFaultless());
+    QCOMPARE(report.integrity.executed, points);
+    QVERIFY(report.access.requests > 0);
+    const auto recording = trace::parseRecording(text);
+    QVERIFY2(recording.has_value(), recording ? "" : recording.error().text().c_str());
+    QVERIFY(recording->complete && recording->pointsComplete);
+    QCOMPARE(recording->unreadableLines, std::size_t{0});
+    QCOMPARE(recording->start.runNumber, report.runNumber);
+    QCOMPARE(recording->points.points.size(), points);
+    QVERIFY(trace::judgeRun(recording->points.points, *recording->controlTrace, {}).isFaultless());
+    const auto has = [&](std::string_view part) {
+      return std::any_of(recording->notes.begin(), recording->notes.end(),
+                         [part](const trace::Note& note) { return note.text == part; });
+    };
+    QVERIFY(has("stretch 2 begins, 1 points") || has("stretch 2 begins, 2 points") ||
+            has("stretch 2 begins, 4 points"));
+    QVERIFY(has("the control executes line 14: T2 M6"));
+    // A point that was left out, and one that is elsewhere, are found.
+    trace::ControlTrace wrong = *recording->controlTrace;
+    const auto moving = [&wrong] {
+      return std::find_if(wrong.blocks.rbegin(), wrong.blocks.rend(),
+                          [](const trace::ExecutedBlock& block) { return block.lengthMm > 1.0; });
+    };
+    moving()->targetMm.x += 1.0;
+    QCOMPARE(trace::judgeRun(recording->points.points, wrong, {}).foreign, std::size_t{1});
+  }
+
+  /// The trace of a control names lines alone: of all blocks in lines in which the loop moves, none
+  /// is one of the main program.
+  void theMainProgramMovesInLinesOfItsOwn() {
+    std::string text = "G90\n";
+    for (int i = 0; i < 60; ++i) {
+      text += "G0 X" + std::to_string(i) + " M8\n";
+    }
+    const auto programs =
+        job::makePrograms(planOf(text + "G1 X5 F500\nM30\n"), settingsOf().parameters);
+    QVERIFY2(programs.has_value(), programs ? "" : programs.error().text().c_str());
+    const QStringList main = QString::fromStdString(programs->mainText).split(QLatin1Char('\n'));
+    const QStringList loop = QString::fromStdString(programs->loop.text).split(QLatin1Char('\n'));
+    QVERIFY(!programs->loop.motionLines.empty());
+    QVERIFY(static_cast<std::uint32_t>(main.size()) > programs->loop.motionLines.back());
+    for (const std::uint32_t line : programs->loop.motionLines) {
+      QVERIFY(loop[static_cast<int>(line) - 1].startsWith(QStringLiteral("G1 ")));
+      QVERIFY2(!main[static_cast<int>(line) - 1].contains(QStringLiteral("G0 X")),
+               qPrintable(main[static_cast<int>(line) - 1]));
+    }
+    QVERIFY(loop[static_cast<int>(programs->loop.handoverLine) - 1].startsWith(
+        QStringLiteral("G4 ")));
+  }
+
   /// Tools with lengths, work offsets, radius compensation and drilling cycles are the machine's:
   /// what is streamed between them lands in the same place.
   void partOnAMill() {

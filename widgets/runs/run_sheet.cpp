@@ -79,12 +79,20 @@ struct SheetTexts {
     const auto judged = [&run](std::size_t count) {
       return run.judged ? countText(count) : tr("not judged");
     };
-    return {{tr("Executed"), tr("%1 of %2").arg(countText(run.executed), countText(run.total))},
-            {tr("Repeated"), judged(run.repeated)},
-            {tr("Skipped"), judged(run.skipped)},
-            {tr("Foreign motion"), judged(run.foreign)},
-            {tr("Out of order"), judged(run.outOfOrder)},
-            {tr("Duration"), durationText(base::toSeconds(run.duration))}};
+    QList<Line> lines{
+        {tr("Executed"), tr("%1 of %2").arg(countText(run.executed), countText(run.total))},
+        {tr("Repeated"), judged(run.repeated)},
+        {tr("Skipped"), judged(run.skipped)},
+        {tr("Foreign motion"), judged(run.foreign)},
+        {tr("Out of order"), judged(run.outOfOrder)},
+        {tr("Duration"), durationText(base::toSeconds(run.duration))}};
+    if (const auto& job = run.jobTimes) {
+      lines.append({{tr("Streamed"), durationText(base::toSeconds(job->streamed + job->pauses))},
+                    {tr("Tool changes"), durationText(base::toSeconds(job->toolChange))},
+                    {tr("Other blocks of the control"), durationText(base::toSeconds(job->native))},
+                    {tr("Changes between both"), durationText(base::toSeconds(job->handover))}});
+    }
+    return lines;
   }
   static QList<Line> pauseLines(const RunSheet& sheet) {
     const streaming::RunSummary& run = sheet.summary;

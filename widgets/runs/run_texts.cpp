@@ -19,6 +19,15 @@ struct RunTexts {
   static QString onComputer(const QString& user, const QString& computer) {
     return tr("%1 on %2").arg(user, computer);
   }
+  static QString jobTimes(const streaming::JobTimes& times) {
+    const auto text = [](base::Duration duration) {
+      return durationText(base::toSeconds(duration));
+    };
+    return tr("%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes "
+              "between both; %6 in all")
+        .arg(text(times.streamed), text(times.pauses), text(times.toolChange), text(times.native),
+             text(times.handover), text(times.total()));
+  }
   static QString programFeeds(const QString& percent) { return tr("program, %1 %").arg(percent); }
 };
 
@@ -50,6 +59,10 @@ QString feedsText(const streaming::RunSettings& settings) {
   return feeds(
       settings.programFeeds ? std::optional(settings.programFeeds->overrideFactor) : std::nullopt,
       settings.feedMmPerS);
+}
+
+QString jobTimesText(const streaming::JobTimes& times) {
+  return RunTexts::jobTimes(times);
 }
 
 QString machineText(const streaming::RunSummary& run) {

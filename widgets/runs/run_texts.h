@@ -22,6 +22,8 @@ namespace rivulet::widgets {
 /// The feed of the run, or "program, 80 %".
 [[nodiscard]] QString feedsText(const streaming::RunSummary& run);
 [[nodiscard]] QString feedsText(const streaming::RunSettings& settings);
+/// What the time of a whole job was spent on, in one sentence.
+[[nodiscard]] QString jobTimesText(const streaming::JobTimes& times);
 /// "anna on cell-pc-3".
 [[nodiscard]] QString originText(const streaming::RunOrigin& origin);
 

@@ -73,7 +73,7 @@ ReportPanel::ReportPanel(QWidget* parent)
       form->addRow(m_names[static_cast<std::size_t>(row)], m_values[static_cast<std::size_t>(row)]);
     }
   };
-  fill(m_runGroup, Program, Duration);
+  fill(m_runGroup, Program, TimeSpent);
   fill(m_integrityGroup, Executed, Foreign);
   fill(m_pausesGroup, PauseCount, PauseTotal);
   fill(m_accessGroup, AccessForm, AccessMax);
@@ -96,8 +96,10 @@ ReportPanel::ReportPanel(QWidget* parent)
   restyle();
 }
 
-void ReportPanel::setReport(const std::optional<streaming::RunReport>& report) {
+void ReportPanel::setReport(const std::optional<streaming::RunReport>& report,
+                            const std::optional<streaming::JobTimes>& jobTimes) {
   m_report = report;
+  m_jobTimes = jobTimes;
   showReport();
 }
 
@@ -114,6 +116,7 @@ void ReportPanel::retranslate() {
   name(Feed, tr("Feed"));
   name(Delta, QStringLiteral("δ"));
   name(Duration, tr("Duration"));
+  name(TimeSpent, tr("Time spent"));
   name(Executed, tr("Executed"));
   name(Repeated, tr("Repeated"));
   name(Skipped, tr("Skipped"));
@@ -209,6 +212,9 @@ void ReportPanel::showRun(const streaming::RunReport& report) {
   show(Feed, feedsText(report.settings));
   show(Delta, position ? lengthText(report.settings.deltaMm) : noValue());
   show(Duration, secondsText(base::toSeconds(report.duration), 2));
+  static_cast<QFormLayout*>(m_runGroup->layout())
+      ->setRowVisible(m_names[TimeSpent], m_jobTimes.has_value());
+  show(TimeSpent, m_jobTimes ? jobTimesText(*m_jobTimes) : QString());
 }
 
 void ReportPanel::showIntegrity(const streaming::RunReport& report) {

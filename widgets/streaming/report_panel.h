@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "streaming/job_times.h"
 #include "streaming/run.h"
 #include "widgets/common/page.h"
 #include "widgets/common/status_label.h"
@@ -27,8 +28,10 @@ class ReportPanel final : public Page {
  public:
   explicit ReportPanel(QWidget* parent = nullptr);
 
-  /// @param report  nothing: no run yet
-  void setReport(const std::optional<streaming::RunReport>& report);
+  /// @param report    nothing: no run yet
+  /// @param jobTimes  of a whole job
+  void setReport(const std::optional<streaming::RunReport>& report,
+                 const std::optional<streaming::JobTimes>& jobTimes = {});
 
   [[nodiscard]] static QString methodText(base::MethodKind method);
   /// "Completed", "Stopped, not judged", …: how a run ended, and whether its motion was right.
@@ -48,6 +51,7 @@ class ReportPanel final : public Page {
     Feed,
     Delta,
     Duration,
+    TimeSpent,
     Executed,
     Repeated,
     Skipped,
@@ -76,6 +80,7 @@ class ReportPanel final : public Page {
   void show(Row row, const QString& text, Status status = Status::Plain);
 
   std::optional<streaming::RunReport> m_report;
+  std::optional<streaming::JobTimes> m_jobTimes;
   StatusLabel* m_outcome;
   QLabel* m_detail;
   QGroupBox* m_runGroup;
