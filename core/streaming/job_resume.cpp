@@ -107,7 +107,7 @@ class Search {
     }
     const std::size_t part = partOfStretch(stretch);
     if (call < 0.0) {
-      return (*numbers)[3] == opcua::kChannelReset ? afterStretch(part, (*numbers)[2])
+      return (*numbers)[3] == opcua::kChannelReset ? afterStretch(part, (*numbers)[2], owner)
                                                    : base::fail(channelBusy());
     }
     return begun == stretch ? inStretch(part) : beforeStretch(part, owner);
@@ -151,8 +151,10 @@ class Search {
   }
 
   /// The control was executing the native blocks after a stretch. @param block  see `blockCell`
-  Result<JobRest> afterStretch(std::size_t part, double block) {
-    if (block == 0.0) {
+  /// @param owner  number of the run; the client's, in the same cell, until the loop has returned
+  Result<JobRest> afterStretch(std::size_t part, double block, int owner) {
+    const bool isClients = block == owner && block > static_cast<double>(m_plan.nativeCount());
+    if (block == 0.0 || isClients) {
       return rest(part + 1, {});
     }
     double number = 0.0;
@@ -162,7 +164,10 @@ class Search {
       if (native == nullptr || number != std::abs(block)) {
         continue;
       }
-      if (at < part || (block > 0.0 && !isRepeatable(*native))) {
+      if (block < 0.0) {
+        return rest(std::max(at, part) + 1, {});  // none has begun since, or since the stretch
+      }
+      if (at < part || !isRepeatable(*native)) {
         return base::fail(
             StreamError::CannotResume,
             fmt::format("The job ended within line {} ({}): what that block has done is not known.",
@@ -170,7 +175,7 @@ class Search {
                 kFromStretch,
             m_plan.program.name);
       }
-      return rest(block < 0.0 ? at + 1 : at, {});
+      return rest(at, {});
     }
     return base::fail(
         StreamError::CannotResume,
