@@ -10,6 +10,7 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
+#include "support/kill_scene.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
 
@@ -56,14 +57,42 @@ class TestWholeJobs : public QObject {
     QByteArray output;
     QByteArray errors;
   };
-  static Outcome run(const QStringList& arguments) {
+  static Outcome run(const QStringList& arguments, const QProcessEnvironment& environment = {}) {
     QProcess process;
+    if (!environment.isEmpty()) {
+      process.setProcessEnvironment(environment);
+    }
     process.start(QStringLiteral(RIVULET_CLI), QStringList{QStringLiteral("job")} + arguments);
     if (!process.waitForFinished(kRunMs)) {
       process.kill();
       process.waitForFinished(kRunMs);
     }
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+  }
+
+  /// Where the machine's last block ended; 0: none.
+  static double lastX(const tests::KillScene& scene) {
+    const auto blocks = scene.executed();
+    return blocks.empty() ? 0.0 : blocks.back().targetMm.x;
+  }
+  /// Moves of the part that were made, each of them to the next whole millimetre in X; -1: one was
+  /// left out, made twice, or foreign. The approach to the place where the job was left is no move.
+  static int movesMade(const tests::KillScene& scene) {
+    constexpr double kStandsMm = 0.01;
+    int moves = 0;
+    double xMm = 0.0;
+    for (const trace::ExecutedBlock& block : scene.executed()) {
+      const bool isApproach = std::abs(block.targetMm.x - xMm) <= kStandsMm;
+      xMm = block.targetMm.x;
+      if (isApproach) {
+        continue;
+      }
+      ++moves;
+      if (block.targetMm.x != moves) {
+        return -1;
+      }
+    }
+    return moves;
   }
 
  private Q_SLOTS:
@@ -133,6 +162,83 @@ class TestWholeJobs : public QObject {
       QCOMPARE(result["executed_points"].get<int>(), 6);
       QCOMPARE(result["runs"][1]["start_mm"].size(), std::size_t{3});
     }
+  }
+
+  /// A client that is killed in a stretch: the next one finds where the job was left, says what is
+  /// done first, and goes on only when that is confirmed. Each motion is made once.
+  void killedAndResumed() {
+    constexpr int kMoves = 30;
+    tests::KillScene scene(QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"),
+                           tests::KillScene::Kept::Jobs);
+    scene.switchOn();
+    QByteArray text("G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0 Z20\n");
+    for (int i = 1; i <= kMoves; ++i) {
+      text += "G1 X" + QByteArray::number(i) + " Y" + QByteArray::number(i % 2) + " F600\n";
+    }
+    const QStringList arguments{part((text + "M8\nG0 Z30\nM30\n").constData()),
+                                QStringLiteral("--endpoint"), scene.endpoint(),
+                                QStringLiteral("--json")};
+    QProcess killed;
+    killed.setProcessEnvironment(scene.environment());
+    killed.start(QStringLiteral(RIVULET_CLI), QStringList{QStringLiteral("job")} + arguments);
+    QTRY_VERIFY_WITH_TIMEOUT(scene.isGranted() && lastX(scene) >= 5.0, kRunMs);
+    killed.kill();
+    killed.waitForFinished();
+    QCOMPARE(scene.savedRuns().size(), 1);
+    scene.awaitStandstill();
+    QVERIFY(lastX(scene) < kMoves);
+
+    const QStringList resume =
+        arguments + QStringList{QStringLiteral("--resume"), scene.savedRuns().front()};
+    const Outcome asked = run(resume, scene.environment());
+    QCOMPARE(asked.exit, 2);
+    QVERIFY2(asked.output.contains("--yes"), asked.output.constData());
+    const Outcome done = run(resume + QStringList{QStringLiteral("--yes")}, scene.environment());
+    QVERIFY2(done.exit == 0, (done.output + done.errors).constData());
+    const json result = json::parse(done.output.toStdString());
+    QCOMPARE(result["outcome"].get<std::string>(), std::string("completed"));
+    QCOMPARE(result["restart"][0].get<std::string>(), std::string("G54"));
+    QCOMPARE(movesMade(scene), kMoves);
+  }
+
+  /// The machine loses its power while it changes the tool: the client says how to go on, and the
+  /// tool is changed again before the rest of the job.
+  void powerLossInAToolChange() {
+    tests::KillScene scene(QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"),
+                           tests::KillScene::Kept::Jobs);
+    scene.switchOn();
+    const QStringList arguments{
+        part("G54\nG0 X0 Y0 Z50\nX5\nT1 M6\nD1\nS3000 M3\nG0 X1 Y1\nZ20\nG1 X20 F3000\nM30\n"),
+        QStringLiteral("--endpoint"), scene.endpoint()};
+    QProcess job;
+    job.setProcessEnvironment(scene.environment());
+    job.start(QStringLiteral(RIVULET_CLI), QStringList{QStringLiteral("job")} + arguments);
+    // The change takes 5 s, the other blocks up to the stretch nothing.
+    QByteArray said;
+    QTRY_VERIFY_WITH_TIMEOUT((said += job.readAllStandardOutput()).contains("before stretch 2"),
+                             kRunMs);
+    scene.switchOff();
+    QVERIFY(job.waitForFinished(kRunMs));
+    QCOMPARE(job.exitCode(), 3);
+    const QByteArray errors = job.readAllStandardError();
+    QVERIFY2(errors.contains("--resume"), errors.constData());
+    QCOMPARE(scene.savedRuns().size(), 1);
+
+    scene.switchOn();
+    const Outcome done =
+        run(arguments + QStringList{QStringLiteral("--resume"), scene.savedRuns().front(),
+                                    QStringLiteral("--yes"), QStringLiteral("--json")},
+            scene.environment());
+    QVERIFY2(done.exit == 0, (done.output + done.errors).constData());
+    const json result = json::parse(done.output.toStdString());
+    QCOMPARE(result["runs"].size(), std::size_t{1});
+    QCOMPARE(result["runs"][0]["stretch"].get<int>(), 2);
+    const auto blocks = scene.executed();
+    QVERIFY(blocks.size() >= 5);
+    QCOMPARE(blocks[1].targetMm.x, 5.0);
+    QCOMPARE(blocks[blocks.size() - 2].targetMm.z, 20.0);
+    QCOMPARE(blocks.back().targetMm.x, 20.0);
+    QVERIFY2(result["times"]["tool_change_s"].get<double>() >= 5.0, done.output.constData());
   }
 };
 

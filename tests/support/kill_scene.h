@@ -32,8 +32,15 @@ namespace rivulet::tests {
 
 class KillScene {
  public:
-  /// @param machine  the executable
-  explicit KillScene(QString machine) : m_machineProgram(std::move(machine)) {
+  /// Which of the folders of runs that are kept is looked at.
+  enum class Kept { Runs, Jobs };
+
+  /// @param machine  the executable @param preset  empty: its own
+  explicit KillScene(QString machine, const QString& preset = {}, Kept kept = Kept::Runs)
+      : m_machineProgram(std::move(machine)), m_kept(kept) {
+    if (!preset.isEmpty()) {
+      m_arguments << QStringLiteral("--preset") << preset;
+    }
     QFile program(programFile());
     if (!program.open(QIODevice::WriteOnly) || program.write(rows()) <= 0) {
       qFatal("the program cannot be written");
@@ -64,9 +71,10 @@ class KillScene {
     switchOff();
     m_machine = std::make_unique<MachineProcess>(
         m_machineProgram,
-        QStringList{QStringLiteral("--seed"), QStringLiteral("1"), QStringLiteral("--state"),
-                    path("machine"), QStringLiteral("--port"),
-                    QString::number(kFirstPort + QCoreApplication::applicationPid() % kPorts)});
+        m_arguments +
+            QStringList{QStringLiteral("--seed"), QStringLiteral("1"), QStringLiteral("--state"),
+                        path("machine"), QStringLiteral("--port"),
+                        QString::number(kFirstPort + QCoreApplication::applicationPid() % kPorts)});
     m_endpoint = m_machine->endpoint();
     if (m_endpoint.isEmpty()) {
       qFatal("rivulet-machine does not start");
@@ -201,7 +209,9 @@ class KillScene {
     }
     return blocks;
   }
-  [[nodiscard]] QString runsFolder() const { return path("state/rivulet/runs"); }
+  [[nodiscard]] QString runsFolder() const {
+    return path(m_kept == Kept::Runs ? "state/rivulet/runs" : "state/rivulet/jobs");
+  }
 
   [[nodiscard]] std::vector<double> read(const std::vector<opcua::Variable>& variables) const {
     opcua::ConnectOptions options;
@@ -220,6 +230,8 @@ class KillScene {
   }
 
   QString m_machineProgram;
+  QStringList m_arguments;
+  Kept m_kept;
   QTemporaryDir m_folder;
   std::unique_ptr<MachineProcess> m_machine;
   QString m_endpoint;
