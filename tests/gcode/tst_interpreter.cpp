@@ -170,6 +170,64 @@ class TestInterpreter : public QObject {
     }
   }
 
+  void linuxCnc_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("expected");
+    const auto add = [](const char* name, const char* text, const char* expected) {
+      QTest::newRow(name) << QByteArray(text) << QByteArray(expected);
+    };
+    // LinuxCNC, G codes, "G92.1, G92.2 Reset G92 Offsets", "G92.3 Restore G92 Offsets": G92.2 keeps
+    // the offset, which G92.3 brings back.
+    add("G92.2 and G92.3", "G0 X10 Y0 Z0\nG92 X0\nX5\nG92.2\nX6\nG92.3\nX7",
+        "1 R X10 Y0 Z0 | 3 R X15 Y0 Z0 | 5 R X6 Y0 Z0 | 7 R X17 Y0 Z0");
+    add("G92.1 forgets", "G0 X10 Y0 Z0\nG92 X0\nG92.1\nG92.3\nX7", "1 R X10 Y0 Z0 | 5 R X7 Y0 Z0");
+    // "G52 Local Coordinate System Offset": it shares the registers of G92.
+    add("G52 is the offset of G92", "G0 X10 Y0 Z0\nG92 X0\nG52 X100\nX5\nG92.2\nX5",
+        "1 R X10 Y0 Z0 | 4 R X105 Y0 Z0 | 6 R X5 Y0 Z0");
+    // LinuxCNC, G code overview, "Polar Coordinates": @ is the distance from the origin, ^ the
+    // angle; what is not named stays, and with G91 both are increments.
+    add("polar", "G0 X2 Y0 Z0\n^90\n@3\n@1 ^180",
+        "1 R X2 Y0 Z0 | 2 R X0 Y2 Z0 | 3 R X0 Y3 Z0 | 4 R X-1 Y0 Z0");
+    add("polar increments", "G0 X2 Y0 Z0\nG91 ^[45*2]\n@1\n@1 ^-90",
+        "1 R X2 Y0 Z0 | 2 R X0 Y2 Z0 | 3 R X0 Y3 Z0 | 4 R X4 Y0 Z0");
+    // A curve of order 2 is its control points.
+    add("knots",
+        "G0 X0 Y0 Z0\nF60\nG6.2 X0 Y0 R1 K0 P2\nX10 Y5 R1 K0\nX20 Y0 R1 K1\nG6.2 K2\nG6.2 K2"
+        "\nG1 X30",
+        "1 R X0 Y0 Z0 | 5 A X2.5 Y1.25 Z0 F60 | 5 A X5 Y2.5 Z0 F60 | 5 A X7.5 Y3.75 Z0 F60 | "
+        "5 A X10 Y5 Z0 F60 | 5 A X12.5 Y3.75 Z0 F60 | 5 A X15 Y2.5 Z0 F60 | 5 A X17.5 Y1.25 Z0 F60 "
+        "| 5 A X20 Y0 Z0 F60 | 8 L X30 Y0 Z0 F60");
+  }
+
+  void linuxCnc() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const QByteArray, expected);
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::LinuxCnc;
+    const gcode::Interpretation made = gcode::interpret(text.toStdString(), options);
+    COMPARE_TEXT(test::printPoints(made.trajectory), expected);
+    for (const gcode::Diagnostic& diagnostic : made.diagnostics) {
+      QVERIFY2(diagnostic.severity != gcode::Severity::Error,
+               test::printFindings({diagnostic}).c_str());
+    }
+  }
+
+  /// What cannot be streamed, or is written wrongly.
+  void linuxCncFindings() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::LinuxCnc;
+    const auto found = [&](const char* text) {
+      return test::printFindings(gcode::interpret(text, options).diagnostics);
+    };
+    COMPARE_TEXT(found("G0 X1\nG10 L2 P1 X5"), "2:11 error unsupported-g-code G10");
+    COMPARE_TEXT(found("G0 X1\nG10 L20 P1 X5"), "2:12 error unsupported-g-code G10 L20");
+    COMPARE_TEXT(found("G0 X1\nG10 L2 P12 X5"), "2:12 error unsupported-g-code G10 L2");
+    COMPARE_TEXT(found("G50\nG0 X1"), "");
+    COMPARE_TEXT(found("G0 X1\nG50 X5"), "2:5 error unsupported-g-code G50");
+    COMPARE_TEXT(found("G0 X0 Y0 Z0\nF60\nG6.2 X0 Y0 K0 P2\nX10 Y5 K0\nX20 Y0 K1\nG6.2 K2\nG1 X30"),
+                 "7:1 error value-out-of-range K");
+  }
+
   void findings_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QByteArray>("expected");

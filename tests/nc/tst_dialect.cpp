@@ -58,6 +58,7 @@ class TestDialect : public QObject {
       return nc::detectDialect(text, file);
     };
     QVERIFY(of("G0 X1\n", "PART.MPF").dialect == Dialect::Sinumerik);
+    QVERIFY(of("G0 X1\n", "part.ngc").dialect == Dialect::LinuxCnc);
     QCOMPARE(of("G0 X1\n", "part.spf").evidence, std::string(".SPF"));
     QVERIFY(of("G0 X1\n", "part.nc").dialect == Dialect::Iso);
     QVERIFY(of("0 BEGIN PGM A MM\n1 L X+0\n2 END PGM A MM", "A.MPF").dialect ==

@@ -301,6 +301,11 @@ void BlockReader::readWord(const Token& token, BlockWords& words) {
       &BlockReader::readAxis,    // Z
   };
   const char address = token.address;
+  const auto letter = static_cast<std::size_t>(address - 'A');
+  if (letter >= kLetters.size()) {
+    readPolarSign(token, words);
+    return;
+  }
   const bool isFunction = address == 'G' || address == 'M';
   if (words.rare && words.rare->macroCall && !isFunction && address != 'N' && address != 'P' &&
       address != 'L') {
@@ -309,13 +314,12 @@ void BlockReader::readWord(const Token& token, BlockWords& words) {
     }
     return;
   }
-  const auto letter = static_cast<std::size_t>(address - 'A');
   const unsigned bit = isFunction ? 0U : 1U << letter;
   if ((words.repeated & bit) != 0) {
     reportRepetition(token);
   }
   words.repeated |= bit;
-  (this->*(letter < kLetters.size() ? kLetters[letter] : kRefused))(token, words);
+  (this->*kLetters[letter])(token, words);
 }
 
 void BlockReader::reportRepetition(const Token& token) {
@@ -421,6 +425,16 @@ void BlockReader::readL(const Token& token, BlockWords& words) {
   }
   words.l = token.value;
   words.parameter = &token;
+}
+
+/// @ and ^ of RS-274.
+void BlockReader::readPolarSign(const Token& token, BlockWords& words) {
+  if (token.address != '@' && token.address != '^') {
+    refuseWord(token, words);
+    return;
+  }
+  words.rareWords().named[token.address == '@' ? "RP" : "AP"] = {token.value, false};
+  noteColumn(token, words);
 }
 
 void BlockReader::refuseWord(const Token& token, BlockWords& /*words*/) {

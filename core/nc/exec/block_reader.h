@@ -63,6 +63,7 @@ class BlockReader {
   void readP(const Token& token, BlockWords& words);
   void readQ(const Token& token, BlockWords& words);
   void readL(const Token& token, BlockWords& words);
+  void readPolarSign(const Token& token, BlockWords& words);
   void refuseWord(const Token& token, BlockWords& words);
   static void noteColumn(const Token& token, BlockWords& words);
   void setRadius(const Token& token, BlockWords& words);

@@ -41,7 +41,7 @@ struct RareWords {
   bool macroCall = false;
   bool call98 = false;
   bool returns = false;
-  GEffect offset = GEffect::None;  ///< SetPosition, ResetPosition, LocalOffset
+  GEffect offset = GEffect::None;  ///< SetPosition to SetWorkOffset
   int poleKey = -1;
   int splineKey = -1;
   bool tangentArc = false;

@@ -44,6 +44,13 @@ void Executor::execute(BlockWords& words) {
     executeTurningCycle(words);
   }
   setModes(words);
+  if (m_state.workOffset != m_frameOffset) {
+    m_frameOffset = m_state.workOffset;
+    if (!m_workOffsets.empty()) {
+      finishCurve();
+      makeBaseFrame();
+    }
+  }
   if (m_options.knowsMachineCoordinates) {
     takeZero();
   }

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "nc/exec/block_reader.h"
 #include "nc/exec/block_words.h"
@@ -64,6 +65,8 @@ class Executor {
   [[nodiscard]] double feedMmPerS() const;
   /// Ends a curve that goes over several blocks.
   void finishCurve();
+  /// From 1, as RS-274 counts them: G54 to G59.3. G54 is in force from the beginning.
+  [[nodiscard]] int workOffsetNumber() const;
 
   /// In the unit of the program. @return nothing if no motion has said it yet
   [[nodiscard]] std::optional<double> positionOf(char axis, bool inWorkpiece) const;
@@ -87,6 +90,8 @@ class Executor {
   [[nodiscard]] bool knowsAllAxes(const BlockWords& words, const std::string& statement);
   void setOffset(const BlockWords& words);
   void setPosition(const BlockWords& words);
+  void setWorkOffset(const BlockWords& words);
+  void makeBaseFrame();
   void setPole(const BlockWords& words);
   void takeZero();
   void keepIncrements(base::Vec3 before);
@@ -126,6 +131,7 @@ class Executor {
 
   // splines.cpp
   void selectSpline(int key);
+  void takeKnot(const BlockWords& words);
   void addControlPoint(const BlockWords& words, base::Vec3 target, const Move& move);
   [[nodiscard]] double weightOf(const BlockWords& words);
   void moveBezier(const BlockWords& words, base::Vec3 target, const Move& move);
@@ -147,14 +153,32 @@ class Executor {
   ModalState m_state;
   Position m_position;
   BlockReader m_reader;
-  bool m_pathBegun = false;         ///< X, Y or Z has moved
-  double m_polarTurnDegrees = 0.0;  ///< of the present block, where it is an increment
+  bool m_pathBegun = false;  ///< X, Y or Z has moved
+
+  /// Of G92.
+  struct Offset {
+    base::Vec3 mm;
+    base::RotaryDeg rotaryDeg{};
+  };
+  /// What G10 has set of a work offset besides X, Y and Z.
+  struct WorkOffset {
+    double degrees = 0.0;  ///< about Z
+    base::RotaryDeg rotaryDeg{};
+  };
+  Offset m_setOffset;
+  Offset m_keptOffset;  ///< for G92.3
+  base::Vec3 m_localOffsetMm;
+  std::map<int, WorkOffset> m_workOffsets;  ///< by number, from 1
+  int m_frameOffset = -1;                   ///< work offset that the frame is made for
+  double m_polarTurnDegrees = 0.0;          ///< of the present block, where it is an increment
 
   // A spline in progress.
   Spline m_spline;
   std::optional<base::Vec3> m_splineEnd;  ///< its last control point so far
   Move m_splineMove;
   int m_splineDegree = 3;
+  bool m_hasKnots = false;      ///< G6.2
+  std::vector<double> m_knots;  ///< as far as they have been named
   double m_nurbsFirstWeight = 1.0;
   base::Vec3 m_lastTangent;  ///< P Q of the last G5
 

@@ -4,8 +4,10 @@
 // What moves the coordinates of the program: frames, offsets, poles.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/text.h"
 #include "nc/exec/executor.h"
 
 namespace rivulet::nc {
@@ -104,20 +106,20 @@ void Executor::setPosition(const BlockWords& words) {
     if (words.axes.given[axis] && std::isnan(position[axis])) {
       m_position.programmedMm.set(axis, lengthMm(words, axis));
     } else if (words.axes.given[axis]) {
-      m_state.setOffsetMm.set(axis,
-                              m_state.setOffsetMm[axis] + position[axis] - lengthMm(words, axis));
+      m_setOffset.mm.set(axis, m_setOffset.mm[axis] + position[axis] - lengthMm(words, axis));
     }
     const std::size_t rotary = axis + kFirstRotary;
     if (words.axes.given[rotary] && std::isnan(m_position.rotaryDeg[axis])) {
       m_position.rotaryDeg[axis] = words.axes.value[rotary];
       m_rotaryFirst[axis] = words.axes.value[rotary];
     } else if (words.axes.given[rotary]) {
-      m_state.rotaryOffset[axis] = m_position.rotaryDeg[axis] - words.axes.value[rotary];
+      m_setOffset.rotaryDeg[axis] = m_position.rotaryDeg[axis] - words.axes.value[rotary] -
+                                    m_workOffsets[workOffsetNumber()].rotaryDeg[axis];
     }
   }
 }
 
-/// G92, G92.1 and G52.
+/// G92 to G92.3, G52, G50 and G10.
 void Executor::setOffset(const BlockWords& words) {
   finishCurve();
   const GEffect offset = words.rare->offset;
@@ -128,26 +130,85 @@ void Executor::setOffset(const BlockWords& words) {
   if ((isLocal || further) && !knowsAllAxes(words, isLocal ? "G52" : "G92")) {
     return;
   }
-  if (isLocal) {
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (words.axes.given[axis]) {
-        m_state.localOffsetMm.set(axis, lengthMm(words, axis));
+  Offset& set = m_setOffset;
+  switch (offset) {
+    case GEffect::LocalOffset:
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        if (words.axes.given[axis]) {
+          (m_language.sharesOffset ? set.mm : m_localOffsetMm).set(axis, lengthMm(words, axis));
+        }
       }
-    }
-  } else if (offset == GEffect::ResetPosition) {
-    m_state.setOffsetMm = {};
-    m_state.rotaryOffset = {};
-  } else if (words.moves()) {
-    setPosition(words);
-  } else {
-    return;  // G92 S: a limit of the spindle; G92 alone: nothing
+      m_keptOffset = set;
+      break;
+    case GEffect::ResetPosition:
+      m_keptOffset = {};
+      [[fallthrough]];
+    case GEffect::SuspendPosition:
+      set = {};
+      break;
+    case GEffect::RestorePosition:
+      set = m_keptOffset;
+      break;
+    case GEffect::ScaleOff:  // with other words it is a function of a lathe
+      if (words.moves() || words.spindle != nullptr) {
+        error(words, FaultCode::UnsupportedGCode, "G50");
+      }
+      return;
+    case GEffect::SetWorkOffset:
+      setWorkOffset(words);
+      break;
+    default:
+      if (!words.moves()) {
+        return;  // G92 S: a limit of the spindle; G92 alone: nothing
+      }
+      setPosition(words);
+      m_keptOffset = set;
+      break;
   }
+  makeBaseFrame();
+}
+
+/// What Rivulet adds to the work offset of the control.
+void Executor::makeBaseFrame() {
+  const WorkOffset& work = m_workOffsets[workOffsetNumber()];
   m_state.baseFrame = {};
-  const Vec3 offsetMm = m_state.setOffsetMm + m_state.localOffsetMm;
+  if (work.degrees != 0.0) {
+    m_state.baseFrame.rotate(2, work.degrees);
+  }
+  const Vec3 offsetMm = m_setOffset.mm + m_localOffsetMm;
   if (offsetMm != Vec3{}) {
     m_state.baseFrame.translate(offsetMm);
   }
   m_position.setFrame(m_state.baseFrame);
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    m_state.rotaryOffset[axis] = work.rotaryDeg[axis] + m_setOffset.rotaryDeg[axis];
+  }
+}
+
+int Executor::workOffsetNumber() const {
+  static constexpr std::array kKeys{540, 550, 560, 570, 580, 590, 591, 592, 593};
+  const auto* const found = std::find(kKeys.begin(), kKeys.end(), m_state.workOffset);
+  return found == kKeys.end() ? 1 : static_cast<int>(found - kKeys.begin()) + 1;
+}
+
+/// G10 L2: the control gets X, Y and Z; the turn about Z and the rotary axes are added here.
+void Executor::setWorkOffset(const BlockWords& words) {
+  constexpr double kLast = 9.0;
+  const double number = words.p.value_or(-1.0);
+  constexpr double kOrigin = 2.0;
+  if (words.l != kOrigin || number != std::floor(number) || number < 0.0 || number > kLast ||
+      words.hasAnyCentre()) {
+    error(words, FaultCode::UnsupportedGCode, "G10 L" + base::formatNumber(words.l.value_or(0.0)));
+    return;
+  }
+  WorkOffset& work = m_workOffsets[number == 0.0 ? workOffsetNumber() : static_cast<int>(number)];
+  work.degrees = words.hasRadius ? words.radius : work.degrees;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (words.axes.given[axis + kFirstRotary]) {
+      work.rotaryDeg[axis] = words.axes.value[axis + kFirstRotary];
+    }
+  }
+  error(words, FaultCode::UnsupportedGCode, "G10");
 }
 
 /// G110, G111, G112, and CC of Heidenhain's plain text.

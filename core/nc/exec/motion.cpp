@@ -36,7 +36,11 @@ void Executor::executeMotion(BlockWords& words) {
       m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
     }
   }
-  if (!isPlaneArc(motion) && motion != Motion::CubicSpline && motion != Motion::QuadraticSpline) {
+  const bool hasKnots = motion == Motion::Nurbs && m_hasKnots;
+  if (hasKnots) {
+    takeKnot(words);
+  } else if (!isPlaneArc(motion) && motion != Motion::CubicSpline &&
+             motion != Motion::QuadraticSpline) {
     rejectArcWords(words);
   }
   if (motion == Motion::Nurbs && words.rare && words.rare->splineKey == 52 && !moves) {
@@ -293,14 +297,21 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   const std::size_t second = m_state.planeSecondAxis();
   const double across = from[first] - m_state.poleMm[first];
   const double up = from[second] - m_state.poleMm[second];
-  // CP of Heidenhain names no radius: it is that of the start.
-  if (radius != nullptr) {
-    m_state.polarRadiusMm =
-        radius->value * m_state.lengthFactor + (radius->isIncrement ? m_state.polarRadiusMm : 0.0);
-  } else if (m_language.turnsAboutPole) {
-    m_state.polarRadiusMm = std::hypot(across, up);
-  }
+  // CP of Heidenhain names no radius: it is that of the start. RS-274 counts both from there.
+  const bool countsFromStart = m_language.hasPolarSigns;
+  const double radiusMm = std::hypot(across, up);
   const double degrees = std::atan2(up, across) * 180.0 / std::acos(-1.0);
+  if (countsFromStart) {
+    m_state.polarRadiusMm = radiusMm;
+    m_state.polarDegrees = degrees;
+  }
+  if (radius != nullptr) {
+    const bool relative = radius->isIncrement || (countsFromStart && m_state.relative);
+    m_state.polarRadiusMm =
+        radius->value * m_state.lengthFactor + (relative ? m_state.polarRadiusMm : 0.0);
+  } else if (m_language.turnsAboutPole) {
+    m_state.polarRadiusMm = radiusMm;
+  }
   m_polarTurnDegrees = 0.0;
   if (angle != nullptr) {
     const bool relative = angle->isIncrement || m_state.relative;

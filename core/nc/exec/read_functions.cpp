@@ -32,8 +32,10 @@ bool isNoted(GEffect effect) {
 /// The axis words of the block are its own.
 bool takesBlock(GEffect effect) {
   static constexpr std::array kTaking{
-      GEffect::Pole,      GEffect::SetPosition, GEffect::ResetPosition, GEffect::LocalOffset,
-      GEffect::MacroCall, GEffect::FixedPoint,  GEffect::TakesBlock};
+      GEffect::Pole,        GEffect::SetPosition,     GEffect::ResetPosition,
+      GEffect::LocalOffset, GEffect::SuspendPosition, GEffect::RestorePosition,
+      GEffect::ScaleOff,    GEffect::SetWorkOffset,   GEffect::MacroCall,
+      GEffect::FixedPoint,  GEffect::TakesBlock};
   return isOneOf(effect, kTaking);
 }
 
@@ -164,7 +166,11 @@ void BlockReader::readBlockG(GEffect effect, int key, const Token& token, BlockW
       break;
     case GEffect::SetPosition:
     case GEffect::ResetPosition:
+    case GEffect::SuspendPosition:
+    case GEffect::RestorePosition:
     case GEffect::LocalOffset:
+    case GEffect::ScaleOff:
+    case GEffect::SetWorkOffset:
       words.rareWords().offset = effect;
       break;
     case GEffect::MacroCall:

@@ -4,6 +4,7 @@
 // Moves along splines: BSPLINE over several blocks, G5, G5.1 and G5.2.
 
 #include <algorithm>
+#include <utility>
 
 #include "nc/exec/executor.h"
 
@@ -11,8 +12,17 @@ namespace rivulet::nc {
 
 using base::Vec3;
 
+/// The start of a curve, as its first block names it.
+constexpr double kSameMm = 1e-3;
+
 void Executor::selectSpline(int key) {
+  constexpr int kWithKnots = 62;
+  if (key == kWithKnots && m_hasKnots && m_state.motion == Motion::Nurbs) {
+    return;  // the curve goes on
+  }
   finishCurve();
+  m_hasKnots = key == kWithKnots;
+  m_knots.clear();
   m_lastTangent = {};
   switch (key) {
     case 50:
@@ -22,13 +32,24 @@ void Executor::selectSpline(int key) {
       m_state.motion = Motion::QuadraticSpline;
       break;
     case 52:
+    case kWithKnots:
       m_state.motion = Motion::Nurbs;
-      m_splineDegree = 2;
+      m_splineDegree = m_hasKnots ? 3 : 2;
       break;
     default:
       m_state.motion = Motion::None;  // G5.3 closes the curve: the next block names its own motion
       m_state.motionNamed = true;
       break;
+  }
+}
+
+/// G6.2: K is the next knot, P the order of the curve. Blocks without axes name the last knots.
+void Executor::takeKnot(const BlockWords& words) {
+  if (words.hasCentre[2]) {
+    m_knots.push_back(words.centre[2]);
+  }
+  if (words.p) {
+    m_splineDegree = static_cast<int>(std::clamp(*words.p - 1.0, 1.0, 9.0));
   }
 }
 
@@ -44,6 +65,13 @@ void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move&
     m_spline.controlMm.push_back(from);
     m_spline.weights.push_back(m_state.motion == Motion::Nurbs ? m_nurbsFirstWeight : 1.0);
     m_nurbsFirstWeight = 1.0;
+    if (m_hasKnots) {  // the first block names the start
+      if (base::distance(from, target) > kSameMm) {
+        error(words, FaultCode::ValueOutOfRange, "G6.2");
+      }
+      m_spline.controlMm.clear();
+      m_spline.weights.clear();
+    }
   }
   const double weight = weightOf(words);
   m_spline.controlMm.push_back(target);
@@ -54,7 +82,9 @@ void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move&
 
 double Executor::weightOf(const BlockWords& words) {
   double weight = 1.0;
-  if (m_state.motion == Motion::Nurbs) {
+  if (m_hasKnots) {
+    weight = words.hasRadius ? words.radius : 1.0;
+  } else if (m_state.motion == Motion::Nurbs) {
     weight = words.p.value_or(1.0);
     if (words.l) {
       m_splineDegree = static_cast<int>(std::clamp(*words.l - 1.0, 1.0, 9.0));
@@ -79,7 +109,13 @@ void Executor::finishCurve() {
   m_splineEnd.reset();
   const std::size_t points = m_spline.controlMm.size();
   m_spline.degree = std::min(m_splineDegree, static_cast<int>(points) - 1);
-  m_spline.knots = clampedKnots(points, m_spline.degree);
+  m_spline.knots = m_hasKnots ? std::move(m_knots) : clampedKnots(points, m_spline.degree);
+  m_knots.clear();
+  if (!isClamped(m_spline)) {
+    m_to.faults.report(Severity::Error, m_splineMove.column, FaultCode::ValueOutOfRange, "K");
+    unknownWay(m_spline.controlMm.back(), m_splineMove);
+    return;
+  }
   spline(m_spline, m_splineMove);
 }
 

@@ -55,6 +55,15 @@ std::vector<double> clampedKnots(std::size_t points, int degree) {
   return knots;
 }
 
+bool isClamped(const Spline& spline) {
+  const auto order = static_cast<std::size_t>(spline.degree) + 1;
+  const std::vector<double>& knots = spline.knots;
+  const std::size_t points = spline.controlMm.size();
+  return spline.degree >= 1 && points >= order && knots.size() == points + order &&
+         std::is_sorted(knots.begin(), knots.end()) && knots.front() == knots[order - 1] &&
+         knots[points] == knots.back() && knots.front() < knots.back();
+}
+
 Vec3 splinePoint(const Spline& spline, double parameter) {
   const auto degree = static_cast<std::size_t>(spline.degree);
   const std::size_t last = spline.controlMm.size() - 1;

@@ -23,6 +23,10 @@ struct Spline {
 /// point and ends at the last. @pre points > degree
 [[nodiscard]] std::vector<double> clampedKnots(std::size_t points, int degree);
 
+/// True if it can be drawn: as many knots as it needs, ascending, and the curve begins at the first
+/// control point and ends at the last.
+[[nodiscard]] bool isClamped(const Spline& spline);
+
 /// The point at a parameter between the knots degree and points.
 [[nodiscard]] base::Vec3 splinePoint(const Spline& spline, double parameter);
 

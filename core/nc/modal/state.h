@@ -73,8 +73,8 @@ struct ModalState {
   bool isLathe = false;  ///< ISO: turning cycles, U and W as increments
 
   FeedMode feedMode = FeedMode::PerMinute;
-  double feedMmPerS = 0.0;   ///< 0: none is programmed
-  double feedDegPerS = 0.0;  ///< the same number, for blocks that only turn
+  double feedMmPerS = 0.0;     ///< 0: none is programmed
+  double feedDegPerS = 0.0;    ///< the same number, for blocks that only turn
   bool feedIsDefault = false;  ///< of the machine: the program has named none
   double spindlePerMin = 0.0;
   double feedMmPerRev = 0.0;   ///< with G95
@@ -94,9 +94,7 @@ struct ModalState {
   bool goesAroundStart = false;   ///< KONT; else NORM
   std::string tipWord;            ///< what keeps X Y Z at the tip of the tool; empty: nothing
 
-  Frame baseFrame;  ///< G52 and G92; TRANS and ROT work on it
-  base::Vec3 setOffsetMm;
-  base::Vec3 localOffsetMm;
+  Frame baseFrame;                 ///< G52 and G92; TRANS and ROT work on it
   base::RotaryDeg rotaryOffset{};  ///< G92
   /// Programmed coordinates from before a change of the frame. The next increment of an axis counts
   /// from there, so that it passes the shift of the frame as well (SD42440, as delivered).

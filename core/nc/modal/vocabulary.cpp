@@ -47,6 +47,7 @@ void markCommon(const GMarks& mark) {
   mark(GEffect::LocalOffset, {520});
   mark(GEffect::SetPosition, {920});
   mark(GEffect::ResetPosition, {921});
+  mark(GEffect::ScaleOff, {500});
   mark(GEffect::MacroCall, {650});
   mark(GEffect::CycleOff, {800});
   // Radius compensation off, high-speed modes, spindle speed; G43.4 guides the tool's tip.
@@ -57,7 +58,7 @@ void markCommon(const GMarks& mark) {
   mark(GEffect::Cycle, {120, 130, 720, 730, 740, 750, 760, 770, 810, 820, 830, 840, 841, 842, 850,
                         860, 870, 880, 890});
   mark(GEffect::TakesBlock,
-       {922, 923, 100, 110, 250, 260, 270, 280, 281, 290, 300, 301, 500, 510, 511, 660, 680, 682});
+       {922, 923, 100, 110, 250, 260, 270, 280, 281, 290, 300, 301, 510, 511, 660, 680, 682});
 }
 
 void markSinumerik(const GMarks& mark) {
@@ -81,6 +82,7 @@ void markSinumerik(const GMarks& mark) {
   mark(GEffect::FixedPoint, {750});
   mark(GEffect::Compensation, {400, 410, 420});
   mark(GEffect::Unknown, {51, 80});
+  mark(GEffect::TakesBlock, {500});
 }
 
 GTable makeTable(Dialect dialect) {
@@ -92,7 +94,10 @@ GTable makeTable(Dialect dialect) {
       markSinumerik(mark);
       break;
     case Dialect::LinuxCnc:
-      mark(GEffect::Spline, {50, 51, 52, 53});
+      mark(GEffect::Spline, {50, 51, 52, 53, 62});
+      mark(GEffect::SuspendPosition, {922});
+      mark(GEffect::RestorePosition, {923});
+      mark(GEffect::SetWorkOffset, {100});
       mark(GEffect::Cycle, {740});
       mark(GEffect::None, {610});
       break;

@@ -24,36 +24,40 @@ inline constexpr std::size_t kFirstFurther = 6;
 /// What a G function does to the path, as far as Rivulet is concerned.
 enum class GEffect : unsigned char {
   Unknown,
-  Motion,         ///< G0 to G3
-  Distance,       ///< G90, G91
-  CentreMode,     ///< G90.1, G91.1
-  Plane,          ///< G17 to G19
-  Units,          ///< G20 G21 G70 G71 G700 G710
-  FeedMode,       ///< G93 G94 G95
-  Diameter,       ///< G7, G8 of LinuxCNC
-  Dwell,          ///< G4: the block's X, F, S, P and U are times
-  Pole,           ///< G110 to G112: the block's words set the pole
-  PolarOn,        ///< G16: X and Y of the plane are radius and angle
-  PolarOff,       ///< G15
-  Spline,         ///< G5, G5.1, G5.2, G5.3 of LinuxCNC
-  None,           ///< no effect on the path
-  BlockEnd,       ///< G9, G60: how a block ends, no effect on the path
-  Tolerance,      ///< the same with a tolerance; P and Q of the block belong to it
-  ToolLength,     ///< lives on the control; afterwards Z is somewhere else
-  CycleOff,       ///< G80
-  WorkOffset,     ///< no effect as long as it does not change under the tool
-  WorkOffsetP,    ///< the same with its number in P: G54.1, G154
-  MachineMove,    ///< G53, G153: this block is in machine coordinates
-  FixedPoint,     ///< G75 of SINUMERIK: the axes the block names go to a fixed point
-  SetPosition,    ///< G92: the present position gets the values of the block
-  ResetPosition,  ///< G92.1
-  LocalOffset,    ///< G52: an offset
-  MacroCall,      ///< G65: a subprogram with arguments
-  Compensation,   ///< G40 to G42 of SINUMERIK
-  Mode,           ///< not supported; the block still moves
-  MotionMode,     ///< not supported; replaces G0 to G3
-  Cycle,          ///< a canned cycle: its motions are missing; replaces G0 to G3
-  TakesBlock,     ///< not supported; takes the axis words of its block for itself
+  Motion,           ///< G0 to G3
+  Distance,         ///< G90, G91
+  CentreMode,       ///< G90.1, G91.1
+  Plane,            ///< G17 to G19
+  Units,            ///< G20 G21 G70 G71 G700 G710
+  FeedMode,         ///< G93 G94 G95
+  Diameter,         ///< G7, G8 of LinuxCNC
+  Dwell,            ///< G4: the block's X, F, S, P and U are times
+  Pole,             ///< G110 to G112: the block's words set the pole
+  PolarOn,          ///< G16: X and Y of the plane are radius and angle
+  PolarOff,         ///< G15
+  Spline,           ///< G5, G5.1, G5.2, G5.3 of LinuxCNC
+  None,             ///< no effect on the path
+  BlockEnd,         ///< G9, G60: how a block ends, no effect on the path
+  Tolerance,        ///< the same with a tolerance; P and Q of the block belong to it
+  ToolLength,       ///< lives on the control; afterwards Z is somewhere else
+  CycleOff,         ///< G80
+  WorkOffset,       ///< no effect as long as it does not change under the tool
+  WorkOffsetP,      ///< the same with its number in P: G54.1, G154
+  MachineMove,      ///< G53, G153: this block is in machine coordinates
+  FixedPoint,       ///< G75 of SINUMERIK: the axes the block names go to a fixed point
+  SetPosition,      ///< G92: the present position gets the values of the block
+  ResetPosition,    ///< G92.1
+  SuspendPosition,  ///< G92.2: the same, until G92.3
+  RestorePosition,  ///< G92.3
+  LocalOffset,      ///< G52: an offset
+  ScaleOff,         ///< G50: G51 is not supported
+  SetWorkOffset,    ///< G10 L2 of RS-274: lives on the control
+  MacroCall,        ///< G65: a subprogram with arguments
+  Compensation,     ///< G40 to G42 of SINUMERIK
+  Mode,             ///< not supported; the block still moves
+  MotionMode,       ///< not supported; replaces G0 to G3
+  Cycle,            ///< a canned cycle: its motions are missing; replaces G0 to G3
+  TakesBlock,       ///< not supported; takes the axis words of its block for itself
 };
 
 /// What a program has for the machine and not for the path.

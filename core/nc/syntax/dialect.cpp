@@ -89,7 +89,8 @@ constexpr std::array kEvidence{
 
 /// An ending of the file's name counts like one strong word of the text.
 constexpr std::array kEndings{Evidence{Dialect::Sinumerik, ".MPF", 15},
-                              Evidence{Dialect::Sinumerik, ".SPF", 15}};
+                              Evidence{Dialect::Sinumerik, ".SPF", 15},
+                              Evidence{Dialect::LinuxCnc, ".NGC", 8}};
 
 using base::isDigit;
 

@@ -58,6 +58,13 @@ Language iso() {
   return made;
 }
 
+Language linuxCnc() {
+  Language made = hash(Dialect::LinuxCnc);
+  made.hasPolarSigns = true;
+  made.sharesOffset = true;
+  return made;
+}
+
 Language heidenhain() {
   return {.dialect = Dialect::Heidenhain,
           .notation = hashNotation(),
@@ -75,8 +82,8 @@ Language heidenhain() {
 }  // namespace
 
 const Language& languageOf(Dialect dialect) {
-  static const std::array<Language, kDialects.size()> languages{
-      sinumerik(), iso(), hash(Dialect::LinuxCnc), hash(Dialect::Grbl), heidenhain()};
+  static const std::array<Language, kDialects.size()> languages{sinumerik(), iso(), linuxCnc(),
+                                                                hash(Dialect::Grbl), heidenhain()};
   return languages[static_cast<std::size_t>(dialect)];
 }
 

@@ -43,6 +43,7 @@ struct Language {
   bool hasIndexedWords = false;        ///< M[1]=3, G[6]=2, AX[1]=5
   bool hasOWords = true;               ///< O100 begins a program, O100 IF is a statement
   bool comparesNumbersAsText = false;  ///< N010 and N10 are two labels
+  bool hasPolarSigns = false;          ///< @ and ^: radius and angle about the origin
 
   // What words mean.
   bool lettersMayBeVariables = false;  ///< DEF INT I: then I=5 is no centre
@@ -54,6 +55,7 @@ struct Language {
   bool toolChangesZ = false;           ///< T: Z is somewhere else afterwards
   bool turnsAboutPole = false;         ///< an arc without a centre turns about the pole
   bool ignoresCentreAcross = false;    ///< of a helix, with a warning
+  bool sharesOffset = false;           ///< G52 sets that of G92
   /// Share of the radius by which start and end of an arc may differ: a spiral.
   double spiralShare = 0.0;
 };

@@ -319,6 +319,11 @@ class LineReader {
                      from, address);
       return;
     }
+    readValueOf(from, address);
+  }
+
+  /// The number or calculation directly after an address.
+  void readValueOf(const char* from, char address) {
     const char* const numberFrom = m_at;
     double value = 0.0;
     switch (readNumber(value)) {
@@ -493,6 +498,14 @@ class LineReader {
       case '$':
         addCalculation(TokenKind::Assignment, from, 0);
         return true;
+      case '@':
+      case '^':
+        if (m_language.hasPolarSigns) {
+          ++m_at;
+          readValueOf(from, *from);
+          return true;
+        }
+        break;
       default:
         break;
     }

@@ -241,14 +241,11 @@ class SinumerikParser final : public BlockParser {
         std::find(kForeign.begin(), kForeign.end(), token.value) != kForeign.end()) {
       return Fault{FaultCode::UnknownGCode, wordText(token), m_place};
     }
-    // There is no transformation that TRAFOOF could end.
-    if (!isNamed(token) || tokenIs(token, "TRAFOOF")) {
+    if (!isNamed(token)) {
       return std::nullopt;
     }
-    // What a query writes to its variables, and where a transformation moves the axes, only a
-    // control knows.
-    static constexpr std::array kRefused{NameEffect::Query, NameEffect::Transformation,
-                                         NameEffect::Spline, NameEffect::Unknown,
+    // What a query writes to its variables only a control knows.
+    static constexpr std::array kRefused{NameEffect::Query, NameEffect::Spline, NameEffect::Unknown,
                                          NameEffect::Cycle};
     const bool isRefused =
         std::find(kRefused.begin(), kRefused.end(), effectOf(token)) != kRefused.end();
