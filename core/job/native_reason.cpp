@@ -186,6 +186,7 @@ std::optional<NativeReason> reasonOfG(nc::Dialect dialect, int key) {
       return NativeReason::Tool;
     case GEffect::WorkOffset:
     case GEffect::WorkOffsetP:
+    case GEffect::SetWorkOffset:
       return NativeReason::WorkOffset;
     case GEffect::MachineMove:
       return NativeReason::Retract;

@@ -37,6 +37,11 @@ using nc::TokenKind;
 /// Chords of an arc, where only what it reaches counts.
 constexpr double kReachMm = 0.1;
 
+/// M functions that the five-axis configurations of LinuxCNC have for its kinematics: X, Y and Z
+/// are those of the tool's tip, or of the axes.
+constexpr int kTipOn = 428;
+constexpr int kTipOff = 429;
+
 /// The motion of a block can be streamed without such a word.
 bool isSeparable(NativeReason reason) {
   return reason >= NativeReason::Tool;
@@ -163,6 +168,7 @@ class Splitter final : public gcode::BlockObserver,
     if (isForeign()) {
       drillHoles(words, executor);
       keepIncrements(words, executor);
+      setWorkOffset(words, executor);
     }
     if (!isForeign() && executor.state().planeFirstAxis != block.before.planeFirstAxis) {
       add(NativeReason::Tool);  // its length now acts on another axis
@@ -284,6 +290,37 @@ class Splitter final : public gcode::BlockObserver,
                                    incrementsMm,
                                    isRapid ? std::nullopt : std::optional(executor.feedMmPerS()))
                    : std::nullopt);
+  }
+
+  /// G10 L2. The executor adds the turn and the rotary axes to the path: the control has none.
+  void setWorkOffset(const nc::BlockWords& words, nc::Executor& executor) {
+    const bool sets = words.rare && words.rare->offset == nc::GEffect::SetWorkOffset && words.p &&
+                      m_block->reason == NativeReason::WorkOffset;
+    if (!sets) {
+      return;
+    }
+    const int active = executor.workOffsetNumber();
+    const int number = *words.p == 0.0 ? active : static_cast<int>(*words.p);
+    std::string line;
+    const auto set = [&line, number](char axis, std::string_view what, double value) {
+      line += fmt::format("{}$P_UIFR[{},{},{}]={}", line.empty() ? "" : " ", number, axis, what,
+                          base::formatNumber(value));
+    };
+    for (std::size_t axis = 0; axis < nc::kFirstFurther; ++axis) {
+      if (words.axes.given[axis]) {
+        const bool isLinear = axis < base::kAxisCount;
+        set(nc::kProgrammedAxes[axis], "TR",
+            isLinear ? words.axes.value[axis] * executor.state().lengthFactor : 0.0);
+      }
+    }
+    if (words.hasRadius) {
+      set('Z', "RT", 0.0);
+    }
+    m_block->words.push_back({ForeignWord::Kind::Line, 0.0, std::move(line)});
+    if (number == active) {
+      const int key = executor.state().workOffset;
+      m_block->words.push_back({ForeignWord::Kind::Line, 0.0, workOffsetOf(key).value_or("G54")});
+    }
   }
 
   [[nodiscard]] bool isStraight() const {
@@ -504,6 +541,12 @@ class Splitter final : public gcode::BlockObserver,
         if (number == 3 || number == 4) {
           m_holes.spindleTurns(number);
         }
+        if (m_language->dialect == nc::Dialect::LinuxCnc &&
+            (number == kTipOn || number == kTipOff)) {
+          add(NativeReason::Transformation);
+          words.push_back({ForeignWord::Kind::Line, 0.0, number == kTipOn ? "TRAORI" : "TRAFOOF"});
+          break;
+        }
         add(reasonOfM(number));
         words.push_back({ForeignWord::Kind::M, value, fmt::format("M{}", number)});
         break;
@@ -561,6 +604,8 @@ class Splitter final : public gcode::BlockObserver,
           {ForeignWord::Kind::G, static_cast<double>(*key), std::move(argument)});
     } else if (*reason == NativeReason::Retract) {
       m_block->toFixedPoint = code != FaultCode::MachineCoordinates;
+    } else if (*reason == NativeReason::WorkOffset && key == 100) {
+      // G10: see `setWorkOffset`.
     } else if (*reason == NativeReason::WorkOffset && keyOfG(argument)) {
       m_block->words.push_back(
           {ForeignWord::Kind::G, static_cast<double>(*keyOfG(argument)), std::move(argument)});
@@ -600,6 +645,10 @@ class Splitter final : public gcode::BlockObserver,
     constexpr int kToRetractPlane = 990;
     if (key == kToStart || key == kToRetractPlane) {
       m_holes.retractToStart(key == kToStart);
+    }
+    constexpr int kTipLength = 434;
+    if (key == kTipLength && isForeign() && m_block && !isAccepted(nc::wordText(token))) {
+      refuse(RefusalCode::NotTranslated, nc::wordText(token));
     }
     const std::optional<NativeReason> reason = reasonOfG(m_language->dialect, key);
     if (!reason || !m_block) {

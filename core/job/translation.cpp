@@ -20,7 +20,8 @@ void addWord(std::string& line, const std::string& word) {
   line += word;
 }
 
-/// The settable frames by the G functions of the other dialects.
+}  // namespace
+
 std::optional<std::string> workOffsetOf(int key) {
   struct Row {
     int key;
@@ -33,8 +34,6 @@ std::optional<std::string> workOffsetOf(int key) {
                                          [key](const Row& row) { return row.key == key; });
   return found == kOffsets.end() ? std::nullopt : std::optional<std::string>(found->word);
 }
-
-}  // namespace
 
 std::string Translator::toolChange() const {
   return m_tool ? nc::filled(m_profile.toolChange, *m_tool) : "M6";
@@ -143,6 +142,9 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
         }
         break;
       }
+      case Kind::Line:
+        out.before.push_back(word.text);
+        break;
       case Kind::Other:
         out.missing.push_back(word.text);
         break;

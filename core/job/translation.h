@@ -26,6 +26,7 @@ struct ForeignWord {
     Dwell,       ///< seconds
     G,           ///< key as in `nc::gTable`
     LengthCell,  ///< H, and D of the dialects that have no H
+    Line,        ///< `text` is a line for the control
     Other,       ///< see `text`
   };
   Kind kind = Kind::Other;
@@ -44,6 +45,9 @@ struct Translation {
   std::vector<std::string> after;
   std::vector<std::string> missing;  ///< words without a translation
 };
+
+/// The settable frame for a G function of the other dialects. @param key  as in `nc::gTable`
+[[nodiscard]] std::optional<std::string> workOffsetOf(int key);
 
 class Translator {
  public:

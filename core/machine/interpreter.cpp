@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/text.h"
 #include "machine/sync_action.h"
@@ -71,6 +72,9 @@ Interpreter::Values::Values(RParameters& parameters, const InterpreterOptions& o
   if (options.cacheUntilStopre) {
     m_cache = m_parameters.values();
   }
+  if (options.machine != nullptr) {
+    m_offsetsMm = options.machine->workOffsetsMm;
+  }
 }
 
 nc::Expected<double> Interpreter::Values::r(int index) const {
@@ -102,6 +106,38 @@ nc::Expected<void> Interpreter::Values::setR(int index, double value) {
     m_cache[static_cast<std::size_t>(index)] = value;
   }
   return {};
+}
+
+/// $P_UIFR[1,X,TR]: the offset of G54. It holds from the next G54 on. Rotary axes and turns have
+/// none here.
+nc::Expected<void> Interpreter::Values::setSystem(std::string_view name,
+                                                  std::span<const nc::Value> indices,
+                                                  double value) {
+  const auto text = [&](std::size_t index) {
+    return index < indices.size() ? base::toUpper(nc::textOf(indices[index])) : std::string();
+  };
+  const std::optional<int> number = base::parseInteger(text(0));
+  constexpr int kLast = 99;
+  if (base::toUpper(name) != "$P_UIFR" || indices.size() != 3 || !number || *number < 0 ||
+      *number > kLast) {
+    return Variables::setSystem(name, indices, value);
+  }
+  const std::string axis = text(1);
+  const std::size_t at = axis.size() == 1 ? std::string_view("XYZ").find(axis) : axis.npos;
+  if (at >= base::kAxisCount || text(2) != "TR") {
+    return value == 0.0 ? nc::Expected<void>() : Variables::setSystem(name, indices, value);
+  }
+  constexpr int kSimple = 4;  // G54 to G57
+  const int key = *number == 0         ? kNoWorkOffsetKey
+                  : *number <= kSimple ? 530 + 10 * *number
+                                       : 5000 + 10 * *number;
+  m_offsetsMm[key].set(at, value);
+  m_hasNewOffsets = true;
+  return {};
+}
+
+std::optional<std::map<int, base::Vec3>> Interpreter::Values::takeOffsets() {
+  return std::exchange(m_hasNewOffsets, false) ? std::optional(m_offsetsMm) : std::nullopt;
 }
 
 void Interpreter::Values::refresh() {
@@ -406,12 +442,19 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
   for (const nc::Token& token : words.tokens) {
     m_executor.read(token, block);
   }
+  selectWorkOffset(words);
   const BlockMachineWords machineWords = m_motions.takeWords();
   m_machineWords.apply(machineWords, block.dwell, m_executor.state());
   m_executor.execute(block);
   Prepared prepared = m_motions.take(m_executor.state());
   if (std::optional<Alarm> alarm = m_alarms.take()) {
     return *std::move(alarm);
+  }
+  const base::RotarySet& rotary = m_executorOptions.rotaryAxes;
+  if (!m_executor.state().tipWord.empty() &&
+      std::find(rotary.begin(), rotary.end(), true) == rotary.end()) {
+    return Alarm{kNotMade,
+                 fmt::format("Line {}: this machine has no rotary axes for TRAORI.", line.value)};
   }
   if (block.compensationKey > 400 && !m_machineWords.hasEdge()) {
     return Alarm{kNoToolRadius, fmt::format("Line {}: the tool radius is to be compensated, but no "
@@ -427,6 +470,24 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
     }
   }
   return first;
+}
+
+/// A work offset that has been changed holds from the next G54 and the like on.
+void Interpreter::selectWorkOffset(const nc::Words& words) {
+  const bool selects =
+      std::any_of(words.tokens.begin(), words.tokens.end(), [](const nc::Token& token) {
+        const double key = token.value * 10.0;
+        return token.address == 'G' && key >= 0.0 && key < static_cast<double>(nc::kGKeys) &&
+               nc::gTable(nc::Dialect::Sinumerik)[static_cast<std::size_t>(key)] ==
+                   nc::GEffect::WorkOffset;
+      });
+  if (!selects) {
+    return;
+  }
+  if (auto offsetsMm = m_values.takeOffsets()) {
+    m_executorOptions.workOffsetsMm = *std::move(offsetsMm);
+    m_machineWords.workOffsetsChanged();
+  }
 }
 
 /// What the machine does before the motion, the motion, and a stop after it.

@@ -73,9 +73,16 @@ class Interpreter {
                                                  std::span<const nc::Value> indices) const override;
     /// Where the control is said to read R only after a STOPRE: reads them.
     void refresh();
+    /// Work offsets that $P_UIFR has changed; nothing: none since they were taken.
+    [[nodiscard]] std::optional<std::map<int, base::Vec3>> takeOffsets();
 
    private:
     [[nodiscard]] nc::Expected<void> setR(int index, double value) override;
+    [[nodiscard]] nc::Expected<void> setSystem(std::string_view name,
+                                               std::span<const nc::Value> indices,
+                                               double value) override;
+    std::map<int, base::Vec3> m_offsetsMm;  ///< by key of the G function
+    bool m_hasNewOffsets = false;
     RParameters& m_parameters;
     const MainRun* m_mainRun;
     std::vector<double> m_cache;  // empty: read live
@@ -89,6 +96,7 @@ class Interpreter {
 
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared executeWords(const nc::Words& words, base::LineNumber line);
+  void selectWorkOffset(const nc::Words& words);
   [[nodiscard]] Prepared nextBlock();
   [[nodiscard]] Prepared inOrder(Prepared prepared, base::LineNumber line);
   void append(Prepared prepared);

@@ -38,6 +38,8 @@ class MachineWords {
   /// Alarms as on the control: 17190 no such tool, 17180 no such edge.
   void apply(const BlockMachineWords& words, bool isDwell, nc::ModalState& state);
 
+  /// The next block tells the machine which one holds.
+  void workOffsetsChanged() { m_workOffset = -1; }
   [[nodiscard]] bool hasEdge() const { return m_inSpindle.exists() && m_edge > 0; }
   /// Of the tool and edge in effect.
   [[nodiscard]] double radiusMm() const;

@@ -134,6 +134,43 @@ class TestSplitter : public QObject {
              QStringLiteral("1 R X0 Y0 Z5 | 3 L X10 Y0 Z0 F100"));
   }
 
+  /// LinuxCNC, G codes, "G10 L2 Set Coordinate System": X, Y and Z are set on the control, which
+  /// takes them over with the next G54; the turn about Z is Rivulet's. P0 is the one in force.
+  void setsWorkOffset() {
+    const job::Plan plan =
+        planOf("G20 G90\nG10 L2 P0 X-2 Y1 R90\nF1000\nG0 X0 Y0 Z0\nG1 X1 Y0\nG10 L2 P2 Z1\nM2\n",
+               gcode::Dialect::LinuxCnc);
+    QCOMPARE(refusals(plan), QString());
+    QVERIFY(plan.isWhole());
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral("settings 1 | native 2 work-offset $P_UIFR[1,X,TR]=-50.8 "
+                            "$P_UIFR[1,Y,TR]=25.4 $P_UIFR[1,Z,RT]=0\nG54 | stretch 1 3-5: 2 points "
+                            "from ? | native 6 work-offset $P_UIFR[2,Z,TR]=25.4 | native 7 end "
+                            "M30"));
+    QCOMPARE(text(test::printPoints(plan.program.trajectory)),
+             QStringLiteral("4 R X0 Y0 Z0 | 5 L X0 Y25.4 Z0 F25400"));
+    QVERIFY(!planOf("G10 L20 P1 X0\nG0 X1\n", gcode::Dialect::LinuxCnc).isWhole());
+    QVERIFY(!planOf("G10 L2 P1 X0\nG0 X1\n", gcode::Dialect::Iso).isWhole());
+  }
+
+  /// LinuxCNC, "Switchable kinematics": M428 makes X, Y and Z those of the tool's tip, M429 ends
+  /// it. Without it the same points would be another path.
+  void tipOfTheTool() {
+    const job::Plan plan = planOf("G0 X0 Y0 Z50 A0\nM428\nG1 X1 A5 F100\nM429\nG0 Z60\nM2\n",
+                                  gcode::Dialect::LinuxCnc);
+    QVERIFY(plan.isWhole());
+    QCOMPARE(
+        text(test::printParts(plan)),
+        QStringLiteral("stretch 1 1: 1 point from ? | native 2 transformation TRAORI | stretch "
+                       "2 3: 1 point from ? | native 4 transformation TRAFOOF | stretch 3 5: "
+                       "1 point from ? | native 6 end M30"));
+    const job::Plan iso =
+        planOf("G0 X0 Y0 Z50\nG43.4 H1\nG1 X1 B5 F100\nM30\n", gcode::Dialect::Iso);
+    QVERIFY(!iso.isWhole());
+    QVERIFY(refusals(iso).contains(QStringLiteral("G43.4")));
+    QVERIFY(!planOf("M428\nG0 X1\nM30\n", gcode::Dialect::Iso).isWhole());
+  }
+
   void compensationRegion() {
     const job::Plan plan = planOf(
         "G0 X0 Y0 Z5\n"

@@ -167,6 +167,15 @@ class TestEquipment : public QObject {
     QTest::newRow("by group") << "G[8]=3 G0 X1 Y2 Z3" << 101.0 << 2.0 << -197.0;
     QTest::newRow("arc") << "G55 G0 X10 Y0 Z0\nG3 X-10 I-10 F5000" << 90.0 << 0.0 << -200.0;
     QTest::newRow("increment") << "G54 G0 X1 Y2 Z3\nG55 G91 X1" << 102.0 << 2.0 << -197.0;
+    // Siemens, list manual of the system variables, $P_UIFR: a value that is written holds with the
+    // next G500 to G599.
+    QTest::newRow("written offset") << "G54 G0 X1 Y2 Z3\n$P_UIFR[1,X,TR]=50 "
+                                       "$P_UIFR[1,Y,TR]=-5\nG54\nG0 X1 Y2"
+                                    << 51.0 << -3.0 << -197.0;
+    QTest::newRow("written, not yet selected")
+        << "G54 G0 X1 Y2 Z3\n$P_UIFR[1,X,TR]=50\nG0 X2" << 2.0 << 2.0 << -197.0;
+    QTest::newRow("tip of the tool")
+        << "G54\nTRAORI\nG0 X1 Y2 Z3 C10\nTRAFOOF\nG0 X4" << 4.0 << 2.0 << -197.0;
     QTest::newRow("fixed point") << "G54 G0 X1 Y2 Z3\nG75 X1=0 Z1=0\nG0 Y3" << 0.0 << 3.0 << 280.0;
     QTest::newRow("second fixed point")
         << "G54 T3 M6\nG0 X1\nG75 FP=2 X0 Y0 Z0" << 375.0 << 325.0 << 280.0;
