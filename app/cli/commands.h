@@ -132,6 +132,7 @@ struct JobOptions {
   bool simulate = false;
   bool verify = false;  ///< compares the job with its source, on a virtual machine
   std::string preset = "dmu75-mill";
+  bool namesMachine = false;  ///< else one that is large enough takes the place of the preset
   std::uint64_t seed = 1;
   double stopAfterS = 0.0;           ///< 0: not
   std::string resume;                ///< file of a job that was left; empty: from the beginning

@@ -17,6 +17,7 @@
 #include "cli/found_run.h"
 #include "experiments/job_forecast.h"
 #include "experiments/job_restart.h"
+#include "experiments/large_machine.h"
 #include "gcode/block_observer.h"
 #include "job/main_program.h"
 #include "log/log.h"
@@ -204,6 +205,10 @@ base::Result<void> JobCommand::prepare() {
     return base::fail(programs.error());
   }
   m_programs = std::move(*programs);
+  if (isVirtual && !m_options.namesMachine) {
+    const std::vector<std::string> notes = experiments::enlarge(m_machine, m_plan);
+    m_notes.insert(m_notes.end(), notes.begin(), notes.end());
+  }
   return {};
 }
 

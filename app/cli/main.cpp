@@ -375,10 +375,13 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   command->add_flag("--verify", options->verify,
                     "Compare the job with its source on a virtual machine: motion, actions of the "
                     "machine, modal state of its blocks");
-  command
-      ->add_option("--preset", options->preset,
-                   "Machine of --simulate, a name or a file; whose rapid and axes limit the feeds")
-      ->capture_default_str();
+  const auto* preset =
+      command
+          ->add_option(
+              "--preset", options->preset,
+              "Machine of --simulate, a name or a file; whose rapid and axes limit the feeds. "
+              "Not given: as large as the job needs")
+          ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
@@ -393,11 +396,12 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   command->add_flag("--yes", options->confirmed,
                     "What is done before the job goes on has been checked");
   addJson(command, options->json);
-  command->callback([options, &exit] {
+  command->callback([options, preset, &exit] {
     if (!options->simulate && !options->verify && options->endpoint.empty() &&
         options->output.empty()) {
       throw CLI::RequiredError("--output, --endpoint, --simulate or --verify");
     }
+    options->namesMachine = preset->count() > 0;
     exit = rivulet::cli::job(*options);
   });
 }

@@ -10,6 +10,7 @@
 
 #include "base/units.h"
 #include "experiments/job_forecast.h"
+#include "experiments/large_machine.h"
 #include "job/main_program.h"
 #include "machine/machine.h"
 #include "streaming/simulation/simulated_link.h"
@@ -107,6 +108,30 @@ class TestJobForecast : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// A machine that nobody has named is as large as the job needs, and says so.
+  void largeMachine() {
+    const job::Plan plan = planOf("G54\nG0 X0 Y0 Z10\nX2000\nSUPA G0 Y-900\nM30\n");
+    machine::MachineConfig config = mill();
+    QVERIFY(!found(experiments::hazardsOf(plan, config, {config.start()})).isEmpty());
+    const std::vector<std::string> notes = experiments::enlarge(config, plan);
+    QCOMPARE(found(experiments::hazardsOf(plan, config, {config.start()})), QString());
+    QCOMPARE(notes.size(), std::size_t{2});
+    QVERIFY(notes[0].find("X goes from -375 to 2001 mm instead of -375 to 375 mm") !=
+            std::string::npos);
+    QVERIFY(notes[1].find("Y goes from -901") != std::string::npos);
+    QVERIFY(experiments::enlarge(config, plan).empty());
+  }
+
+  void toolsTooLarge() {
+    const job::Plan plan = planOf(
+        "G54\nT3 D1 M6\nG0 X0 Y0 Z10\nG1 Z0 F100\nG41 G1 X20\nG3 X20.4 Y0.4 CR=0.3\nG1 X20 "
+        "Y40\nG40 X0\nG0 Z50\nM30\n");
+    machine::MachineConfig config = mill();
+    QVERIFY(found(experiments::hazardsOf(plan, config, {config.start()})).contains("refused"));
+    QCOMPARE(experiments::enlarge(config, plan).size(), std::size_t{1});
+    QCOMPARE(found(experiments::hazardsOf(plan, config, {config.start()})), QString());
+  }
+
   void nothingIsFoundInASoundJob() {
     QCOMPARE(found(hazards("G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0 Z50\nG1 X20 Y20 Z-2 F500\n"
                            "SUPA G0 Z200 D0\nM30\n")),
