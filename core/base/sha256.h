@@ -3,7 +3,7 @@
 
 /// @file
 /// SHA-256 (FIPS 180-4), for chains of lines that show a later change. Here and not from a library
-/// because the command line has to check a chain and is built without Qt. @threadsafety pure.
+/// because the command line has to check a chain and is also built without Qt. @threadsafety pure.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
-#include "widgets/streaming/report_panel.h"
+#include "widgets/runs/run_texts.h"
 
 namespace rivulet::widgets {
 
@@ -236,8 +236,7 @@ QString AdvicePanel::adviceText(const Advice& advice, const FeedScale& scale) {
           .arg(lengthText(advice.after.deltaMm, 2), numberText(advice.before.deltaMm, 2), feeds);
     case AdviceKind::Method:
       return tr("Method %1 instead of %2: largest feed %3")
-          .arg(ReportPanel::methodText(advice.after.method),
-               ReportPanel::methodText(advice.before.method), feeds);
+          .arg(methodText(advice.after.method), methodText(advice.before.method), feeds);
   }
   return {};
 }

@@ -6,14 +6,12 @@
 /// which result, and a line to sign. @threadsafety GUI thread.
 #pragma once
 
-#include <QRectF>
 #include <QString>
 #include <vector>
 
 #include "gcode/sketch.h"
 #include "streaming/run_summary.h"
-
-class QPainter;
+#include "widgets/paper/page.h"
 
 namespace rivulet::widgets {
 
@@ -24,11 +22,6 @@ struct RunSheet {
   QString appVersion;
 };
 
-/// @param page  in the painter's units, the margins excluded
-/// @param millimetre  in the same units
-void paintRunSheet(QPainter& painter, const QRectF& page, double millimetre, const RunSheet& sheet);
-
-/// Writes an A4 page. @return false: the file cannot be written
-[[nodiscard]] bool writeRunSheet(const QString& path, const RunSheet& sheet);
+[[nodiscard]] paper::Page runPage(const RunSheet& sheet);
 
 }  // namespace rivulet::widgets

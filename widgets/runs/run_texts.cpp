@@ -28,6 +28,36 @@ struct RunTexts {
         .arg(text(times.streamed), text(times.pauses), text(times.toolChange), text(times.native),
              text(times.handover), text(times.total()));
   }
+  static QString result(streaming::Outcome outcome, streaming::RunFinding finding) {
+    if (outcome == streaming::Outcome::Failed) {
+      return tr("Failed");
+    }
+    const bool isStopped = outcome == streaming::Outcome::Stopped;
+    switch (finding) {
+      case streaming::RunFinding::Faultless:
+        return isStopped ? tr("Stopped") : tr("Completed");
+      case streaming::RunFinding::NotJudged:
+        return isStopped ? tr("Stopped, not judged") : tr("Completed, not judged");
+      case streaming::RunFinding::Faulty:
+        break;
+    }
+    return isStopped ? tr("Stopped, with wrong motion") : tr("Completed with wrong motion");
+  }
+  static QString method(base::MethodKind method) {
+    switch (method) {
+      case base::MethodKind::Position:
+        return tr("Position");
+      case base::MethodKind::Signal:
+        return tr("Signal");
+      case base::MethodKind::Credit:
+        return tr("Credit (experimental)");
+      case base::MethodKind::File:
+        return tr("File");
+      case base::MethodKind::Window:
+        break;
+    }
+    return tr("Window");
+  }
   static QString programFeeds(const QString& percent) { return tr("program, %1 %").arg(percent); }
 };
 
@@ -40,6 +70,14 @@ QString feeds(std::optional<double> overrideFactor, double feedMmPerS) {
 }
 
 }  // namespace
+
+QString resultText(streaming::Outcome outcome, streaming::RunFinding finding) {
+  return RunTexts::result(outcome, finding);
+}
+
+QString methodText(base::MethodKind method) {
+  return RunTexts::method(method);
+}
 
 QDateTime startOf(const streaming::RunSummary& run) {
   return QDateTime::fromString(QString::fromStdString(run.origin.startedAtUtc), Qt::ISODate)

@@ -13,6 +13,9 @@
 
 namespace rivulet::widgets {
 
+/// "Completed", "Stopped, not judged", …: how a run ended, and whether its motion was right.
+[[nodiscard]] QString resultText(streaming::Outcome outcome, streaming::RunFinding finding);
+[[nodiscard]] QString methodText(base::MethodKind method);
 /// When the run began, as the computer's clock shows it; not valid if it is not known.
 [[nodiscard]] QDateTime startOf(const streaming::RunSummary& run);
 /// "2026-11-22 06:00:12".

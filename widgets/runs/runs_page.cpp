@@ -69,8 +69,7 @@ RunsModel::RunsModel(QObject* parent)
                   [](const RunSummary& run) { return text(run.programName); },
                   [](const RunSummary& run) { return text(run.programName).toLower(); }, false),
            {[] { return tr("Result"); },
-            [](const RunSummary& run) { return ReportPanel::resultText(run.outcome, run.finding); },
-            false,
+            [](const RunSummary& run) { return resultText(run.outcome, run.finding); }, false,
             [this](const RunSummary& run, int role) {
               if (role == kSortRole) {
                 return QVariant(
@@ -85,8 +84,8 @@ RunsModel::RunsModel(QObject* parent)
             }},
            column([] { return tr("Machine"); }, machineText, machineText, false),
            column([] { return tr("Method"); },
-                  [](const RunSummary& run) { return ReportPanel::methodText(run.method); },
-                  [](const RunSummary& run) { return ReportPanel::methodText(run.method); }, false),
+                  [](const RunSummary& run) { return methodText(run.method); },
+                  [](const RunSummary& run) { return methodText(run.method); }, false),
            column([] { return tr("N"); },
                   [](const RunSummary& run) { return QString::number(run.pointsPerLoop); },
                   [](const RunSummary& run) { return run.pointsPerLoop; }, true),

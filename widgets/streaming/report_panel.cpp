@@ -170,38 +170,6 @@ void ReportPanel::showOutcome(const streaming::RunReport& report) {
   }
 }
 
-QString ReportPanel::resultText(streaming::Outcome outcome, streaming::RunFinding finding) {
-  if (outcome == streaming::Outcome::Failed) {
-    return tr("Failed");
-  }
-  const bool isStopped = outcome == streaming::Outcome::Stopped;
-  switch (finding) {
-    case streaming::RunFinding::Faultless:
-      return isStopped ? tr("Stopped") : tr("Completed");
-    case streaming::RunFinding::NotJudged:
-      return isStopped ? tr("Stopped, not judged") : tr("Completed, not judged");
-    case streaming::RunFinding::Faulty:
-      break;
-  }
-  return isStopped ? tr("Stopped, with wrong motion") : tr("Completed with wrong motion");
-}
-
-QString ReportPanel::methodText(base::MethodKind method) {
-  switch (method) {
-    case base::MethodKind::Position:
-      return tr("Position");
-    case base::MethodKind::Signal:
-      return tr("Signal");
-    case base::MethodKind::Credit:
-      return tr("Credit (experimental)");
-    case base::MethodKind::File:
-      return tr("File");
-    case base::MethodKind::Window:
-      break;
-  }
-  return tr("Window");
-}
-
 void ReportPanel::showRun(const streaming::RunReport& report) {
   show(Program,
        report.programName.empty() ? noValue() : QString::fromStdString(report.programName));

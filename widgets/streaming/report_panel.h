@@ -33,10 +33,6 @@ class ReportPanel final : public Page {
   void setReport(const std::optional<streaming::RunReport>& report,
                  const std::optional<streaming::JobTimes>& jobTimes = {});
 
-  [[nodiscard]] static QString methodText(base::MethodKind method);
-  /// "Completed", "Stopped, not judged", …: how a run ended, and whether its motion was right.
-  [[nodiscard]] static QString resultText(streaming::Outcome outcome,
-                                          streaming::RunFinding finding);
   [[nodiscard]] static Status resultStatus(streaming::Outcome outcome,
                                            streaming::RunFinding finding);
 

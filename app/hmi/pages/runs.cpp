@@ -88,9 +88,9 @@ void connectReading(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown
 void connectExports(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown,
                     const Models& models) {
   QObject::connect(page, &RunsPage::sheetRequested, page, [shown, models](const QString& path) {
-    if (*shown &&
-        widgets::writeRunSheet(path, {(*shown)->summary, (*shown)->report, (*shown)->sketch,
-                                      QStringLiteral(RIVULET_VERSION)})) {
+    if (*shown && paper::writePdf(
+                      path, widgets::runPage({(*shown)->summary, (*shown)->report, (*shown)->sketch,
+                                              QStringLiteral(RIVULET_VERSION)}))) {
       models.messages.show(Severity::Note, [path] { return RunsTexts::tr("Saved %1.").arg(path); });
     } else {
       models.messages.show(Severity::Error, [path] {

@@ -200,7 +200,7 @@ class TestRunsPage : public QObject {
         language.german();
       }
       const QString path = folder.filePath(QStringLiteral("run.pdf"));
-      QVERIFY(writeRunSheet(path, test::runSheet()));
+      QVERIFY(paper::writePdf(path, runPage(test::runSheet())));
       QFile file(path);
       QVERIFY(file.open(QIODevice::ReadOnly));
       const QByteArray pdf = file.readAll();
@@ -210,13 +210,13 @@ class TestRunsPage : public QObject {
       image.fill(Qt::white);
       QPainter painter(&image);
       painter.translate(72, 72);
-      paintRunSheet(painter, QRectF(0, 0, 696, 1044), 4.0, test::runSheet());
+      paper::paintPage(painter, QRectF(0, 0, 696, 1044), 4.0, runPage(test::runSheet()));
       painter.end();
       test::keep(image, german ? QStringLiteral("run_sheet_de") : QStringLiteral("run_sheet_en"));
       QVERIFY(test::colourCount(image) >= 20);
     }
-    QVERIFY(
-        !writeRunSheet(folder.filePath(QStringLiteral("no/such/folder.pdf")), test::runSheet()));
+    QVERIFY(!paper::writePdf(folder.filePath(QStringLiteral("no/such/folder.pdf")),
+                             runPage(test::runSheet())));
   }
 };
 
