@@ -1891,6 +1891,54 @@
         <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
         <translation>%1 gestreamt, %2 Pausen, %3 Werkzeugwechsel, %4 andere Sätze der Steuerung, %5 Wechsel zwischen beiden; insgesamt %6</translation>
     </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Gestoppt, nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Completed, not judged</source>
+        <translation>Abgeschlossen, nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Gestoppt, mit falscher Bewegung</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Abgeschlossen mit falscher Bewegung</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Kredit (experimentell)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2099,6 +2147,353 @@
     <message>
         <source>Changes between both</source>
         <translation>Wechsel zwischen beiden</translation>
+    </message>
+</context>
+<context>
+    <name>TraceTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Bericht eines Laufs</translation>
+    </message>
+    <message>
+        <source>Report on a motion</source>
+        <translation>Bericht über eine Bewegung</translation>
+    </message>
+    <message>
+        <source>Every point executed once, in order</source>
+        <translation>Jeder Punkt einmal und in der richtigen Reihenfolge ausgeführt</translation>
+    </message>
+    <message>
+        <source>The motion is not that of the program</source>
+        <translation>Die Bewegung ist nicht die des Programms</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Whether each point was executed is not known: the program or a part of the trace is missing.</source>
+        <translation>Ob jeder Punkt ausgeführt wurde, ist nicht bekannt: Das Programm oder ein Teil der Messung fehlt.</translation>
+    </message>
+    <message>
+        <source>The recording was cut off before the end of the run. What it holds is judged here.</source>
+        <translation>Die Aufzeichnung bricht vor dem Ende des Laufs ab. Beurteilt ist, was sie enthält.</translation>
+    </message>
+    <message>
+        <source>The motion leaves the program for good before line %1, at X %2 Y %3 Z %4.</source>
+        <translation>Die Bewegung verlässt das Programm endgültig vor Zeile %1, bei X %2 Y %3 Z %4.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Client and control</source>
+        <translation>Client und Steuerung</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Datum, Name, Unterschrift</translation>
+    </message>
+    <message>
+        <source>File %1, SHA-256 %2</source>
+        <translation>Datei %1, SHA-256 %2</translation>
+    </message>
+    <message>
+        <source>Rivulet %1</source>
+        <translation>Rivulet %1</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1; Lauf mit Version %2</translation>
+    </message>
+    <message>
+        <source>Program grey, motion blue</source>
+        <translation>Programm grau, Bewegung blau</translation>
+    </message>
+    <message>
+        <source>The trace holds no motion.</source>
+        <translation>Die Messung enthält keine Bewegung.</translation>
+    </message>
+    <message>
+        <source>Path speed; stops are orange</source>
+        <translation>Bahngeschwindigkeit; Halte sind orange</translation>
+    </message>
+    <message>
+        <source>Duration of requests: median blue, longest orange</source>
+        <translation>Dauer der Anfragen: Median blau, längste orange</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>The longest of %1 stops</source>
+        <translation>Die längsten von %1 Halten</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Ort, mm</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Genauhalt</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Verweilzeit (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Programmierter Halt (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Werkzeugwechsel oder Hilfsfunktion</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Halt: Override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Warten auf Daten des Clients</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Vorlaufstopp</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
+        <translation>Was den Lauf begrenzte: der Client. Die Maschine wartete %1-mal auf seine Daten, insgesamt %2.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the access time. At %1 the client is slower than the machine; up to %2 it keeps up.</source>
+        <translation>Was den Lauf begrenzte: die Zugriffszeit. Bei %1 ist der Client langsamer als die Maschine; bis %2 kommt er mit.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the stops between loops or windows, %1 in all.</source>
+        <translation>Was den Lauf begrenzte: die Halte zwischen Schleifen oder Fenstern, insgesamt %1.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the machine, by braking and accelerating, not the client.</source>
+        <translation>Was den Lauf begrenzte: die Maschine durch Bremsen und Beschleunigen, nicht der Client.</translation>
+    </message>
+    <message>
+        <source>With N = %1, feeds up to %2 would have been possible.</source>
+        <translation>Mit N = %1 wären Vorschübe bis %2 möglich gewesen.</translation>
+    </message>
+    <message>
+        <source>With arrays that cost as much as one variable, feeds up to %1 would have been possible.</source>
+        <translation>Mit Feldern, die so viel kosten wie eine Variable, wären Vorschübe bis %1 möglich gewesen.</translation>
+    </message>
+    <message>
+        <source>Without another change, %1 is the largest feed at which the machine does not wait.</source>
+        <translation>Ohne andere Änderung ist %1 der größte Vorschub, bei dem die Maschine nicht wartet.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Art der Datei</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Time between two samples</source>
+        <translation>Zeit zwischen zwei Messwerten</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Fassung (Hash)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Gestartet von</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Laufnummer</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ausgeführt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Fremde Bewegung</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Falsche Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Not decided by the samples</source>
+        <translation>Durch die Messung nicht entschieden</translation>
+    </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 in Zeile %2</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Konturfehler, Sollwert</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Konturfehler, Istwert</translation>
+    </message>
+    <message>
+        <source>Following error XYZ</source>
+        <translation>Schleppfehler XYZ</translation>
+    </message>
+    <message>
+        <source>Reversal error XYZ</source>
+        <translation>Umkehrfehler XYZ</translation>
+    </message>
+    <message>
+        <source>Strongest vibration</source>
+        <translation>Stärkste Schwingung</translation>
+    </message>
+    <message>
+        <source>Programmed feed kept</source>
+        <translation>Programmierten Vorschub gehalten</translation>
+    </message>
+    <message>
+        <source>At the programmed feed</source>
+        <translation>Mit programmiertem Vorschub</translation>
+    </message>
+    <message>
+        <source>Lost by moving slower</source>
+        <translation>Verloren durch langsamere Fahrt</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Request, median</source>
+        <translation>Anfrage, Median</translation>
+    </message>
+    <message>
+        <source>Request, 99th percentile</source>
+        <translation>Anfrage, 99. Perzentil</translation>
+    </message>
+    <message>
+        <source>Request, longest</source>
+        <translation>Anfrage, längste</translation>
+    </message>
+    <message>
+        <source>Machine waited for the client</source>
+        <translation>Maschine wartete auf den Client</translation>
+    </message>
+    <message>
+        <source>%1 times, %2</source>
+        <translation>%1-mal, %2</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Größter Vorschub ohne Warten</translation>
     </message>
 </context>
 <context>
@@ -4995,44 +5390,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Noch kein Lauf</translation>
     </message>
     <message>
-        <source>Completed with wrong motion</source>
-        <translation>Abgeschlossen mit falscher Bewegung</translation>
-    </message>
-    <message>
-        <source>Completed</source>
-        <translation>Abgeschlossen</translation>
-    </message>
-    <message>
-        <source>Completed, not judged</source>
-        <translation>Abgeschlossen, nicht beurteilt</translation>
-    </message>
-    <message>
-        <source>Stopped, not judged</source>
-        <translation>Gestoppt, nicht beurteilt</translation>
-    </message>
-    <message>
         <source>%1 of %2 (not judged: longer than the trace of the control)</source>
         <translation>%1 von %2 (nicht beurteilt: länger als die Aufzeichnung der Steuerung)</translation>
-    </message>
-    <message>
-        <source>Stopped, with wrong motion</source>
-        <translation>Gestoppt, mit falscher Bewegung</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Gestoppt</translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation>Fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5063,14 +5422,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Vorschub</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Credit (experimental)</source>
-        <translation>Kredit (experimentell)</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Form</translation>
     </message>
@@ -5081,10 +5432,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1 (proved)</source>
         <translation>%1 (erprobt)</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
     </message>
     <message>
         <source>Time spent</source>

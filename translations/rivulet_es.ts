@@ -1891,6 +1891,54 @@
         <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
         <translation>%1 transmitido, %2 pausas, %3 cambios de herramienta, %4 otras secuencias del control, %5 cambios entre ambos; %6 en total</translation>
     </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallida</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Completada</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Parada, sin evaluar</translation>
+    </message>
+    <message>
+        <source>Completed, not judged</source>
+        <translation>Completada, sin evaluar</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Parada, con movimiento erróneo</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Completada con movimiento erróneo</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Crédito (experimental)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2099,6 +2147,353 @@
     <message>
         <source>Changes between both</source>
         <translation>Cambios entre ambos</translation>
+    </message>
+</context>
+<context>
+    <name>TraceTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Informe de ejecución</translation>
+    </message>
+    <message>
+        <source>Report on a motion</source>
+        <translation>Informe de un movimiento</translation>
+    </message>
+    <message>
+        <source>Every point executed once, in order</source>
+        <translation>Cada punto ejecutado una vez, en orden</translation>
+    </message>
+    <message>
+        <source>The motion is not that of the program</source>
+        <translation>El movimiento no es el del programa</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>No evaluado</translation>
+    </message>
+    <message>
+        <source>Whether each point was executed is not known: the program or a part of the trace is missing.</source>
+        <translation>No se sabe si se ejecutó cada punto: falta el programa o una parte de la medición.</translation>
+    </message>
+    <message>
+        <source>The recording was cut off before the end of the run. What it holds is judged here.</source>
+        <translation>La grabación se corta antes del final de la ejecución. Aquí se evalúa lo que contiene.</translation>
+    </message>
+    <message>
+        <source>The motion leaves the program for good before line %1, at X %2 Y %3 Z %4.</source>
+        <translation>El movimiento abandona definitivamente el programa antes de la línea %1, en X %2 Y %3 Z %4.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Medición</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Client and control</source>
+        <translation>Cliente y control</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Fecha, nombre, firma</translation>
+    </message>
+    <message>
+        <source>File %1, SHA-256 %2</source>
+        <translation>Archivo %1, SHA-256 %2</translation>
+    </message>
+    <message>
+        <source>Rivulet %1</source>
+        <translation>Rivulet %1</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1; ejecución hecha con la versión %2</translation>
+    </message>
+    <message>
+        <source>Program grey, motion blue</source>
+        <translation>Programa gris, movimiento azul</translation>
+    </message>
+    <message>
+        <source>The trace holds no motion.</source>
+        <translation>La medición no contiene ningún movimiento.</translation>
+    </message>
+    <message>
+        <source>Path speed; stops are orange</source>
+        <translation>Velocidad en la trayectoria; paradas en naranja</translation>
+    </message>
+    <message>
+        <source>Duration of requests: median blue, longest orange</source>
+        <translation>Duración de las peticiones: mediana azul, la más larga naranja</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tiempo, s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>The longest of %1 stops</source>
+        <translation>Las más largas de %1 paradas</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Lugar, mm</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Parada precisa</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Espera (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Parada programada (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Cambio de herramienta o función auxiliar</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Suspensión: override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Espera de datos del cliente</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Parada de preprocesamiento</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocida</translation>
+    </message>
+    <message>
+        <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
+        <translation>Lo que limitó la ejecución: el cliente. La máquina esperó %1 veces sus datos, %2 en total.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the access time. At %1 the client is slower than the machine; up to %2 it keeps up.</source>
+        <translation>Lo que limitó la ejecución: el tiempo de acceso. A %1 el cliente es más lento que la máquina; hasta %2 la sigue.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the stops between loops or windows, %1 in all.</source>
+        <translation>Lo que limitó la ejecución: las paradas entre bucles o ventanas, %1 en total.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the machine, by braking and accelerating, not the client.</source>
+        <translation>Lo que limitó la ejecución: la máquina, al frenar y acelerar, no el cliente.</translation>
+    </message>
+    <message>
+        <source>With N = %1, feeds up to %2 would have been possible.</source>
+        <translation>Con N = %1 habrían sido posibles avances de hasta %2.</translation>
+    </message>
+    <message>
+        <source>With arrays that cost as much as one variable, feeds up to %1 would have been possible.</source>
+        <translation>Con matrices que cuestan lo mismo que una variable habrían sido posibles avances de hasta %1.</translation>
+    </message>
+    <message>
+        <source>Without another change, %1 is the largest feed at which the machine does not wait.</source>
+        <translation>Sin otro cambio, %1 es el mayor avance con el que la máquina no espera.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Tipo de archivo</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muestras</translation>
+    </message>
+    <message>
+        <source>Time between two samples</source>
+        <translation>Tiempo entre dos muestras</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Versión (hash)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Iniciada por</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Número de ejecución</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposición</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>sin evaluar</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ejecutado</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Repetidos</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Omitidos</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Movimiento ajeno</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Fuera de orden</translation>
+    </message>
+    <message>
+        <source>Not decided by the samples</source>
+        <translation>No decidido por la medición</translation>
+    </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 en la línea %2</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Error de contorno, consigna</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Error de contorno, real</translation>
+    </message>
+    <message>
+        <source>Following error XYZ</source>
+        <translation>Error de seguimiento XYZ</translation>
+    </message>
+    <message>
+        <source>Reversal error XYZ</source>
+        <translation>Error de inversión XYZ</translation>
+    </message>
+    <message>
+        <source>Strongest vibration</source>
+        <translation>Vibración más fuerte</translation>
+    </message>
+    <message>
+        <source>Programmed feed kept</source>
+        <translation>Avance programado mantenido</translation>
+    </message>
+    <message>
+        <source>At the programmed feed</source>
+        <translation>Con el avance programado</translation>
+    </message>
+    <message>
+        <source>Lost by moving slower</source>
+        <translation>Perdido por ir más lento</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Peticiones</translation>
+    </message>
+    <message>
+        <source>Request, median</source>
+        <translation>Petición, mediana</translation>
+    </message>
+    <message>
+        <source>Request, 99th percentile</source>
+        <translation>Petición, percentil 99</translation>
+    </message>
+    <message>
+        <source>Request, longest</source>
+        <translation>Petición, la más larga</translation>
+    </message>
+    <message>
+        <source>Machine waited for the client</source>
+        <translation>La máquina esperó al cliente</translation>
+    </message>
+    <message>
+        <source>%1 times, %2</source>
+        <translation>%1 veces, %2</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Mayor avance sin espera</translation>
     </message>
 </context>
 <context>
@@ -4995,44 +5390,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Aún no hay ejecución</translation>
     </message>
     <message>
-        <source>Completed with wrong motion</source>
-        <translation>Completada con movimiento erróneo</translation>
-    </message>
-    <message>
-        <source>Completed</source>
-        <translation>Completada</translation>
-    </message>
-    <message>
-        <source>Completed, not judged</source>
-        <translation>Completada, sin evaluar</translation>
-    </message>
-    <message>
-        <source>Stopped, not judged</source>
-        <translation>Parada, sin evaluar</translation>
-    </message>
-    <message>
         <source>%1 of %2 (not judged: longer than the trace of the control)</source>
         <translation>%1 de %2 (sin evaluar: más larga que el registro del control)</translation>
-    </message>
-    <message>
-        <source>Stopped, with wrong motion</source>
-        <translation>Parada, con movimiento erróneo</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Parada</translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation>Fallida</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Posición</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Señal</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5063,14 +5422,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Avance</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Ventana</translation>
-    </message>
-    <message>
-        <source>Credit (experimental)</source>
-        <translation>Crédito (experimental)</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Forma</translation>
     </message>
@@ -5081,10 +5432,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 (proved)</source>
         <translation>%1 (probada)</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
     </message>
     <message>
         <source>Time spent</source>

@@ -1891,6 +1891,54 @@
         <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
         <translation>%1 transmis, %2 pauses, %3 changements d’outil, %4 autres blocs de la commande, %5 passages de l’un à l’autre&#xa0;; %6 au total</translation>
     </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échec</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêtée</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Terminée</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Arrêtée, non évaluée</translation>
+    </message>
+    <message>
+        <source>Completed, not judged</source>
+        <translation>Terminée, non évaluée</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Arrêtée, avec mouvement erroné</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Terminée avec mouvement erroné</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Crédit (expérimental)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2099,6 +2147,353 @@
     <message>
         <source>Changes between both</source>
         <translation>Passages de l’un à l’autre</translation>
+    </message>
+</context>
+<context>
+    <name>TraceTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Rapport d’exécution</translation>
+    </message>
+    <message>
+        <source>Report on a motion</source>
+        <translation>Rapport sur un mouvement</translation>
+    </message>
+    <message>
+        <source>Every point executed once, in order</source>
+        <translation>Chaque point exécuté une fois, dans l’ordre</translation>
+    </message>
+    <message>
+        <source>The motion is not that of the program</source>
+        <translation>Le mouvement n’est pas celui du programme</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Non jugé</translation>
+    </message>
+    <message>
+        <source>Whether each point was executed is not known: the program or a part of the trace is missing.</source>
+        <translation>On ne sait pas si chaque point a été exécuté : le programme ou une partie de la mesure manque.</translation>
+    </message>
+    <message>
+        <source>The recording was cut off before the end of the run. What it holds is judged here.</source>
+        <translation>L’enregistrement s’arrête avant la fin de l’exécution. Ce qu’il contient est jugé ici.</translation>
+    </message>
+    <message>
+        <source>The motion leaves the program for good before line %1, at X %2 Y %3 Z %4.</source>
+        <translation>Le mouvement quitte définitivement le programme avant la ligne %1, à X %2 Y %3 Z %4.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Client and control</source>
+        <translation>Client et commande</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Date, nom, signature</translation>
+    </message>
+    <message>
+        <source>File %1, SHA-256 %2</source>
+        <translation>Fichier %1, SHA-256 %2</translation>
+    </message>
+    <message>
+        <source>Rivulet %1</source>
+        <translation>Rivulet %1</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1 ; exécution faite avec la version %2</translation>
+    </message>
+    <message>
+        <source>Program grey, motion blue</source>
+        <translation>Programme gris, mouvement bleu</translation>
+    </message>
+    <message>
+        <source>The trace holds no motion.</source>
+        <translation>La mesure ne contient aucun mouvement.</translation>
+    </message>
+    <message>
+        <source>Path speed; stops are orange</source>
+        <translation>Vitesse sur trajectoire ; arrêts en orange</translation>
+    </message>
+    <message>
+        <source>Duration of requests: median blue, longest orange</source>
+        <translation>Durée des requêtes : médiane bleue, la plus longue orange</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Temps, s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>The longest of %1 stops</source>
+        <translation>Les plus longs de %1 arrêts</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Lieu, mm</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Cause</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Arrêt précis</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Temporisation (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Arrêt programmé (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Changement d’outil ou fonction auxiliaire</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Suspension : override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Attente de données du client</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Arrêt du prétraitement</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnue</translation>
+    </message>
+    <message>
+        <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
+        <translation>Ce qui a limité l’exécution : le client. La machine a attendu %1 fois ses données, %2 en tout.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the access time. At %1 the client is slower than the machine; up to %2 it keeps up.</source>
+        <translation>Ce qui a limité l’exécution : le temps d’accès. À %1, le client est plus lent que la machine ; jusqu’à %2, il suit.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the stops between loops or windows, %1 in all.</source>
+        <translation>Ce qui a limité l’exécution : les arrêts entre boucles ou fenêtres, %1 en tout.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the machine, by braking and accelerating, not the client.</source>
+        <translation>Ce qui a limité l’exécution : la machine, par freinages et accélérations, pas le client.</translation>
+    </message>
+    <message>
+        <source>With N = %1, feeds up to %2 would have been possible.</source>
+        <translation>Avec N = %1, des avances jusqu’à %2 auraient été possibles.</translation>
+    </message>
+    <message>
+        <source>With arrays that cost as much as one variable, feeds up to %1 would have been possible.</source>
+        <translation>Avec des tableaux qui coûtent autant qu’une variable, des avances jusqu’à %1 auraient été possibles.</translation>
+    </message>
+    <message>
+        <source>Without another change, %1 is the largest feed at which the machine does not wait.</source>
+        <translation>Sans autre changement, %1 est la plus grande avance à laquelle la machine n’attend pas.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Type de fichier</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Échantillons</translation>
+    </message>
+    <message>
+        <source>Time between two samples</source>
+        <translation>Temps entre deux échantillons</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Version (empreinte)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Lancée par</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Numéro d’exécution</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non évalué</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Exécuté</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Répétés</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Sautés</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Mouvement étranger</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Dans le désordre</translation>
+    </message>
+    <message>
+        <source>Not decided by the samples</source>
+        <translation>Non décidé par la mesure</translation>
+    </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 à la ligne %2</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Erreur de contour, consigne</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Erreur de contour, réel</translation>
+    </message>
+    <message>
+        <source>Following error XYZ</source>
+        <translation>Erreur de poursuite XYZ</translation>
+    </message>
+    <message>
+        <source>Reversal error XYZ</source>
+        <translation>Erreur d’inversion XYZ</translation>
+    </message>
+    <message>
+        <source>Strongest vibration</source>
+        <translation>Vibration la plus forte</translation>
+    </message>
+    <message>
+        <source>Programmed feed kept</source>
+        <translation>Avance programmée tenue</translation>
+    </message>
+    <message>
+        <source>At the programmed feed</source>
+        <translation>À l’avance programmée</translation>
+    </message>
+    <message>
+        <source>Lost by moving slower</source>
+        <translation>Perdu par ralentissement</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Requêtes</translation>
+    </message>
+    <message>
+        <source>Request, median</source>
+        <translation>Requête, médiane</translation>
+    </message>
+    <message>
+        <source>Request, 99th percentile</source>
+        <translation>Requête, 99e centile</translation>
+    </message>
+    <message>
+        <source>Request, longest</source>
+        <translation>Requête, la plus longue</translation>
+    </message>
+    <message>
+        <source>Machine waited for the client</source>
+        <translation>La machine a attendu le client</translation>
+    </message>
+    <message>
+        <source>%1 times, %2</source>
+        <translation>%1 fois, %2</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Plus grande avance sans attente</translation>
     </message>
 </context>
 <context>
@@ -4995,44 +5390,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Aucune exécution</translation>
     </message>
     <message>
-        <source>Completed with wrong motion</source>
-        <translation>Terminée avec mouvement erroné</translation>
-    </message>
-    <message>
-        <source>Completed</source>
-        <translation>Terminée</translation>
-    </message>
-    <message>
-        <source>Completed, not judged</source>
-        <translation>Terminée, non évaluée</translation>
-    </message>
-    <message>
-        <source>Stopped, not judged</source>
-        <translation>Arrêtée, non évaluée</translation>
-    </message>
-    <message>
         <source>%1 of %2 (not judged: longer than the trace of the control)</source>
         <translation>%1 sur %2 (non évalué&#xa0;: plus long que l’enregistrement de la commande)</translation>
-    </message>
-    <message>
-        <source>Stopped, with wrong motion</source>
-        <translation>Arrêtée, avec mouvement erroné</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Arrêtée</translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation>Échec</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5063,14 +5422,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Avance</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenêtre</translation>
-    </message>
-    <message>
-        <source>Credit (experimental)</source>
-        <translation>Crédit (expérimental)</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Forme</translation>
     </message>
@@ -5081,10 +5432,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>%1 (proved)</source>
         <translation>%1 (éprouvé)</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
     </message>
     <message>
         <source>Time spent</source>

@@ -1891,6 +1891,54 @@
         <source>%1 streamed, %2 pauses, %3 tool changes, %4 other blocks of the control, %5 changes between both; %6 in all</source>
         <translation>%1 trasmessi, %2 pause, %3 cambi utensile, %4 altri blocchi del controllo, %5 passaggi tra i due; %6 in tutto</translation>
     </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallita</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrestata</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Completata</translation>
+    </message>
+    <message>
+        <source>Stopped, not judged</source>
+        <translation>Arrestata, non valutata</translation>
+    </message>
+    <message>
+        <source>Completed, not judged</source>
+        <translation>Completata, non valutata</translation>
+    </message>
+    <message>
+        <source>Stopped, with wrong motion</source>
+        <translation>Arrestata, con movimento errato</translation>
+    </message>
+    <message>
+        <source>Completed with wrong motion</source>
+        <translation>Completata con movimento errato</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Segnale</translation>
+    </message>
+    <message>
+        <source>Credit (experimental)</source>
+        <translation>Credito (sperimentale)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Finestra</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2099,6 +2147,353 @@
     <message>
         <source>Changes between both</source>
         <translation>Passaggi tra i due</translation>
+    </message>
+</context>
+<context>
+    <name>TraceTexts</name>
+    <message>
+        <source>Report of a run</source>
+        <translation>Rapporto di esecuzione</translation>
+    </message>
+    <message>
+        <source>Report on a motion</source>
+        <translation>Rapporto su un movimento</translation>
+    </message>
+    <message>
+        <source>Every point executed once, in order</source>
+        <translation>Ogni punto eseguito una volta, nell’ordine</translation>
+    </message>
+    <message>
+        <source>The motion is not that of the program</source>
+        <translation>Il movimento non è quello del programma</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Non valutato</translation>
+    </message>
+    <message>
+        <source>Whether each point was executed is not known: the program or a part of the trace is missing.</source>
+        <translation>Non si sa se ogni punto è stato eseguito: manca il programma o una parte della misura.</translation>
+    </message>
+    <message>
+        <source>The recording was cut off before the end of the run. What it holds is judged here.</source>
+        <translation>La registrazione si interrompe prima della fine dell’esecuzione. Qui è valutato ciò che contiene.</translation>
+    </message>
+    <message>
+        <source>The motion leaves the program for good before line %1, at X %2 Y %3 Z %4.</source>
+        <translation>Il movimento lascia definitivamente il programma prima della riga %1, in X %2 Y %3 Z %4.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Esecuzione</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Misura</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Impostazioni</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Risultato</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimento</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Client and control</source>
+        <translation>Client e controllo</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Data, nome, firma</translation>
+    </message>
+    <message>
+        <source>File %1, SHA-256 %2</source>
+        <translation>File %1, SHA-256 %2</translation>
+    </message>
+    <message>
+        <source>Rivulet %1</source>
+        <translation>Rivulet %1</translation>
+    </message>
+    <message>
+        <source>Rivulet %1; run made with version %2</source>
+        <translation>Rivulet %1; esecuzione fatta con la versione %2</translation>
+    </message>
+    <message>
+        <source>Program grey, motion blue</source>
+        <translation>Programma grigio, moto blu</translation>
+    </message>
+    <message>
+        <source>The trace holds no motion.</source>
+        <translation>La misura non contiene alcun movimento.</translation>
+    </message>
+    <message>
+        <source>Path speed; stops are orange</source>
+        <translation>Velocità sul percorso; fermate in arancione</translation>
+    </message>
+    <message>
+        <source>Duration of requests: median blue, longest orange</source>
+        <translation>Durata delle richieste: mediana blu, la più lunga arancione</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tempo, s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>The longest of %1 stops</source>
+        <translation>Le più lunghe di %1 fermate</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Luogo, mm</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Riga</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Arresto preciso</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Sosta (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Arresto programmato (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Cambio utensile o funzione ausiliaria</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Sospensione: override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Attesa di dati del client</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Arresto preelaborazione</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Sconosciuta</translation>
+    </message>
+    <message>
+        <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
+        <translation>Che cosa ha limitato l’esecuzione: il client. La macchina ha atteso %1 volte i suoi dati, %2 in tutto.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the access time. At %1 the client is slower than the machine; up to %2 it keeps up.</source>
+        <translation>Che cosa ha limitato l’esecuzione: il tempo di accesso. A %1 il client è più lento della macchina; fino a %2 tiene il passo.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the stops between loops or windows, %1 in all.</source>
+        <translation>Che cosa ha limitato l’esecuzione: le fermate tra loop o finestre, %1 in tutto.</translation>
+    </message>
+    <message>
+        <source>What limited the run: the machine, by braking and accelerating, not the client.</source>
+        <translation>Che cosa ha limitato l’esecuzione: la macchina, frenando e accelerando, non il client.</translation>
+    </message>
+    <message>
+        <source>With N = %1, feeds up to %2 would have been possible.</source>
+        <translation>Con N = %1 sarebbero stati possibili avanzamenti fino a %2.</translation>
+    </message>
+    <message>
+        <source>With arrays that cost as much as one variable, feeds up to %1 would have been possible.</source>
+        <translation>Con array che costano quanto una variabile sarebbero stati possibili avanzamenti fino a %1.</translation>
+    </message>
+    <message>
+        <source>Without another change, %1 is the largest feed at which the machine does not wait.</source>
+        <translation>Senza altre modifiche, %1 è l’avanzamento massimo al quale la macchina non attende.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Tipo di file</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Campioni</translation>
+    </message>
+    <message>
+        <source>Time between two samples</source>
+        <translation>Tempo tra due campioni</translation>
+    </message>
+    <message>
+        <source>Version (hash)</source>
+        <translation>Versione (hash)</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Avvio</translation>
+    </message>
+    <message>
+        <source>Started by</source>
+        <translation>Avviata da</translation>
+    </message>
+    <message>
+        <source>Run number</source>
+        <translation>Numero di esecuzione</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non valutato</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Eseguito</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Ripetuti</translation>
+    </message>
+    <message>
+        <source>Skipped</source>
+        <translation>Saltati</translation>
+    </message>
+    <message>
+        <source>Foreign motion</source>
+        <translation>Movimento estraneo</translation>
+    </message>
+    <message>
+        <source>Out of order</source>
+        <translation>Fuori ordine</translation>
+    </message>
+    <message>
+        <source>Not decided by the samples</source>
+        <translation>Non deciso dalla misura</translation>
+    </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 alla riga %2</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Errore di contorno, riferimento</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Errore di contorno, reale</translation>
+    </message>
+    <message>
+        <source>Following error XYZ</source>
+        <translation>Inseguimento XYZ</translation>
+    </message>
+    <message>
+        <source>Reversal error XYZ</source>
+        <translation>Inversione XYZ</translation>
+    </message>
+    <message>
+        <source>Strongest vibration</source>
+        <translation>Vibrazione più forte</translation>
+    </message>
+    <message>
+        <source>Programmed feed kept</source>
+        <translation>Avanzamento programmato tenuto</translation>
+    </message>
+    <message>
+        <source>At the programmed feed</source>
+        <translation>All’avanzamento programmato</translation>
+    </message>
+    <message>
+        <source>Lost by moving slower</source>
+        <translation>Perso per moto più lento</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Richieste</translation>
+    </message>
+    <message>
+        <source>Request, median</source>
+        <translation>Richiesta, mediana</translation>
+    </message>
+    <message>
+        <source>Request, 99th percentile</source>
+        <translation>Richiesta, 99º percentile</translation>
+    </message>
+    <message>
+        <source>Request, longest</source>
+        <translation>Richiesta, la più lunga</translation>
+    </message>
+    <message>
+        <source>Machine waited for the client</source>
+        <translation>Macchina in attesa del client</translation>
+    </message>
+    <message>
+        <source>%1 times, %2</source>
+        <translation>%1 volte, %2</translation>
+    </message>
+    <message>
+        <source>Largest feed without waiting</source>
+        <translation>Avanzamento massimo senza attesa</translation>
     </message>
 </context>
 <context>
@@ -4995,44 +5390,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Nessuna esecuzione</translation>
     </message>
     <message>
-        <source>Completed with wrong motion</source>
-        <translation>Completata con movimento errato</translation>
-    </message>
-    <message>
-        <source>Completed</source>
-        <translation>Completata</translation>
-    </message>
-    <message>
-        <source>Completed, not judged</source>
-        <translation>Completata, non valutata</translation>
-    </message>
-    <message>
-        <source>Stopped, not judged</source>
-        <translation>Arrestata, non valutata</translation>
-    </message>
-    <message>
         <source>%1 of %2 (not judged: longer than the trace of the control)</source>
         <translation>%1 di %2 (non valutato: più lungo della registrazione del controllo)</translation>
-    </message>
-    <message>
-        <source>Stopped, with wrong motion</source>
-        <translation>Arrestata, con movimento errato</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Arrestata</translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation>Fallita</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Posizione</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Segnale</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -5063,14 +5422,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Avanzamento</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Finestra</translation>
-    </message>
-    <message>
-        <source>Credit (experimental)</source>
-        <translation>Credito (sperimentale)</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Forma</translation>
     </message>
@@ -5081,10 +5432,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 (proved)</source>
         <translation>%1 (provata)</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>File</translation>
     </message>
     <message>
         <source>Time spent</source>

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/file.h"
+#include "base/sha256.h"
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/trace_source.h"
@@ -14,11 +15,13 @@
 #include "report/rule.h"
 #include "report/stream_quality.h"
 #include "report/trace_json.h"
-#include "report/trace_page.h"
 #include "streaming/run.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
 #include "trace/analysis/trace_analysis.h"
+#ifdef RIVULET_WITH_REPORTS
+#include "trace_report/write_page.h"
+#endif
 
 namespace rivulet::cli {
 
@@ -36,6 +39,9 @@ struct Analysed {
   ordered_json json;
   std::string text;
   bool isWrong = false;
+  streaming::Outcome outcome = Outcome::Completed;  ///< of a recording
+  RunFinding finding = RunFinding::NotJudged;
+  std::optional<report::StreamQuality> stream;
 };
 
 /// The report of a recorded run, as far as the finding depends on it.
@@ -59,6 +65,10 @@ RunFinding findingOf(const trace::Recording& recording, const streaming::RunRepo
   }
   const bool isWrong = report.integrity.judged && !report.integrity.isFaultless();
   return isWrong ? RunFinding::Faulty : RunFinding::NotJudged;
+}
+
+RunFinding judgedFinding(bool isJudged, bool isWrong) {
+  return !isJudged ? RunFinding::NotJudged : (isWrong ? RunFinding::Faulty : RunFinding::Faultless);
 }
 
 void addIntegrity(ordered_json& json, const trace::Integrity& integrity) {
@@ -147,6 +157,8 @@ Analysed analyseRecording(const trace::Recording& recording, const trace::TraceA
   const trace::DurationStatistics access = accessTimes(recording);
   Analysed analysed;
   analysed.isWrong = finding == RunFinding::Faulty || !recording.complete;
+  analysed.outcome = run.outcome;
+  analysed.finding = finding;
   analysed.json = {{"method", recording.start.method},
                    {"program", recording.start.programName},
                    {"endpoint", recording.start.endpoint},
@@ -168,9 +180,9 @@ Analysed analyseRecording(const trace::Recording& recording, const trace::TraceA
                                 {"max", base::toMilliseconds(access.max)}};
   analysed.text = recordingText(recording, run.integrity, pauses);
   if (!recording.accesses.empty()) {
-    const report::StreamQuality quality = report::judgeStream(recording, analysis);
-    analysed.json["stream"] = report::streamQualityJson(quality);
-    analysed.text += report::streamQualityText(quality);
+    analysed.stream = report::judgeStream(recording, analysis);
+    analysed.json["stream"] = report::streamQualityJson(*analysed.stream);
+    analysed.text += report::streamQualityText(*analysed.stream);
   }
   return analysed;
 }
@@ -188,6 +200,7 @@ Analysed analyseControlTrace(const trace::ControlTrace& controlTrace,
     const std::size_t points = analysis.programPath->points().size();
     analysed.json["points"] = points;
     analysed.isWrong = analysis.blocks.judged && !analysis.blocks.isFaultless();
+    analysed.finding = judgedFinding(analysis.blocks.judged, analysed.isWrong);
     analysed.text += analysis.blocks.judged ? integrityText(analysis.blocks, points)
                                             : "  not judged: the trace is incomplete\n";
   }
@@ -213,6 +226,7 @@ Analysed analyseImported(const trace::ImportedTrace& imported,
   analysed.json["judged"] = path.judged;
   if (path.judged) {
     analysed.isWrong = !path.isFaultless();
+    analysed.finding = judgedFinding(true, analysed.isWrong);
     analysed.json["points"] = path.points;
     analysed.json["executed"] = path.executed;
     analysed.json["repeated"] = path.repeated;
@@ -251,45 +265,30 @@ std::string summaryCell(const ordered_json& json, std::string_view column) {
   return value->is_string() ? value->get<std::string>() : value->dump();
 }
 
-/// The page says the same as the JSON.
-report::TracePage pageOf(const Analysed& analysed, const std::string& file,
-                         const std::string& program) {
-  const ordered_json& json = analysed.json;
-  report::TracePage page;
-  page.isWrong = analysed.isWrong;
-  page.title = json.value("program", program.empty() ? file : program);
-  const bool isJudged = json.value("judged", false);
-  page.result =
-      isJudged ? fmt::format("{}: {} of {} points executed, {} repeated, {} skipped, {} foreign",
-                             analysed.isWrong ? "Faulty" : "Faultless", json.value("executed", 0),
-                             json.value("points", 0), json.value("repeated", 0),
-                             json.value("skipped", 0), json.value("foreign", 0))
-               : std::string("Not judged: program or trace are missing, or not complete");
-  for (const char* name : {"outcome", "endpoint", "method", "format", "duration_s", "paused_s",
-                           "standstill_count", "samples", "step_ms"}) {
-    if (json.contains(name) && !json[name].is_null()) {
-      page.facts.emplace_back(
-          name, json[name].is_string() ? json[name].get<std::string>() : summaryCell(json, name));
-    }
-  }
-  page.facts.emplace_back("file", file);
-  if (json.contains("contour_error")) {
-    page.facts.emplace_back("contour error, max",
-                            fmt::format("{:.4f} mm", json["contour_error"].value("max_mm", 0.0)));
-  }
-  if (json.contains("stream")) {
-    page.limitedBy = json["stream"].value("limited_by", std::string());
-  }
-  return page;
-}
-
-void addRunFacts(report::TracePage& page, const trace::RunStart& start) {
-  page.facts.emplace_back("N", fmt::format("{}", start.pointsPerLoop));
-  page.facts.emplace_back("feed",
-                          fmt::format("{:.0f} mm/min", base::mmPerMinFromMmPerS(start.feedMmPerS)));
-  page.facts.emplace_back("started", start.startedAtUtc + " " + start.user + " " + start.computer);
-  page.facts.emplace_back("hash of the program", start.programHash);
-  page.facts.emplace_back("Rivulet", start.toolVersion);
+/// A page for a person.
+base::Result<void> writeReport([[maybe_unused]] const AnalyseOptions& options,
+                               [[maybe_unused]] const std::string& file,
+                               [[maybe_unused]] const TraceSource& source,
+                               [[maybe_unused]] const Analysed& analysed,
+                               [[maybe_unused]] const trace::TraceAnalysis& analysis) {
+#ifdef RIVULET_WITH_REPORTS
+  trace_report::TraceFacts facts;
+  facts.analysis = &analysis;
+  facts.recording = source.recording ? &*source.recording : nullptr;
+  facts.stream = analysed.stream ? &*analysed.stream : nullptr;
+  facts.outcome = analysed.outcome;
+  facts.finding = analysed.finding;
+  facts.format = analysed.json.value("format", std::string());
+  facts.file = std::filesystem::path(file).filename().string();
+  facts.programFile = options.program;
+  facts.appVersion = RIVULET_VERSION;
+  const auto bytes = base::readFile(file);
+  facts.fileHash = bytes ? base::sha256Hex(*bytes) : std::string();
+  return trace_report::writeTracePage(options.report, options.language, facts);
+#else
+  return base::fail(base::FileError::NotWritable,
+                    "This rivulet-cli was built without reports. Use --json.");
+#endif
 }
 
 base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions& options,
@@ -312,11 +311,7 @@ base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions
   report::addTraceAnalysis(analysed.json, analysis);
   analysed.text += report::traceAnalysisText(analysis);
   if (!options.report.empty()) {
-    report::TracePage page = pageOf(analysed, file, options.program);
-    if (subject.recording != nullptr) {
-      addRunFacts(page, subject.recording->start);
-    }
-    if (auto done = base::writeFile(options.report, report::tracePageHtml(page, analysis)); !done) {
+    if (auto done = writeReport(options, file, *source, analysed, analysis); !done) {
       return base::fail(done.error());
     }
   }

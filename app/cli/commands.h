@@ -167,13 +167,14 @@ struct AnalyseOptions {
   std::vector<std::string> files;  ///< recordings, traces of the control, or of other tools
   std::string program;             ///< what should have been executed; empty: not known
   LoadingOptions loading;
-  std::string columns;       ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
-  double rateHz = 0.0;       ///< of a table without time; 0: not said
-  double toleranceMm = 0.0;  ///< of the path; 0: the usual one
-  bool summary = false;      ///< one table of all files
-  bool csv = false;          ///< the summary as CSV
-  std::string failIf;        ///< rule; empty: none
-  std::string report;        ///< HTML file for a page on one trace; empty: none
+  std::string columns;          ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
+  double rateHz = 0.0;          ///< of a table without time; 0: not said
+  double toleranceMm = 0.0;     ///< of the path; 0: the usual one
+  bool summary = false;         ///< one table of all files
+  bool csv = false;             ///< the summary as CSV
+  std::string failIf;           ///< rule; empty: none
+  std::string report;           ///< PDF or HTML file for a page on one trace; empty: none
+  std::string language = "en";  ///< of the report
   bool json = false;
 };
 /// Judges what a recording or trace shows.

@@ -458,8 +458,13 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
       ->check(kPositive);
   auto* summary = command->add_flag("--summary", options->summary, "One table of all files");
   command->add_flag("--csv", options->csv, "The summary as comma-separated values")->needs(summary);
-  command->add_option("--report", options->report,
-                      "HTML file for one page with pictures, to be read or printed");
+  auto* page = command->add_option("--report", options->report,
+                                   "File for one page with pictures, to be read or printed: .pdf "
+                                   "or .html");
+  command->add_option("--language", options->language, "Of the report")
+      ->check(CLI::IsMember({"de", "en", "es", "fr", "it"}))
+      ->capture_default_str()
+      ->needs(page);
   command->add_option("--fail-if", options->failIf,
                       "Exit with 4 if the rule applies to a file, such as \"skipped>0 or "
                       "contour_error.max>0.05\"");

@@ -107,7 +107,7 @@ void findAdvice(StreamQuality& quality, const Question& question,
     }
   }
   if (bestFeed > kGainMin * presentMmPerS) {
-    quality.advice.push_back({fmt::format("N {}", bestPoints), bestFeed});
+    quality.advice.push_back({StreamAdvice::Change::PointsPerLoop, bestPoints, bestFeed});
   }
   Question arrays = question;
   if (arrays.access.measured) {
@@ -119,7 +119,7 @@ void findAdvice(StreamQuality& quality, const Question& question,
   }
   const double feed = largestFeed(arrays, points);
   if (feed > kGainMin * presentMmPerS) {
-    quality.advice.push_back({"arrays that cost as much as one variable", feed});
+    quality.advice.push_back({StreamAdvice::Change::Arrays, 0, feed});
   }
   std::sort(quality.advice.begin(), quality.advice.end(),
             [](const StreamAdvice& a, const StreamAdvice& b) {
@@ -127,30 +127,39 @@ void findAdvice(StreamQuality& quality, const Question& question,
             });
 }
 
-std::string limitOf(const StreamQuality& quality, const trace::Recording& recording,
-                    const trace::TraceAnalysis& analysis) {
-  double standingS = 0.0;
-  for (const trace::TimeLost& lost : analysis.quality.feed.standing) {
-    standingS += lost.seconds;
+StreamLimit limitOf(const StreamQuality& quality, const trace::TraceAnalysis& analysis) {
+  if (quality.lateWindows > 0 && quality.waitedS >= 0.5 * quality.standingS) {
+    return StreamLimit::Client;
   }
-  const double feed = recording.start.feedMmPerS;
-  if (quality.lateWindows > 0 && quality.waitedS >= 0.5 * standingS) {
-    return fmt::format("The client: the machine waited {} times for its data, {:.3f} s in total.",
-                       quality.lateWindows, quality.waitedS);
+  if (quality.feedMmPerSMax && quality.feedMmPerS > *quality.feedMmPerSMax) {
+    return StreamLimit::AccessTime;
   }
-  if (quality.feedMmPerSMax && feed > *quality.feedMmPerSMax) {
-    return fmt::format(
-        "The access time: at the feed of {:.0f} mm/min the client is slower than the "
-        "machine; it would keep up at {:.0f} mm/min.",
-        base::mmPerMinFromMmPerS(feed), base::mmPerMinFromMmPerS(*quality.feedMmPerSMax));
-  }
-  if (standingS > analysis.quality.feed.slowS) {
-    return fmt::format("The stops between loops or windows: {:.3f} s.", standingS);
-  }
-  return "The machine: braking and accelerating, not the client.";
+  return quality.standingS > analysis.quality.feed.slowS ? StreamLimit::Stops
+                                                         : StreamLimit::Machine;
 }
 
 }  // namespace
+
+std::vector<AccessPeriod> accessPeriods(const trace::Recording& recording, std::size_t count) {
+  std::vector<AccessPeriod> parts;
+  if (recording.accesses.empty()) {
+    return parts;
+  }
+  const base::Instant first = recording.accesses.front().sent;
+  const base::Duration all = recording.accesses.back().sent - first + base::Duration{1};
+  std::vector<std::vector<base::Duration>> times(count);
+  for (const trace::Access& access : recording.accesses) {
+    const double share = base::toSeconds(access.sent - first) / base::toSeconds(all);
+    const auto part = static_cast<std::size_t>(std::max(0.0, share) * static_cast<double>(count));
+    times[std::min(part, count - 1)].push_back(access.took);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    parts.push_back(
+        {all / static_cast<base::Duration::rep>(count) * static_cast<base::Duration::rep>(i),
+         trace::durationStatistics(std::move(times[i]))});
+  }
+  return parts;
+}
 
 StreamQuality judgeStream(const trace::Recording& recording, const trace::TraceAnalysis& analysis) {
   StreamQuality quality;
@@ -161,20 +170,7 @@ StreamQuality judgeStream(const trace::Recording& recording, const trace::TraceA
   for (auto& [kind, times] : kinds) {
     quality.kinds.push_back({kind.first, kind.second, trace::durationStatistics(std::move(times))});
   }
-  if (!recording.accesses.empty()) {
-    const base::Instant first = recording.accesses.front().sent;
-    const base::Duration all = recording.accesses.back().sent - first + base::Duration{1};
-    std::array<std::vector<base::Duration>, kPeriods> periods;
-    for (const trace::Access& access : recording.accesses) {
-      const double share = base::toSeconds(access.sent - first) / base::toSeconds(all);
-      const auto period = static_cast<std::size_t>(std::max(0.0, share) * kPeriods);
-      periods[std::min(period, kPeriods - 1)].push_back(access.took);
-    }
-    for (std::size_t i = 0; i < kPeriods; ++i) {
-      quality.periods.push_back({all * static_cast<int>(i) / static_cast<int>(kPeriods),
-                                 trace::durationStatistics(std::move(periods[i]))});
-    }
-  }
+  quality.periods = accessPeriods(recording, kPeriods);
   for (const trace::Standstill& stop : analysis.stops) {
     if (stop.cause == trace::StopCause::WaitingForData) {
       ++quality.lateWindows;
@@ -188,8 +184,47 @@ StreamQuality judgeStream(const trace::Recording& recording, const trace::TraceA
       findAdvice(quality, *question, recording.points.points, feed);
     }
   }
-  quality.limitedBy = limitOf(quality, recording, analysis);
+  quality.feedMmPerS = recording.start.feedMmPerS;
+  for (const trace::TimeLost& lost : analysis.quality.feed.standing) {
+    quality.standingS += lost.seconds;
+  }
+  quality.limit = limitOf(quality, analysis);
+  // A run that was too fast for its client: the feed is the third thing to change.
+  if (quality.limit == StreamLimit::AccessTime) {
+    quality.advice.push_back({StreamAdvice::Change::Feed, 0, *quality.feedMmPerSMax});
+  }
   return quality;
+}
+
+std::string streamLimitText(const StreamQuality& quality) {
+  switch (quality.limit) {
+    case StreamLimit::Client:
+      return fmt::format("The client: the machine waited {} times for its data, {:.3f} s in total.",
+                         quality.lateWindows, quality.waitedS);
+    case StreamLimit::AccessTime:
+      return fmt::format(
+          "The access time: at the feed of {:.0f} mm/min the client is slower than the machine; it "
+          "would keep up at {:.0f} mm/min.",
+          base::mmPerMinFromMmPerS(quality.feedMmPerS),
+          base::mmPerMinFromMmPerS(quality.feedMmPerSMax.value_or(0.0)));
+    case StreamLimit::Stops:
+      return fmt::format("The stops between loops or windows: {:.3f} s.", quality.standingS);
+    case StreamLimit::Machine:
+      break;
+  }
+  return "The machine: braking and accelerating, not the client.";
+}
+
+std::string streamChangeText(const StreamAdvice& advice) {
+  switch (advice.change) {
+    case StreamAdvice::Change::PointsPerLoop:
+      return fmt::format("N {}", advice.pointsPerLoop);
+    case StreamAdvice::Change::Arrays:
+      return "arrays that cost as much as one variable";
+    case StreamAdvice::Change::Feed:
+      break;
+  }
+  return "a lower feed";
 }
 
 ordered_json streamQualityJson(const StreamQuality& quality) {
@@ -214,7 +249,7 @@ ordered_json streamQualityJson(const StreamQuality& quality) {
   }
   ordered_json advice = ordered_json::array();
   for (const StreamAdvice& one : quality.advice) {
-    advice.push_back({{"change", one.change},
+    advice.push_back({{"change", streamChangeText(one)},
                       {"feed_mm_per_min_max", base::mmPerMinFromMmPerS(one.feedMmPerSMax)}});
   }
   return {{"kinds", std::move(kinds)},
@@ -224,7 +259,7 @@ ordered_json streamQualityJson(const StreamQuality& quality) {
           {"feed_mm_per_min_max",
            quality.feedMmPerSMax ? ordered_json(base::mmPerMinFromMmPerS(*quality.feedMmPerSMax))
                                  : ordered_json(nullptr)},
-          {"limited_by", quality.limitedBy},
+          {"limited_by", streamLimitText(quality)},
           {"advice", std::move(advice)}};
 }
 
@@ -236,9 +271,9 @@ std::string streamQualityText(const StreamQuality& quality) {
                         base::toMilliseconds(kind.times.p50), base::toMilliseconds(kind.times.p99),
                         base::toMilliseconds(kind.times.max));
   }
-  text += fmt::format("  what limited the run: {}\n", quality.limitedBy);
+  text += fmt::format("  what limited the run: {}\n", streamLimitText(quality));
   for (const StreamAdvice& advice : quality.advice) {
-    text += fmt::format("  with {}: up to {:.0f} mm/min\n", advice.change,
+    text += fmt::format("  with {}: up to {:.0f} mm/min\n", streamChangeText(advice),
                         base::mmPerMinFromMmPerS(advice.feedMmPerSMax));
   }
   return text;

@@ -31,10 +31,24 @@ struct AccessPeriod {
   trace::DurationStatistics times;
 };
 
-/// A change that would have allowed another feed.
+/// A change that would have allowed a larger feed, or no waiting.
 struct StreamAdvice {
-  std::string change;          ///< "N 12", "arrays", "feed"
+  enum class Change {
+    PointsPerLoop,  ///< another N
+    Arrays,         ///< that cost as much as one variable
+    Feed,           ///< lower: the client keeps up
+  };
+  Change change = Change::PointsPerLoop;
+  int pointsPerLoop = 0;       ///< with `PointsPerLoop`
   double feedMmPerSMax = 0.0;  ///< by the equations
+};
+
+/// What kept a run from being faster.
+enum class StreamLimit {
+  Client,      ///< the machine waited for its data
+  AccessTime,  ///< at this feed the client is slower than the machine
+  Stops,       ///< between loops or windows
+  Machine,     ///< braking and accelerating
 };
 
 struct StreamQuality {
@@ -43,14 +57,23 @@ struct StreamQuality {
   std::size_t lateWindows = 0;        ///< times the machine waited for the client
   double waitedS = 0.0;
   std::optional<double> feedMmPerSMax;  ///< as it was run
-  std::string limitedBy;                ///< one sentence, in English
-  std::vector<StreamAdvice> advice;     ///< the largest gain first
+  StreamLimit limit = StreamLimit::Machine;
+  double feedMmPerS = 0.0;           ///< of the run
+  double standingS = 0.0;            ///< all stops together
+  std::vector<StreamAdvice> advice;  ///< the largest gain first
 };
 
+/// @param count  of parts of equal length, > 0  @return empty: there were no accesses
+[[nodiscard]] std::vector<AccessPeriod> accessPeriods(const trace::Recording& recording,
+                                                      std::size_t count);
 /// @param recording  with accesses
 [[nodiscard]] StreamQuality judgeStream(const trace::Recording& recording,
                                         const trace::TraceAnalysis& analysis);
 
+/// One sentence in English. @param feedMmPerSMax known with `AccessTime`
+[[nodiscard]] std::string streamLimitText(const StreamQuality& quality);
+/// "N 12", "arrays that cost as much as one variable", "the feed".
+[[nodiscard]] std::string streamChangeText(const StreamAdvice& advice);
 [[nodiscard]] nlohmann::ordered_json streamQualityJson(const StreamQuality& quality);
 [[nodiscard]] std::string streamQualityText(const StreamQuality& quality);
 

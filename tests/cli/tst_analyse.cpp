@@ -131,19 +131,53 @@ class TestAnalyse : public QObject {
     QVERIFY(again["samples"].get<int>() > 100);
   }
 
+  /// The same page in each language, with the numbers of that language; no words are left over.
+  void writesAPage_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("title");
+    QTest::addColumn<QString>("number");
+    QTest::newRow("en") << QStringLiteral("en") << QStringLiteral("Report on a motion")
+                        << QStringLiteral("10.000");
+    QTest::newRow("de") << QStringLiteral("de") << QStringLiteral("Bericht über eine Bewegung")
+                        << QStringLiteral("10,000");
+    QTest::newRow("fr") << QStringLiteral("fr") << QStringLiteral("Rapport sur un mouvement")
+                        << QStringLiteral("10,000");
+    QTest::newRow("it") << QStringLiteral("it") << QStringLiteral("Rapporto su un movimento")
+                        << QStringLiteral("10,000");
+    QTest::newRow("es") << QStringLiteral("es") << QStringLiteral("Informe de un movimiento")
+                        << QStringLiteral("10,000");
+  }
   void writesAPage() {
-    const QString page = m_folder.filePath(QStringLiteral("page.html"));
+    QFETCH(QString, language);
+    QFETCH(QString, title);
+    QFETCH(QString, number);
     const QString trace = file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false));
-    QCOMPARE(run({trace, QStringLiteral("--program"), file("part <1>.mpf", kProgram),
-                  QStringLiteral("--report"), page})
-                 .exit,
-             0);
-    QFile written(page);
-    QVERIFY(written.open(QIODevice::ReadOnly));
-    const QByteArray html = written.readAll();
-    QVERIFY(html.contains("<svg") && html.contains("3 of 3 points executed"));
-    QVERIFY(html.contains("part &lt;1&gt;.mpf") && !html.contains("<1>"));
-    QVERIFY(!html.contains("http"));
+    const auto write = [&](const char* name) {
+      const QString page = m_folder.filePath(QString::fromUtf8(name));
+      const Outcome done =
+          run({trace, QStringLiteral("--program"), file("part <1>.mpf", kProgram),
+               QStringLiteral("--report"), page, QStringLiteral("--language"), language});
+      QFile written(page);
+      return done.exit == 0 && written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();
+    };
+    const QString html = QString::fromUtf8(write("page.html"));
+    QVERIFY(html.contains(QStringLiteral("<html lang=\"%1").arg(language)));
+    QVERIFY(html.contains(title) && html.contains(number));
+    QVERIFY(html.contains(QStringLiteral("<svg")));
+    QVERIFY(html.contains(QStringLiteral("part &lt;1&gt;.mpf")) &&
+            !html.contains(QStringLiteral("<1>")));
+    // It needs no other file.
+    QVERIFY(!html.contains(QStringLiteral("src=")) && !html.contains(QStringLiteral("href")));
+    const QByteArray pdf = write("page.pdf");
+    QVERIFY(pdf.startsWith("%PDF-"));
+    QCOMPARE(pdf.count("/Type /Page\n"), 1);
+  }
+  void refusesOtherKindsOfReport() {
+    const QString trace = file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false));
+    const Outcome done =
+        run({trace, QStringLiteral("--report"), m_folder.filePath(QStringLiteral("page.doc"))});
+    QCOMPARE(done.exit, 2);
+    QVERIFY(done.errors.find(".pdf") != std::string::npos);
   }
 
   void judgesRules_data() {
@@ -197,7 +231,7 @@ class TestAnalyse : public QObject {
     QCOMPARE(quality.kinds.size(), std::size_t{3});
     QCOMPARE(quality.periods.size(), std::size_t{10});
     QVERIFY(quality.feedMmPerSMax && *quality.feedMmPerSMax < 50.0);
-    QVERIFY(quality.limitedBy.find("slower than the machine") != std::string::npos);
+    QVERIFY(quality.limit == report::StreamLimit::AccessTime);
     QVERIFY(!quality.advice.empty());
     QVERIFY(quality.advice.front().feedMmPerSMax > *quality.feedMmPerSMax);
     QVERIFY(!report::streamQualityText(quality).empty());
