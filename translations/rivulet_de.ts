@@ -2472,18 +2472,6 @@
         <translation>Anfragen</translation>
     </message>
     <message>
-        <source>Request, median</source>
-        <translation>Anfrage, Median</translation>
-    </message>
-    <message>
-        <source>Request, 99th percentile</source>
-        <translation>Anfrage, 99. Perzentil</translation>
-    </message>
-    <message>
-        <source>Request, longest</source>
-        <translation>Anfrage, längste</translation>
-    </message>
-    <message>
         <source>Machine waited for the client</source>
         <translation>Maschine wartete auf den Client</translation>
     </message>
@@ -2494,6 +2482,18 @@
     <message>
         <source>Largest feed without waiting</source>
         <translation>Größter Vorschub ohne Warten</translation>
+    </message>
+    <message>
+        <source>Median, 99 %, longest</source>
+        <translation>Median, 99 %, längste</translation>
+    </message>
+    <message>
+        <source>Requests made again</source>
+        <translation>Wiederholte Anfragen</translation>
+    </message>
+    <message>
+        <source>Margin; of the slowest 1 %</source>
+        <translation>Reserve; der langsamsten 1 %</translation>
     </message>
 </context>
 <context>

@@ -2472,18 +2472,6 @@
         <translation>Peticiones</translation>
     </message>
     <message>
-        <source>Request, median</source>
-        <translation>Petición, mediana</translation>
-    </message>
-    <message>
-        <source>Request, 99th percentile</source>
-        <translation>Petición, percentil 99</translation>
-    </message>
-    <message>
-        <source>Request, longest</source>
-        <translation>Petición, la más larga</translation>
-    </message>
-    <message>
         <source>Machine waited for the client</source>
         <translation>La máquina esperó al cliente</translation>
     </message>
@@ -2494,6 +2482,18 @@
     <message>
         <source>Largest feed without waiting</source>
         <translation>Mayor avance sin espera</translation>
+    </message>
+    <message>
+        <source>Median, 99 %, longest</source>
+        <translation>Mediana, 99 %, máxima</translation>
+    </message>
+    <message>
+        <source>Requests made again</source>
+        <translation>Peticiones repetidas</translation>
+    </message>
+    <message>
+        <source>Margin; of the slowest 1 %</source>
+        <translation>Margen; del 1 % más lento</translation>
     </message>
 </context>
 <context>

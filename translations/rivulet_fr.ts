@@ -2173,7 +2173,7 @@
     </message>
     <message>
         <source>Whether each point was executed is not known: the program or a part of the trace is missing.</source>
-        <translation>On ne sait pas si chaque point a été exécuté : le programme ou une partie de la mesure manque.</translation>
+        <translation>On ne sait pas si chaque point a été exécuté&#xa0;: le programme ou une partie de la mesure manque.</translation>
     </message>
     <message>
         <source>The recording was cut off before the end of the run. What it holds is judged here.</source>
@@ -2225,7 +2225,7 @@
     </message>
     <message>
         <source>Rivulet %1; run made with version %2</source>
-        <translation>Rivulet %1 ; exécution faite avec la version %2</translation>
+        <translation>Rivulet %1&#xa0;; exécution faite avec la version %2</translation>
     </message>
     <message>
         <source>Program grey, motion blue</source>
@@ -2237,11 +2237,11 @@
     </message>
     <message>
         <source>Path speed; stops are orange</source>
-        <translation>Vitesse sur trajectoire ; arrêts en orange</translation>
+        <translation>Vitesse sur trajectoire&#xa0;; arrêts en orange</translation>
     </message>
     <message>
         <source>Duration of requests: median blue, longest orange</source>
-        <translation>Durée des requêtes : médiane bleue, la plus longue orange</translation>
+        <translation>Durée des requêtes&#xa0;: médiane bleue, la plus longue orange</translation>
     </message>
     <message>
         <source>Time, s</source>
@@ -2297,7 +2297,7 @@
     </message>
     <message>
         <source>Hold: override 0</source>
-        <translation>Suspension : override 0</translation>
+        <translation>Suspension&#xa0;: override 0</translation>
     </message>
     <message>
         <source>Waiting for data of the client</source>
@@ -2313,19 +2313,19 @@
     </message>
     <message>
         <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
-        <translation>Ce qui a limité l’exécution : le client. La machine a attendu %1 fois ses données, %2 en tout.</translation>
+        <translation>Ce qui a limité l’exécution&#xa0;: le client. La machine a attendu %1 fois ses données, %2 en tout.</translation>
     </message>
     <message>
         <source>What limited the run: the access time. At %1 the client is slower than the machine; up to %2 it keeps up.</source>
-        <translation>Ce qui a limité l’exécution : le temps d’accès. À %1, le client est plus lent que la machine ; jusqu’à %2, il suit.</translation>
+        <translation>Ce qui a limité l’exécution&#xa0;: le temps d’accès. À %1, le client est plus lent que la machine&#xa0;; jusqu’à %2, il suit.</translation>
     </message>
     <message>
         <source>What limited the run: the stops between loops or windows, %1 in all.</source>
-        <translation>Ce qui a limité l’exécution : les arrêts entre boucles ou fenêtres, %1 en tout.</translation>
+        <translation>Ce qui a limité l’exécution&#xa0;: les arrêts entre boucles ou fenêtres, %1 en tout.</translation>
     </message>
     <message>
         <source>What limited the run: the machine, by braking and accelerating, not the client.</source>
-        <translation>Ce qui a limité l’exécution : la machine, par freinages et accélérations, pas le client.</translation>
+        <translation>Ce qui a limité l’exécution&#xa0;: la machine, par freinages et accélérations, pas le client.</translation>
     </message>
     <message>
         <source>With N = %1, feeds up to %2 would have been possible.</source>
@@ -2472,18 +2472,6 @@
         <translation>Requêtes</translation>
     </message>
     <message>
-        <source>Request, median</source>
-        <translation>Requête, médiane</translation>
-    </message>
-    <message>
-        <source>Request, 99th percentile</source>
-        <translation>Requête, 99e centile</translation>
-    </message>
-    <message>
-        <source>Request, longest</source>
-        <translation>Requête, la plus longue</translation>
-    </message>
-    <message>
         <source>Machine waited for the client</source>
         <translation>La machine a attendu le client</translation>
     </message>
@@ -2494,6 +2482,18 @@
     <message>
         <source>Largest feed without waiting</source>
         <translation>Plus grande avance sans attente</translation>
+    </message>
+    <message>
+        <source>Median, 99 %, longest</source>
+        <translation>Médiane, 99 %, maximum</translation>
+    </message>
+    <message>
+        <source>Requests made again</source>
+        <translation>Requêtes répétées</translation>
+    </message>
+    <message>
+        <source>Margin; of the slowest 1 %</source>
+        <translation>Marge ; des 1 % plus lentes</translation>
     </message>
 </context>
 <context>

@@ -2472,18 +2472,6 @@
         <translation>Richieste</translation>
     </message>
     <message>
-        <source>Request, median</source>
-        <translation>Richiesta, mediana</translation>
-    </message>
-    <message>
-        <source>Request, 99th percentile</source>
-        <translation>Richiesta, 99º percentile</translation>
-    </message>
-    <message>
-        <source>Request, longest</source>
-        <translation>Richiesta, la più lunga</translation>
-    </message>
-    <message>
         <source>Machine waited for the client</source>
         <translation>Macchina in attesa del client</translation>
     </message>
@@ -2494,6 +2482,18 @@
     <message>
         <source>Largest feed without waiting</source>
         <translation>Avanzamento massimo senza attesa</translation>
+    </message>
+    <message>
+        <source>Median, 99 %, longest</source>
+        <translation>Mediana, 99 %, massima</translation>
+    </message>
+    <message>
+        <source>Requests made again</source>
+        <translation>Richieste ripetute</translation>
+    </message>
+    <message>
+        <source>Margin; of the slowest 1 %</source>
+        <translation>Margine; dell’1 % più lento</translation>
     </message>
 </context>
 <context>

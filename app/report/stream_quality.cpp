@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "base/method_kind.h"
 #include "base/units.h"
 #include "feasibility/verdict.h"
+#include "streaming/driver.h"
 #include "templates/cells.h"
 
 namespace rivulet::report {
@@ -26,9 +26,56 @@ constexpr double kGainMin = 1.05;
 
 using nlohmann::ordered_json;
 
+std::vector<AccessKindTimes> kindsOf(const std::vector<trace::Access>& accesses) {
+  std::map<std::pair<bool, int>, std::vector<base::Duration>> durations;
+  for (const trace::Access& access : accesses) {
+    durations[{access.write, access.nodes}].push_back(access.took);
+  }
+  std::vector<AccessKindTimes> kinds;
+  for (auto& [kind, times] : durations) {
+    kinds.push_back({kind.first, kind.second, trace::durationStatistics(std::move(times))});
+  }
+  return kinds;
+}
+
+trace::DurationStatistics statisticsOf(const std::vector<trace::Access>& accesses,
+                                       std::optional<bool> write) {
+  std::vector<base::Duration> durations;
+  for (const trace::Access& access : accesses) {
+    if (!write || access.write == *write) {
+      durations.push_back(access.took);
+    }
+  }
+  return trace::durationStatistics(std::move(durations));
+}
+
+/// The accesses of `count` parts of the run, which are equally long.
+struct AccessParts {
+  base::Duration length{};
+  std::vector<std::vector<trace::Access>> parts;
+};
+
+AccessParts partsOf(const std::vector<trace::Access>& accesses, std::size_t count) {
+  AccessParts all;
+  if (accesses.empty()) {
+    return all;
+  }
+  const base::Instant first = accesses.front().sent;
+  const base::Duration whole = accesses.back().sent - first + base::Duration{1};
+  all.length = whole / static_cast<base::Duration::rep>(count);
+  all.parts.resize(count);
+  for (const trace::Access& access : accesses) {
+    const double share = base::toSeconds(access.sent - first) / base::toSeconds(whole);
+    const auto part = static_cast<std::size_t>(std::max(0.0, share) * static_cast<double>(count));
+    all.parts[std::min(part, count - 1)].push_back(access);
+  }
+  return all;
+}
+
 /// The line through the mean durations of all sizes, weighted by their number, without negative
-/// figures.
-feasibility::AccessLine lineOf(const std::vector<AccessKindTimes>& kinds, bool write) {
+/// figures. @param figure  the mean, or a quantile instead
+feasibility::AccessLine lineOf(const std::vector<AccessKindTimes>& kinds, bool write,
+                               base::Duration trace::DurationStatistics::*figure) {
   double weight = 0.0;
   double n = 0.0;
   double t = 0.0;
@@ -40,7 +87,7 @@ feasibility::AccessLine lineOf(const std::vector<AccessKindTimes>& kinds, bool w
     }
     const auto count = static_cast<double>(kind.times.count);
     const double nodes = std::max(kind.nodes, 1);
-    const double seconds = base::toSeconds(kind.times.mean);
+    const double seconds = base::toSeconds(kind.times.*figure);
     weight += count;
     n += count * nodes;
     t += count * seconds;
@@ -62,6 +109,14 @@ struct Question {
   feasibility::OperatingPoint point;
   feasibility::AccessModel access;
 };
+
+feasibility::AccessModel modelOf(const std::vector<AccessKindTimes>& kinds,
+                                 base::Duration trace::DurationStatistics::*figure) {
+  feasibility::AccessModel model;
+  model.measured =
+      feasibility::MeasuredAccess{lineOf(kinds, false, figure), lineOf(kinds, true, figure)};
+  return model;
+}
 
 /// @return 0: not known
 double largestFeed(const Question& question, const std::vector<gcode::StreamPoint>& points) {
@@ -88,7 +143,7 @@ std::optional<Question> questionOf(const trace::Recording& recording,
   question.point.deltaMm = recording.start.deltaMm;
   question.point.feedMmPerS = recording.start.feedMmPerS;
   question.point.cellsPerPoint = templates::cellsPerPoint(question.parameters);
-  question.access.measured = feasibility::MeasuredAccess{lineOf(kinds, false), lineOf(kinds, true)};
+  question.access = modelOf(kinds, &trace::DurationStatistics::mean);
   return question;
 }
 
@@ -127,6 +182,29 @@ void findAdvice(StreamQuality& quality, const Question& question,
             });
 }
 
+/// Needs the feed of the run and `quality.periods`.
+void findMargins(StreamQuality& quality, Question question, const trace::Recording& recording) {
+  const auto perLoop = static_cast<std::size_t>(recording.start.pointsPerLoop);
+  quality.loops = (recording.points.points.size() + perLoop - 1) / perLoop;
+  if (recording.start.feedMmPerS <= 0.0) {
+    return;
+  }
+  const auto margin = [&](const std::vector<AccessKindTimes>& kinds,
+                          base::Duration trace::DurationStatistics::*figure) {
+    question.access = modelOf(kinds, figure);
+    return largestFeed(question, recording.points.points) / recording.start.feedMmPerS;
+  };
+  quality.margin = margin(quality.kinds, &trace::DurationStatistics::mean);
+  quality.marginOfSlowest = margin(quality.kinds, &trace::DurationStatistics::p99);
+  const AccessParts all = partsOf(recording.accesses, quality.periods.size());
+  for (std::size_t i = 0; i < all.parts.size(); ++i) {
+    // A part without both kinds says nothing of a turn of the client.
+    if (quality.periods[i].reads.count > 0 && quality.periods[i].writes.count > 0) {
+      quality.periods[i].margin = margin(kindsOf(all.parts[i]), &trace::DurationStatistics::mean);
+    }
+  }
+}
+
 StreamLimit limitOf(const StreamQuality& quality, const trace::TraceAnalysis& analysis) {
   if (quality.lateWindows > 0 && quality.waitedS >= 0.5 * quality.standingS) {
     return StreamLimit::Client;
@@ -141,36 +219,30 @@ StreamLimit limitOf(const StreamQuality& quality, const trace::TraceAnalysis& an
 }  // namespace
 
 std::vector<AccessPeriod> accessPeriods(const trace::Recording& recording, std::size_t count) {
-  std::vector<AccessPeriod> parts;
-  if (recording.accesses.empty()) {
-    return parts;
+  const AccessParts all = partsOf(recording.accesses, count);
+  std::vector<AccessPeriod> periods;
+  for (const std::vector<trace::Access>& part : all.parts) {
+    AccessPeriod period;
+    period.from = all.length * static_cast<base::Duration::rep>(periods.size());
+    period.times = statisticsOf(part, std::nullopt);
+    period.reads = statisticsOf(part, false);
+    period.writes = statisticsOf(part, true);
+    periods.push_back(period);
   }
-  const base::Instant first = recording.accesses.front().sent;
-  const base::Duration all = recording.accesses.back().sent - first + base::Duration{1};
-  std::vector<std::vector<base::Duration>> times(count);
-  for (const trace::Access& access : recording.accesses) {
-    const double share = base::toSeconds(access.sent - first) / base::toSeconds(all);
-    const auto part = static_cast<std::size_t>(std::max(0.0, share) * static_cast<double>(count));
-    times[std::min(part, count - 1)].push_back(access.took);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    parts.push_back(
-        {all / static_cast<base::Duration::rep>(count) * static_cast<base::Duration::rep>(i),
-         trace::durationStatistics(std::move(times[i]))});
-  }
-  return parts;
+  return periods;
 }
 
 StreamQuality judgeStream(const trace::Recording& recording, const trace::TraceAnalysis& analysis) {
   StreamQuality quality;
-  std::map<std::pair<bool, int>, std::vector<base::Duration>> kinds;
-  for (const trace::Access& access : recording.accesses) {
-    kinds[{access.write, access.nodes}].push_back(access.took);
-  }
-  for (auto& [kind, times] : kinds) {
-    quality.kinds.push_back({kind.first, kind.second, trace::durationStatistics(std::move(times))});
-  }
+  quality.kinds = kindsOf(recording.accesses);
   quality.periods = accessPeriods(recording, kPeriods);
+  const auto count = [&recording](std::string_view text) {
+    return static_cast<std::size_t>(
+        std::count_if(recording.notes.begin(), recording.notes.end(),
+                      [text](const trace::Note& note) { return note.text == text; }));
+  };
+  quality.lostRequests = count(streaming::kLostNote);
+  quality.refusedRequests = count(streaming::kRefusedNote);
   for (const trace::Standstill& stop : analysis.stops) {
     if (stop.cause == trace::StopCause::WaitingForData) {
       ++quality.lateWindows;
@@ -181,6 +253,7 @@ StreamQuality judgeStream(const trace::Recording& recording, const trace::TraceA
     const double feed = largestFeed(*question, recording.points.points);
     if (feed > 0.0) {
       quality.feedMmPerSMax = feed;
+      findMargins(quality, *question, recording);
       findAdvice(quality, *question, recording.points.points, feed);
     }
   }
@@ -235,6 +308,9 @@ ordered_json streamQualityJson(const StreamQuality& quality) {
                         {"p99_ms", base::toMilliseconds(times.p99)},
                         {"max_ms", base::toMilliseconds(times.max)}};
   };
+  const auto optionalJson = [](const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+  };
   ordered_json kinds = ordered_json::array();
   for (const AccessKindTimes& kind : quality.kinds) {
     ordered_json one{{"write", kind.write}, {"nodes", kind.nodes}};
@@ -245,6 +321,9 @@ ordered_json streamQualityJson(const StreamQuality& quality) {
   for (const AccessPeriod& period : quality.periods) {
     ordered_json one{{"from_s", base::toSeconds(period.from)}};
     one.update(timesJson(period.times));
+    one["reads"] = timesJson(period.reads);
+    one["writes"] = timesJson(period.writes);
+    one["margin"] = optionalJson(period.margin);
     periods.push_back(std::move(one));
   }
   ordered_json advice = ordered_json::array();
@@ -254,6 +333,11 @@ ordered_json streamQualityJson(const StreamQuality& quality) {
   }
   return {{"kinds", std::move(kinds)},
           {"periods", std::move(periods)},
+          {"margin", optionalJson(quality.margin)},
+          {"margin_of_slowest", optionalJson(quality.marginOfSlowest)},
+          {"lost_requests", quality.lostRequests},
+          {"refused_requests", quality.refusedRequests},
+          {"loops", quality.loops},
           {"late_windows", quality.lateWindows},
           {"waited_s", quality.waitedS},
           {"feed_mm_per_min_max",
@@ -271,6 +355,14 @@ std::string streamQualityText(const StreamQuality& quality) {
                         base::toMilliseconds(kind.times.p50), base::toMilliseconds(kind.times.p99),
                         base::toMilliseconds(kind.times.max));
   }
+  if (quality.margin && quality.marginOfSlowest) {
+    text +=
+        fmt::format("  margin: {:.2f} with the mean durations, {:.2f} with the slowest of 100\n",
+                    *quality.margin, *quality.marginOfSlowest);
+  }
+  text += fmt::format("  requests made again: {} lost, {} refused; late windows: {} of {}\n",
+                      quality.lostRequests, quality.refusedRequests, quality.lateWindows,
+                      quality.loops);
   text += fmt::format("  what limited the run: {}\n", streamLimitText(quality));
   for (const StreamAdvice& advice : quality.advice) {
     text += fmt::format("  with {}: up to {:.0f} mm/min\n", streamChangeText(advice),

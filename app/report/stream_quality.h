@@ -27,8 +27,12 @@ struct AccessKindTimes {
 
 /// A part of the run.
 struct AccessPeriod {
-  base::Duration from{};  ///< since the first access
-  trace::DurationStatistics times;
+  base::Duration from{};            ///< since the first access
+  trace::DurationStatistics times;  ///< of all requests
+  trace::DurationStatistics reads;
+  trace::DurationStatistics writes;
+  /// By the equations, with the durations of this part. Nothing: there were none, or not known.
+  std::optional<double> margin;
 };
 
 /// A change that would have allowed a larger feed, or no waiting.
@@ -54,9 +58,16 @@ enum class StreamLimit {
 struct StreamQuality {
   std::vector<AccessKindTimes> kinds;
   std::vector<AccessPeriod> periods;  ///< ten of equal length
+  std::size_t loops = 0;              ///< windows, or loops of points, that were sent
   std::size_t lateWindows = 0;        ///< times the machine waited for the client
+  std::size_t lostRequests = 0;       ///< not answered in time, and made again
+  std::size_t refusedRequests = 0;    ///< and made again
   double waitedS = 0.0;
   std::optional<double> feedMmPerSMax;  ///< as it was run
+  /// How many times faster the machine could have been: below 1 the client is too slow. By the
+  /// equations, with the mean durations, and with those that one request in a hundred exceeds.
+  std::optional<double> margin;
+  std::optional<double> marginOfSlowest;
   StreamLimit limit = StreamLimit::Machine;
   double feedMmPerS = 0.0;           ///< of the run
   double standingS = 0.0;            ///< all stops together

@@ -315,11 +315,18 @@ struct TraceTexts {
     return {
         stream(),
         {{tr("Requests"), countText(times.count)},
-         {tr("Request, median"), millisecondsText(times.p50, 2)},
-         {tr("Request, 99th percentile"), millisecondsText(times.p99, 2)},
-         {tr("Request, longest"), millisecondsText(times.max, 2)},
+         {tr("Median, 99 %, longest"),
+          QStringLiteral("%1 / %2 / %3")
+              .arg(numberText(base::toMilliseconds(times.p50), 1),
+                   numberText(base::toMilliseconds(times.p99), 1), millisecondsText(times.max, 1))},
+         {tr("Requests made again"), countText(quality.lostRequests + quality.refusedRequests)},
          {tr("Machine waited for the client"),
           tr("%1 times, %2").arg(countText(quality.lateWindows), secondsText(quality.waitedS, 2))},
+         {tr("Margin; of the slowest 1 %"),
+          quality.margin && quality.marginOfSlowest
+              ? QStringLiteral("%1; %2").arg(factorText(*quality.margin),
+                                             factorText(*quality.marginOfSlowest))
+              : noValue()},
          {tr("Largest feed without waiting"),
           quality.feedMmPerSMax ? feedText(*quality.feedMmPerSMax) : noValue()}}};
   }

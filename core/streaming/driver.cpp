@@ -447,7 +447,7 @@ bool Driver::repeats(const opcua::Event& event, bool forMethod) {
   if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
     return false;
   }
-  m_sink.note({event.at, "refused: asked again"});
+  m_sink.note({event.at, std::string(kRefusedNote)});
   return true;
 }
 
@@ -476,7 +476,7 @@ bool Driver::forgives(const opcua::Event& event, bool forMethod) {
     return false;
   }
   m_patience = std::min(2 * m_patience, kPatienceMax);
-  m_sink.note({event.at, "no answer in time: asked again"});
+  m_sink.note({event.at, std::string(kLostNote)});
   return true;
 }
 

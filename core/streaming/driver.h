@@ -25,6 +25,9 @@ namespace rivulet::streaming {
 /// Notes that repeat what the operator has requested: a display that has said so leaves them out.
 inline constexpr std::string_view kStopNote = "stop requested";
 inline constexpr std::string_view kHoldNote = "hold requested";
+/// A request was refused, or not answered, and is made again.
+inline constexpr std::string_view kRefusedNote = "refused: asked again";
+inline constexpr std::string_view kLostNote = "no answer in time: asked again";
 inline constexpr std::string_view kContinueNote = "continue requested";
 
 /// Receives the reports of a run in progress. @threadsafety called on the streaming thread only

@@ -12,6 +12,7 @@
 
 #include "report/rule.h"
 #include "report/stream_quality.h"
+#include "streaming/driver.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -227,6 +228,9 @@ class TestAnalyse : public QObject {
       recording.accesses.push_back({at, std::chrono::milliseconds{5}, true, 1});
       recording.accesses.push_back({at, std::chrono::milliseconds{5}, false, 1});
     }
+    recording.notes.push_back({base::Instant{}, std::string(streaming::kLostNote)});
+    recording.notes.push_back({base::Instant{}, std::string(streaming::kRefusedNote)});
+    recording.notes.push_back({base::Instant{}, std::string(streaming::kLostNote)});
     const report::StreamQuality quality = report::judgeStream(recording, {});
     QCOMPARE(quality.kinds.size(), std::size_t{3});
     QCOMPARE(quality.periods.size(), std::size_t{10});
@@ -235,6 +239,46 @@ class TestAnalyse : public QObject {
     QVERIFY(!quality.advice.empty());
     QVERIFY(quality.advice.front().feedMmPerSMax > *quality.feedMmPerSMax);
     QVERIFY(!report::streamQualityText(quality).empty());
+    QCOMPARE(quality.lostRequests, std::size_t{2});
+    QCOMPARE(quality.refusedRequests, std::size_t{1});
+    QCOMPARE(quality.loops, std::size_t{50});
+    // All requests of a kind take the same time, so all figures of the margin are one. A window of
+    // four points is 0.8 mm long, and takes the client 64 + 5 + 5 ms.
+    QVERIFY(quality.margin && quality.marginOfSlowest);
+    QCOMPARE(*quality.margin, *quality.feedMmPerSMax / 50.0);
+    QVERIFY(std::abs(*quality.margin - 0.8 / 0.074 / 50.0) < 1e-3);
+    QVERIFY(std::abs(*quality.marginOfSlowest - *quality.margin) < 1e-9);
+    for (const report::AccessPeriod& period : quality.periods) {
+      QCOMPARE(period.reads.count, std::size_t{20});
+      QCOMPARE(period.writes.count, std::size_t{40});
+      QVERIFY(period.margin && std::abs(*period.margin - *quality.margin) < 1e-9);
+    }
+  }
+  /// The part of a run in which the network was slow is seen in its figures alone.
+  void showsWhenAccessWasSlow() {
+    trace::Recording recording;
+    recording.start.method = "window";
+    recording.start.pointsPerLoop = 4;
+    recording.start.feedMmPerS = 1.0;
+    for (int i = 0; i < 1000; ++i) {
+      gcode::StreamPoint point;
+      point.positionMm = {0.2 * i, 0.0, 0.0};
+      recording.points.points.push_back(point);
+      const base::Instant at{std::chrono::milliseconds{100 * i}};
+      const std::chrono::milliseconds slow{i >= 700 && i < 800 ? 90 : 0};
+      recording.accesses.push_back({at, std::chrono::milliseconds{64} + slow, true, 15});
+      recording.accesses.push_back({at, std::chrono::milliseconds{5} + slow, true, 1});
+      recording.accesses.push_back({at, std::chrono::milliseconds{5} + slow, false, 1});
+    }
+    const report::StreamQuality quality = report::judgeStream(recording, {});
+    QVERIFY(quality.margin && quality.marginOfSlowest);
+    QVERIFY(*quality.marginOfSlowest < *quality.margin);
+    for (std::size_t i = 0; i < quality.periods.size(); ++i) {
+      const bool isSlow = i == 7;
+      QCOMPARE(*quality.periods[i].margin < *quality.margin, isSlow);
+      QCOMPARE(quality.periods[i].reads.p50,
+               base::Duration(std::chrono::milliseconds{isSlow ? 95 : 5}));
+    }
   }
 };
 

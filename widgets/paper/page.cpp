@@ -169,7 +169,7 @@ class PagePainter {
     for (const Fact& fact : group.facts) {
       widest = std::max(widest, metrics.horizontalAdvance(fact.name));
     }
-    return std::clamp(widest + 2.5 * m_mm, 0.42 * width, 0.68 * width);
+    return std::clamp(widest + 2.5 * m_mm, 0.42 * width, 0.7 * width);
   }
   void group(double left, double width, const Group& group) {
     font(kTextPt + 1.0, true);
@@ -184,8 +184,13 @@ class PagePainter {
       m_painter.drawText(QRectF(left, m_y, names, line), Qt::AlignLeft | Qt::AlignVCenter,
                          elided(fact.name, names - m_mm));
       m_painter.setPen(Qt::black);
-      m_painter.drawText(QRectF(left + names, m_y, width - names, line),
-                         Qt::AlignLeft | Qt::AlignVCenter, elided(fact.value, width - names));
+      // A long value begins earlier where its name is short.
+      const QFontMetricsF metrics(m_painter.font(), m_painter.device());
+      const double own = metrics.horizontalAdvance(fact.name) + 1.5 * m_mm;
+      const double at =
+          std::min(names, std::max(own, width - metrics.horizontalAdvance(fact.value) - m_mm));
+      m_painter.drawText(QRectF(left + at, m_y, width - at, line), Qt::AlignLeft | Qt::AlignVCenter,
+                         elided(fact.value, width - at));
       m_y += line;
     }
   }
