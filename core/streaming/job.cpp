@@ -79,9 +79,14 @@ Result<Preflight> readPlace(opcua::Link& link, const RunSettings& settings, bool
   return flight;
 }
 
-/// One run, step by step. Every step returns an error that ends the job.
+/// One run, step by step. Every step returns an error that ends the job. Where its points come from
+/// is its subclass.
 class Job {
  public:
+  virtual ~Job() = default;
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
   Job(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
       const RunSettings& settings, RunOrders& orders, RunSink& sink, JobRecorder recorder)
       : m_link(link),
@@ -92,9 +97,6 @@ class Job {
         m_ledger(sink, recorder.writer),
         m_recorder(std::move(recorder)),
         m_type(methodType(settings.parameters.method)) {}
-
-  /// The points come from here, and the program has none.
-  void takeFrom(live::PointStream& source) { m_live = &source; }
 
   RunReport run() {
     m_report.programName = m_program.name;
@@ -116,21 +118,56 @@ class Job {
     return std::move(m_report);
   }
 
- private:
-  Result<void> mayStart() {
-    const base::MethodKind method = m_settings.parameters.method;
-    if (m_live != nullptr && method != base::MethodKind::Window &&
-        method != base::MethodKind::Credit) {
-      return base::fail(StreamError::ProgramNotStreamable,
-                        "Points of a live source need a machine that waits for them: choose method "
-                        "window or credit.");
-    }
+ protected:
+  /// Reads what the run begins with, and takes its points if they are known.
+  virtual Result<void> look() = 0;
+  /// Where points come from while they are streamed; null: all are known.
+  [[nodiscard]] virtual live::PointStream* source() { return nullptr; }
+  /// The program on the control waits for the first window.
+  virtual void begin() {}
+  /// @return the program on the control ended after the last point of the run
+  virtual bool isWhole(const ProgramEnd& end) { return end.isDone; }
+  /// The program on the control has ended, or the connection.
+  virtual void streamed() {}
+  virtual void finished() {}
+
+  [[nodiscard]] virtual Result<void> mayStart() {
     if (base::needsCommissioning(m_settings.parameters.method) && !m_settings.isCommissioned) {
       return base::fail(blockedError({BlockReason::NotCommissioned, {}, std::nullopt}));
     }
     return {};
   }
 
+  void startRecording() {
+    if (m_recorder.writer != nullptr) {
+      m_recorder.writer->start(runStartOf(std::move(m_recorder.start), m_settings, m_program));
+    }
+  }
+  void recordPoints() {
+    if (m_recorder.writer != nullptr) {
+      m_recorder.writer->points(m_flight.points);
+    }
+  }
+
+  void fail(base::Error error) {
+    m_report.outcome = Outcome::Failed;
+    m_report.error = std::move(error);
+  }
+
+  opcua::Link& m_link;
+  opcua::Control& m_control;
+  const gcode::Program& m_program;
+  RunSettings m_settings;
+  RunOrders& m_orders;
+  Ledger m_ledger;
+  JobRecorder m_recorder;
+  const MethodType& m_type;
+  templates::CellMap m_cells;
+  StartClaim m_claim{m_link, m_control, m_cells, m_settings};
+  Preflight m_flight;
+  RunReport m_report;
+
+ private:
   /// No two runs have the same by accident: the clock of the link counts nanoseconds, and no two
   /// clients were switched on in the same one.
   [[nodiscard]] std::uint64_t entropy() const {
@@ -144,24 +181,9 @@ class Job {
       return base::fail(cells.error());
     }
     m_cells = *cells;
-    Result<Preflight> flight = m_live != nullptr ? readPlace(m_link, m_settings, false)
-                                                 : preflight(m_link, m_program, m_settings);
-    if (!flight) {
-      return base::fail(m_claim.withName(flight.error()));
+    if (Result<void> looked = look(); !looked) {
+      return base::fail(m_claim.withName(looked.error()));
     }
-    m_flight = std::move(*flight);
-    if (m_live != nullptr) {
-      startRecording();
-      return requireStreamedAxes();
-    }
-    m_report.counters.total = m_flight.points.points.size();
-    m_report.checkpoint = m_type.checkpoint(
-        m_settings, m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg, {}}));
-    if (m_report.checkpoint) {
-      m_report.checkpoint->pointCount = m_flight.pointCount;
-      m_report.checkpoint->pointsHash = m_flight.pointsHash;
-    }
-    startRecording();
     return {};
   }
 
@@ -213,60 +235,6 @@ class Job {
                         "No form of array access works on this control. Use lists.");
     }
     return {};
-  }
-
-  void startRecording() {
-    if (m_recorder.writer == nullptr) {
-      return;
-    }
-    m_recorder.writer->start(runStartOf(std::move(m_recorder.start), m_settings, m_program));
-    if (m_live == nullptr) {
-      m_recorder.writer->points(m_flight.points);
-    }
-  }
-
-  /// Which axes a live run moves is not known before: the control must have all of them.
-  Result<void> requireStreamedAxes() const {
-    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-      if (m_cells.rotaryAxes[axis] && m_flight.axes.index[axis] < 0) {
-        return base::fail(
-            StreamError::AxisMissing,
-            fmt::format("The control has no axis {}: leave it out.", base::kRotaryAxisNames[axis]));
-      }
-    }
-    return {};
-  }
-
-  /// The source is read from now on: the program on the control waits for the first window.
-  void beginLive() {
-    const base::AxisPosition tool{m_flight.toolMm, m_flight.toolDeg};
-    const templates::TemplateParameters& parameters = m_settings.parameters;
-    const live::Agreement& agreed = m_live->agreement();
-    const double feedMmPerMin =
-        std::min(base::mmPerMinFromMmPerS(m_settings.feedMmPerS), agreed.feedMmPerMinMax);
-    m_live->begin({agreed, tool, feedMmPerMin, m_cells.axes, m_cells.rotaryAxes}, tool,
-                  {static_cast<std::size_t>(m_cells.pointsPerLoop),
-                   static_cast<std::size_t>(m_cells.windows + m_type.windowsTakenMax(parameters)),
-                   parameters.feedPerPoint},
-                  m_link.now());
-  }
-
-  /// Its points are known only now.
-  void endLive() {
-    m_flight.points.points = m_live->points();
-    if (m_recorder.writer != nullptr) {
-      m_recorder.writer->points(m_flight.points);
-    }
-    if (m_report.outcome != Outcome::Completed) {
-      return;
-    }
-    if (const base::Error refusal = m_live->summary().refusal; refusal.code) {
-      fail(refusal);
-    } else if (m_live->points().empty()) {
-      fail(base::makeError(live::LiveError::NoPoint,
-                           "The source ended before its first point. Nothing has moved.",
-                           m_program.name));
-    }
   }
 
   /// Transfers the flexible program, has it selected and started, and waits until it waits for the
@@ -422,11 +390,9 @@ class Job {
   }
 
   void stream() {
-    if (m_live != nullptr) {
-      beginLive();
-    }
+    begin();
     MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings,
-                      m_flight.toolDeg,       m_live};
+                      m_flight.toolDeg,       source()};
     const std::unique_ptr<Method> method = m_type.make(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
                   m_cells);
@@ -437,8 +403,8 @@ class Job {
       }
     }
     driver.watchRotary(shown.index);
-    if (m_live != nullptr) {
-      driver.watchSource(*m_live);
+    if (live::PointStream* const points = source()) {
+      driver.watchSource(*points);
     }
     const bool isByPosition = m_settings.parameters.method == base::MethodKind::Position;
     driver.watchPath({m_flight.points.points,
@@ -469,9 +435,7 @@ class Job {
     if (end.programEnded) {
       takeProgramEnd();
     }
-    if (m_live != nullptr) {
-      endLive();
-    }
+    streamed();
   }
 
   /// How the program ended and how far it came, according to its cells.
@@ -487,14 +451,7 @@ class Job {
     if (end->executed) {
       m_report.counters.executed = *end->executed;
     }
-    bool isDone = end->isDone;
-    if (m_live != nullptr && end->windows) {
-      const std::vector<std::size_t>& begins = m_live->windowBegins();
-      m_report.counters.executed = begins[std::min(*end->windows, begins.size() - 1)];
-      // If the source ended after its last window, the program has been told to end there.
-      isDone = isDone || (end->isStopped && m_live->isDry() &&
-                          m_report.counters.executed == m_live->points().size());
-    }
+    const bool isDone = isWhole(*end);
     if (m_report.error.code) {
       return;  // the first error is the cause
     }
@@ -504,11 +461,6 @@ class Job {
     } else if (isCompleted && !isDone) {
       fail(endedEarly());
     }
-  }
-
-  void fail(base::Error error) {
-    m_report.outcome = Outcome::Failed;
-    m_report.error = std::move(error);
   }
 
   [[nodiscard]] static base::Error endedEarly() {
@@ -533,12 +485,7 @@ class Job {
     if (m_report.error.code != opcua::LinkError::ConnectionLost) {
       m_claim.release();
     }
-    if (m_live != nullptr) {
-      m_live->executed(m_report.counters.executed);
-      m_report.live = m_live->summary();
-      m_live->finish(outcomeName(m_report.outcome),
-                     m_report.error.code ? m_report.error.text() : std::string());
-    }
+    finished();
     m_report.access = m_ledger.statistics();
     if (m_recorder.writer != nullptr) {
       m_recorder.writer->end({std::string(outcomeName(m_report.outcome)), m_report.counters.sent,
@@ -597,21 +544,125 @@ class Job {
     m_ledger.update(update);
   }
 
-  opcua::Link& m_link;
-  opcua::Control& m_control;
-  const gcode::Program& m_program;
-  RunSettings m_settings;
-  RunOrders& m_orders;
-  Ledger m_ledger;
-  JobRecorder m_recorder;
-  const MethodType& m_type;
-  live::PointStream* m_live = nullptr;  ///< null: the points of the program
-  templates::CellMap m_cells;
-  StartClaim m_claim{m_link, m_control, m_cells, m_settings};
-  Preflight m_flight;
-  RunReport m_report;
   bool m_cancelled = false;
   bool m_streamed = false;
+};
+
+/// All points are those of a program.
+class ProgramJob final : public Job {
+ public:
+  using Job::Job;
+
+ protected:
+  Result<void> look() override {
+    Result<Preflight> flight = preflight(m_link, m_program, m_settings);
+    if (!flight) {
+      return base::fail(flight.error());
+    }
+    m_flight = std::move(*flight);
+    m_report.counters.total = m_flight.points.points.size();
+    m_report.checkpoint = m_type.checkpoint(
+        m_settings, m_settings.resume.value_or(Resume{0, m_flight.toolMm, m_flight.toolDeg, {}}));
+    if (m_report.checkpoint) {
+      m_report.checkpoint->pointCount = m_flight.pointCount;
+      m_report.checkpoint->pointsHash = m_flight.pointsHash;
+    }
+    startRecording();
+    recordPoints();
+    return {};
+  }
+};
+
+/// The points arrive while the machine moves.
+class LiveJob final : public Job {
+ public:
+  LiveJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
+          const RunSettings& settings, RunOrders& orders, RunSink& sink, JobRecorder recorder,
+          live::PointStream& source)
+      : Job(link, control, program, settings, orders, sink, std::move(recorder)),
+        m_source(source) {}
+
+ protected:
+  Result<void> mayStart() override {
+    const base::MethodKind method = m_settings.parameters.method;
+    if (method != base::MethodKind::Window && method != base::MethodKind::Credit) {
+      return base::fail(StreamError::ProgramNotStreamable,
+                        "Points of a live source need a machine that waits for them: choose method "
+                        "window or credit.");
+    }
+    return Job::mayStart();
+  }
+
+  Result<void> look() override {
+    Result<Preflight> flight = readPlace(m_link, m_settings, false);
+    if (!flight) {
+      return base::fail(flight.error());
+    }
+    m_flight = std::move(*flight);
+    startRecording();
+    // Which axes a live run moves is not known before: the control must have all of them.
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      if (m_cells.rotaryAxes[axis] && m_flight.axes.index[axis] < 0) {
+        return base::fail(
+            StreamError::AxisMissing,
+            fmt::format("The control has no axis {}: leave it out.", base::kRotaryAxisNames[axis]));
+      }
+    }
+    return {};
+  }
+
+  live::PointStream* source() override { return &m_source; }
+
+  /// The source is read from now on.
+  void begin() override {
+    const base::AxisPosition tool{m_flight.toolMm, m_flight.toolDeg};
+    const templates::TemplateParameters& parameters = m_settings.parameters;
+    const live::Agreement& agreed = m_source.agreement();
+    const double feedMmPerMin =
+        std::min(base::mmPerMinFromMmPerS(m_settings.feedMmPerS), agreed.feedMmPerMinMax);
+    m_source.begin({agreed, tool, feedMmPerMin, m_cells.axes, m_cells.rotaryAxes}, tool,
+                   {static_cast<std::size_t>(m_cells.pointsPerLoop),
+                    static_cast<std::size_t>(m_cells.windows + m_type.windowsTakenMax(parameters)),
+                    parameters.feedPerPoint},
+                   m_link.now());
+  }
+
+  bool isWhole(const ProgramEnd& end) override {
+    if (!end.windows) {
+      return end.isDone;
+    }
+    const std::vector<std::size_t>& begins = m_source.windowBegins();
+    m_report.counters.executed = begins[std::min(*end.windows, begins.size() - 1)];
+    // If the source ended after its last window, the program has been told to end there.
+    return end.isDone || (end.isStopped && m_source.isDry() &&
+                          m_report.counters.executed == m_source.points().size());
+  }
+
+  /// Its points are known only now.
+  void streamed() override {
+    m_flight.points.points = m_source.points();
+    recordPoints();
+    if (m_report.outcome != Outcome::Completed) {
+      return;
+    }
+    if (const base::Error refusal = m_source.summary().refusal; refusal.code) {
+      fail(refusal);
+    } else if (m_source.points().empty()) {
+      fail(base::makeError(live::LiveError::NoPoint,
+                           "The source ended before its first point. Nothing has moved.",
+                           m_program.name));
+    }
+  }
+
+  void finished() override {
+    m_source.executed(m_report.counters.executed);
+    m_report.live = m_source.summary();
+    m_source.finish(outcomeName(m_report.outcome),
+                    m_report.error.code ? m_report.error.text() : std::string());
+  }
+
+ private:
+  live::PointStream& m_source;
 };
 
 }  // namespace
@@ -675,15 +726,13 @@ RunReport runLive(opcua::Link& link, opcua::Control& control, std::string name,
                   RunSink& sink, JobRecorder recorder) {
   gcode::Program program;
   program.name = std::move(name);
-  Job job(link, control, program, settings, orders, sink, std::move(recorder));
-  job.takeFrom(source);
-  return job.run();
+  return LiveJob(link, control, program, settings, orders, sink, std::move(recorder), source).run();
 }
 
 RunReport runJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
                  const RunSettings& settings, RunOrders& orders, RunSink& sink,
                  JobRecorder recorder) {
-  return Job(link, control, program, settings, orders, sink, std::move(recorder)).run();
+  return ProgramJob(link, control, program, settings, orders, sink, std::move(recorder)).run();
 }
 
 }  // namespace rivulet::streaming
