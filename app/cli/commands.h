@@ -170,6 +170,7 @@ struct AnalyseOptions {
   std::string columns;          ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
   double rateHz = 0.0;          ///< of a table without time; 0: not said
   double toleranceMm = 0.0;     ///< of the path; 0: the usual one
+  bool overview = false;        ///< only what the index of a recording says
   bool summary = false;         ///< one table of all files
   bool csv = false;             ///< the summary as CSV
   std::string failIf;           ///< rule; empty: none
@@ -177,6 +178,8 @@ struct AnalyseOptions {
   std::string language = "en";  ///< of the report
   bool json = false;
 };
+/// What recordings hold, without reading them as a whole.
+[[nodiscard]] Exit overview(const AnalyseOptions& options);
 /// Judges what a recording or trace shows.
 [[nodiscard]] Exit analyse(const AnalyseOptions& options);
 

@@ -456,6 +456,8 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
       ->add_option("--tolerance", options->toleranceMm,
                    "Distance from the path that still is on it, mm (0.05)")
       ->check(kPositive);
+  command->add_flag("--overview", options->overview,
+                    "Only what the index of recordings says; hours are opened at once");
   auto* summary = command->add_flag("--summary", options->summary, "One table of all files");
   command->add_flag("--csv", options->csv, "The summary as comma-separated values")->needs(summary);
   auto* page = command->add_option("--report", options->report,
@@ -473,7 +475,7 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
     if (!options->report.empty() && options->files.size() > 1) {
       throw CLI::ValidationError("--report", "makes a page of one file");
     }
-    exit = rivulet::cli::analyse(*options);
+    exit = options->overview ? rivulet::cli::overview(*options) : rivulet::cli::analyse(*options);
   });
 }
 

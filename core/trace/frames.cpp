@@ -20,6 +20,9 @@ constexpr std::string_view kFrameMagic = "\x28\xB5\x2F\xFD";
 /// The table is a seek table of the zstd seekable format: other tools can use it.
 constexpr std::uint32_t kSkippableMagic = 0x184D2A5EU;
 constexpr std::uint32_t kSeekableMagic = 0x8F92EAB1U;
+/// The index of a recording is a frame that every other reader skips.
+constexpr std::uint32_t kIndexMagic = 0x184D2A50U;
+constexpr int kIndexLevel = 9;
 constexpr std::size_t kFooterBytes = 9;
 constexpr std::size_t kEntryBytes = 8;
 /// No frame of ours is larger.
@@ -64,7 +67,7 @@ FramePlaces findFrames(std::string_view bytes) {
   while (at < bytes.size()) {
     if (isSkippable(bytes, at)) {
       const std::size_t size = 8 + std::size_t{littleAt(bytes, at + 4)};
-      places.hasTable = at + size == bytes.size();
+      places.hasTable = at + size == bytes.size() && littleAt(bytes, at) == kSkippableMagic;
       at += std::min(size, bytes.size() - at);
       continue;
     }
@@ -75,7 +78,11 @@ FramePlaces findFrames(std::string_view bytes) {
       at += size;
       continue;
     }
-    const std::size_t next = bytes.find(kFrameMagic, at + 1);
+    std::size_t next = bytes.find(kFrameMagic, at + 1);
+    if (next != std::string_view::npos && next >= at + 8 &&
+        littleAt(bytes, next - 8) == kIndexMagic) {
+      next -= 8;  // the content of the index is no text of the recording
+    }
     if (next == std::string_view::npos) {
       places.isCut = true;
       places.cutAt = at;
@@ -100,8 +107,12 @@ std::optional<std::vector<FramePlace>> readSeekTable(std::string_view bytes) {
   std::vector<FramePlace> frames;
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t packed = littleAt(bytes, bytes.size() - size + 8 + i * kEntryBytes);
-    frames.push_back({at, packed});
+    const std::size_t entry = bytes.size() - size + 8 + i * kEntryBytes;
+    const std::size_t packed = littleAt(bytes, entry);
+    // The index has no text.
+    if (littleAt(bytes, entry + 4) != 0) {
+      frames.push_back({at, packed});
+    }
     at += packed;
   }
   return at + size == bytes.size() ? std::optional(std::move(frames)) : std::nullopt;
@@ -124,21 +135,70 @@ std::string FrameWriter::frame(std::string_view lines) {
   std::string packed = pack(lines, kFrameLevel);
   m_frames.push_back(
       {static_cast<std::uint32_t>(packed.size()), static_cast<std::uint32_t>(lines.size())});
+  m_index.addFrame(lines, packed.size());
   return packed;
 }
 
 std::string FrameWriter::table() const {
+  const std::string index = pack(printIndex(m_index), kIndexLevel);
   std::string out;
+  appendLittle(out, kIndexMagic);
+  appendLittle(out, static_cast<std::uint32_t>(index.size()));
+  out += index;
+  std::vector<Size> frames = m_frames;
+  frames.push_back({static_cast<std::uint32_t>(out.size()), 0});
   appendLittle(out, kSkippableMagic);
-  appendLittle(out, static_cast<std::uint32_t>(m_frames.size() * kEntryBytes + kFooterBytes));
-  for (const Size& size : m_frames) {
+  appendLittle(out, static_cast<std::uint32_t>(frames.size() * kEntryBytes + kFooterBytes));
+  for (const Size& size : frames) {
     appendLittle(out, size.packed);
     appendLittle(out, size.text);
   }
-  appendLittle(out, static_cast<std::uint32_t>(m_frames.size()));
+  appendLittle(out, static_cast<std::uint32_t>(frames.size()));
   out += '\0';  // no checksums in the table: each frame has its own
   appendLittle(out, kSeekableMagic);
   return out;
+}
+
+std::optional<IndexPlace> findIndex(std::string_view tail, std::uint64_t fileBytes) {
+  static_assert(kIndexTailBytes == kEntryBytes + kFooterBytes);
+  if (tail.size() != kIndexTailBytes || littleAt(tail, tail.size() - 4) != kSeekableMagic) {
+    return std::nullopt;
+  }
+  const std::uint64_t count = littleAt(tail, kEntryBytes);
+  const std::uint64_t table = 8 + count * kEntryBytes + kFooterBytes;
+  const std::uint64_t bytes = littleAt(tail, 0);
+  if (littleAt(tail, 4) != 0 || table + bytes > fileBytes) {
+    return std::nullopt;
+  }
+  return IndexPlace{fileBytes - table - bytes, bytes};
+}
+
+std::optional<RecordingIndex> unpackIndex(std::string_view bytes) {
+  if (bytes.size() < 8 || littleAt(bytes, 0) != kIndexMagic ||
+      std::uint64_t{littleAt(bytes, 4)} + 8 != bytes.size() || !isCompressed(bytes.substr(8))) {
+    return std::nullopt;
+  }
+  const Unpacked text = unpack(bytes.substr(8));
+  return text.whole ? parseIndex(text.text) : std::nullopt;
+}
+
+void forEachFrame(std::string_view bytes,
+                  const std::function<void(std::string_view text, std::uint64_t size)>& take) {
+  if (!isCompressed(bytes)) {
+    take(bytes, bytes.size());
+    return;
+  }
+  const FramePlaces places = findFrames(bytes);
+  const std::size_t end = places.isCut ? places.cutAt : bytes.size();
+  for (std::size_t i = 0; i < places.frames.size(); ++i) {
+    const FramePlace& place = places.frames[i];
+    const std::size_t next = i + 1 < places.frames.size() ? places.frames[i + 1].begin : end;
+    take(textOf(bytes.substr(place.begin, place.size)).value_or(std::string()), next - place.begin);
+  }
+  if (places.isCut) {
+    const std::string_view rest = bytes.substr(places.cutAt);
+    take(unpack(rest).text, rest.size());
+  }
 }
 
 Frames readFrames(std::string_view bytes) {

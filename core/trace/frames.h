@@ -9,10 +9,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "trace/recording_index.h"
 
 namespace rivulet::trace {
 
@@ -21,7 +24,8 @@ class FrameWriter {
  public:
   /// @param lines  whole lines  @return bytes to append to the file
   [[nodiscard]] std::string frame(std::string_view lines);
-  /// The table; what is appended after it is not found by it. @return bytes to append to the file
+  /// The index and the table; what is appended after them is not found by them.
+  /// @return bytes to append to the file
   [[nodiscard]] std::string table() const;
 
  private:
@@ -30,7 +34,24 @@ class FrameWriter {
     std::uint32_t text = 0;
   };
   std::vector<Size> m_frames;
+  RecordingIndex m_index;
 };
+
+/// So many last bytes of a file say where its index is.
+inline constexpr std::uint64_t kIndexTailBytes = 17;
+struct IndexPlace {
+  std::uint64_t at = 0;  ///< in the file
+  std::uint64_t bytes = 0;
+};
+/// @param tail  the last `kIndexTailBytes` of the file  @return nothing: it has no index
+[[nodiscard]] std::optional<IndexPlace> findIndex(std::string_view tail, std::uint64_t fileBytes);
+/// @return nothing: it is damaged
+[[nodiscard]] std::optional<RecordingIndex> unpackIndex(std::string_view bytes);
+
+/// The text of each frame in turn, and the bytes from it to the next: what is damaged between is
+/// counted with the frame before. A text that is not compressed is one frame.
+void forEachFrame(std::string_view bytes,
+                  const std::function<void(std::string_view text, std::uint64_t size)>& take);
 
 struct Frames {
   std::string text;         ///< of all frames that can be read, and of the beginning of a cut one

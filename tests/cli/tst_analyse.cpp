@@ -14,6 +14,7 @@
 #include "report/stream_quality.h"
 #include "streaming/driver.h"
 #include "support/test_program.h"
+#include "trace/frames.h"
 
 using namespace rivulet;
 using nlohmann::json;
@@ -119,6 +120,35 @@ class TestAnalyse : public QObject {
                               QStringLiteral("--summary"), QStringLiteral("--json")});
     QCOMPARE(some.exit, 2);
     QCOMPARE(some.parsed().size(), std::size_t{2});
+  }
+
+  /// The overview of a recording is that of the whole file, also if it was cut off.
+  void showsAnOverview() {
+    trace::FrameWriter frames;
+    std::string bytes = frames.frame(
+        "rivulet-recording 1\nrun method=\"window\" program=\"part.mpf\"\npoints count=0 "
+        "merged=0\n");
+    bytes += frames.frame("l 0 1 2 3 10\nl 500000000 4 2 3 10\na 1000000 4000000 r 3\n");
+    bytes += frames.frame("l 1500000000 5 -2 3 10\nn 1600000000 \"running\"\n");
+    const std::string cut = bytes;
+    bytes += frames.frame("end outcome=\"completed\" duration_ns=1600000000\n");
+    bytes += frames.table();
+    for (const std::string& content : {bytes, cut}) {
+      const QString path = file("long.rivulet", QByteArray::fromStdString(content));
+      const Outcome outcome = run({path, QStringLiteral("--overview"), QStringLiteral("--json")});
+      QCOMPARE(outcome.exit, 0);
+      const json shown = outcome.parsed();
+      QCOMPARE(shown["program"].get<std::string>(), std::string("part.mpf"));
+      QCOMPARE(shown["had_index"].get<bool>(), content == bytes);
+      QCOMPARE(shown["outcome"].is_null(), content == cut);
+      QCOMPARE(shown["span_s"].get<double>(), 1.6);
+      QCOMPARE(shown["samples"].get<int>(), 3);
+      QCOMPARE(shown["requests"].get<int>(), 1);
+      QCOMPARE(shown["position_mm"]["y"], (json{-2.0, 2.0}));
+    }
+    const Outcome refused = run({file("rubbish", "rubbish\n"), QStringLiteral("--overview")});
+    QCOMPARE(refused.exit, 2);
+    QVERIFY(!refused.errors.empty());
   }
 
   void remembersTheColumns() {
