@@ -44,11 +44,12 @@ struct RecordingFile::State {
   int descriptor = -1;
   std::mutex mutex;
   std::condition_variable changed;
-  std::string waiting;       ///< to be written
-  std::size_t inFlight = 0;  ///< bytes that are being written
-  std::size_t written = 0;   ///< bytes
-  bool isClosing = false;    ///< nothing more will come
-  bool isDone = false;       ///< the file is closed
+  std::string waiting;                                 ///< to be written
+  std::chrono::steady_clock::time_point waitingSince;  ///< its first line
+  std::size_t inFlight = 0;                            ///< bytes that are being written
+  std::size_t written = 0;                             ///< bytes
+  bool isClosing = false;                              ///< nothing more will come
+  bool isDone = false;                                 ///< the file is closed
   bool isBehind = false;     ///< there was no room: the recording ends there
   bool isAbandoned = false;  ///< the file hung at the end
   int error = 0;             ///< of the system
@@ -72,8 +73,9 @@ void RecordingFile::State::work() {
     }
     // A frame of many lines is smaller than many frames of one.
     const std::size_t enough = std::min(kFrameBytes, limits.queueBytesMax / 4);
-    changed.wait_for(lock, kFrameTime,
-                     [this, enough] { return waiting.size() >= enough || isClosing; });
+    // The time of a slow disk counts: what came meanwhile has waited already.
+    changed.wait_until(lock, waitingSince + kFrameTime,
+                       [this, enough] { return waiting.size() >= enough || isClosing; });
     const std::string text = std::exchange(waiting, {});
     inFlight = text.size();
     lock.unlock();
@@ -167,6 +169,9 @@ bool RecordingFile::append(std::string_view lines) {
   if (state.isClosing || state.isBehind || !fits()) {
     state.isBehind = state.isBehind || !state.isClosing;
     return false;
+  }
+  if (state.waiting.empty()) {
+    state.waitingSince = std::chrono::steady_clock::now();
   }
   state.waiting += lines;
   state.changed.notify_all();

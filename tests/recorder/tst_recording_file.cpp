@@ -11,17 +11,21 @@
 
 #include <csignal>
 
+#include <QDir>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "base/file.h"
 #include "base/random.h"
 #include "recorder/recording_file.h"
 #include "support/test_program.h"
 #include "trace/frames.h"
+#include "trace/recording.h"
 
 using namespace rivulet;
 using recorder::RecordingFile;
@@ -111,6 +115,58 @@ class TestRecordingFile : public QObject {
     const trace::Frames frames = trace::readFrames(*base::readFile(file));
     QCOMPARE(frames.text, expected);
     QVERIFY(!frames.hasTable && frames.damaged == 0);
+  }
+
+  /// A run whose program is killed: less than a second of the machine's time is lost. The machine
+  /// stands while its program does not get the processor, so that a busy computer does not lose
+  /// more; the file is in memory, because a busy disk would.
+  void aKilledRunLosesLessThanASecond() {
+    using namespace std::chrono_literals;
+    const bool hasMemory = QFileInfo(QStringLiteral("/dev/shm")).isWritable();
+    const QTemporaryDir folder((hasMemory ? QStringLiteral("/dev/shm") : QDir::tempPath()) +
+                               QStringLiteral("/recording-XXXXXX"));
+    const std::filesystem::path file = folder.filePath(QStringLiteral("run")).toStdString();
+    constexpr base::Duration kCycle = 2ms;
+    int acknowledged[2];
+    QCOMPARE(pipe(acknowledged), 0);
+    const pid_t child = fork();
+    QVERIFY(child >= 0);
+    if (child == 0) {
+      auto opened = RecordingFile::open(file);
+      trace::RecordingWriter writer((*opened)->sink());
+      writer.start({});
+      writer.points({});
+      for (base::Instant now{};; now += kCycle) {
+        writer.sample({now, base::Vec3{1.0, 2.0, 3.0}, 10.0});
+        const base::Duration::rep at = now.time_since_epoch().count();
+        static_cast<void>(write(acknowledged[1], &at, sizeof at));
+        std::this_thread::sleep_for(kCycle);
+      }
+    }
+    close(acknowledged[1]);
+    base::Instant last{};
+    const auto next = [&] {
+      base::Duration::rep at = 0;
+      const bool isThere = read(acknowledged[0], &at, sizeof at) == sizeof at;
+      last = isThere ? base::Instant{base::Duration{at}} : last;
+      return isThere;
+    };
+    while (last < base::Instant{1730ms} && next()) {
+    }
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    while (next()) {
+    }
+    close(acknowledged[0]);
+    QVERIFY(last >= base::Instant{1730ms});
+    const auto recording = trace::parseRecording(*base::readFile(file));
+    QVERIFY(recording.has_value());
+    QVERIFY(!recording->complete && !recording->samples.empty());
+    QVERIFY2(last - recording->samples.back().at < 1s,
+             qPrintable(QString::number(base::toSeconds(last - recording->samples.back().at))));
+    for (std::size_t i = 0; i < recording->samples.size(); ++i) {
+      QCOMPARE(recording->samples[i].at, base::Instant{kCycle * static_cast<int>(i)});
+    }
   }
 
   /// Lists larger than the queue wait for the disk; nothing of them is lost.
