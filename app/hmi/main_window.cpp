@@ -92,7 +92,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   buildMenu();
   showLock();
   connect(&m_runs, &RunController::started, this, [this] { m_isStopRequested = false; });
-  connect(&m_document, &Document::programLoaded, this, &MainWindow::retranslate);
+  connect(&m_document, &Document::programLoaded, this, &MainWindow::showTitle);
   connect(&m_runs, &RunController::permissionsChanged, this,
           [this] { m_openAction->setEnabled(!isRunning() && !m_users.isLocked()); });
   connect(&m_runs, &RunController::started, this, &MainWindow::runStarted);
@@ -286,14 +286,21 @@ void MainWindow::buildMenu() {
   addAction(m_quitAction);
 }
 
-void MainWindow::retranslate() {
+void MainWindow::showTitle() {
   const auto program = m_document.program();
   setWindowTitle(program ? tr("%1 – Rivulet").arg(QString::fromStdString(program->name))
                          : tr("Rivulet"));
-  for (int i = 0; i < m_tabs->count(); ++i) {
-    m_tabs->setTabText(i, pageTitle(pageEntries()[static_cast<std::size_t>(i)]));
-    m_tabs->setTabToolTip(i, pageKey(i).toString());
+}
+
+void MainWindow::retranslate() {
+  showTitle();
+  QStringList titles;
+  QStringList keys;
+  for (const PageEntry& entry : pageEntries()) {
+    keys.push_back(pageKey(static_cast<int>(titles.size())).toString());
+    titles.push_back(pageTitle(entry));
   }
+  m_tabs->setTitles(titles, keys);
   m_setUpButton->setText(tr("&Set-up"));
   m_setUpButton->setToolTip(tr("Method, feed and verdict"));
   m_menuButton->setText(tr("&Menu"));
@@ -320,15 +327,7 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::setLanguage(const QString& language) {
   m_settings.language = language;
-  m_translator.setLanguage(language);
-  if (m_translator.language() == QLatin1String("en")) {
-    // Without a translator to install no event would come.
-    QEvent change(QEvent::LanguageChange);
-    const QWidgetList widgets = QApplication::allWidgets();
-    for (QWidget* widget : widgets) {
-      QApplication::sendEvent(widget, &change);
-    }
-  }
+  m_translator.setLanguage(language);  // its widgets are told by an event
 }
 
 void MainWindow::setTheme(widgets::Theme theme) {
@@ -420,6 +419,10 @@ void MainWindow::showFirstPage() {
   if (m_machines.cards().size() > 1 && isUntouched) {
     showPageOf(m_tabs->findChild<widgets::MachinesPage*>());
   }
+}
+
+QTabWidget* MainWindow::pages() const {
+  return m_tabs;
 }
 
 widgets::TracePage* MainWindow::tracePage() const {

@@ -40,6 +40,7 @@ class CloseBar;
 class FoldingColumns;
 class HelpPage;
 class ProgramPage;
+class SideTabs;
 class TracePage;
 }  // namespace rivulet::widgets
 
@@ -105,7 +106,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] Users& users() { return m_users; }
   [[nodiscard]] Releases& releases() { return m_releases; }
   /// The pages, for pictures and tests.
-  [[nodiscard]] QTabWidget* pages() const { return m_tabs; }
+  [[nodiscard]] QTabWidget* pages() const;
   [[nodiscard]] widgets::TracePage* tracePage() const;
   [[nodiscard]] widgets::CalibrationPage* calibrationPage() const;
   [[nodiscard]] widgets::ProgramPage* programPage() const;
@@ -134,6 +135,7 @@ class MainWindow final : public QMainWindow {
   /// In a locked window only Stop works.
   void showLock();
   void retranslate();
+  void showTitle();
 
   Settings m_settings;
   bool m_persistent;
@@ -165,7 +167,7 @@ class MainWindow final : public QMainWindow {
   widgets::FoldingColumns* m_columns = nullptr;
   QStackedWidget* m_centre = nullptr;  ///< the pages, the preflight or the manual
   widgets::HelpPage* m_help = nullptr;
-  QTabWidget* m_tabs = nullptr;
+  widgets::SideTabs* m_tabs = nullptr;
   QToolButton* m_menuButton = nullptr;
   widgets::CloseBar* m_closeBar = nullptr;
   QMenu* m_languageMenu = nullptr;

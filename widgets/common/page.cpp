@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <utility>
 
 #include "widgets/common/theme.h"
 
@@ -17,12 +18,34 @@ Page::Page(QWidget* parent) : QWidget(parent) {
 
 void Page::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
-    setLocale(QLocale());  // spin boxes show and read numbers in the new language
-    retranslate();
+    m_waitsForLanguage = canWait();
+    if (!m_waitsForLanguage) {
+      followLanguage();
+    }
   } else if (event->type() == QEvent::PaletteChange) {
-    restyle();
+    m_waitsForTheme = canWait();
+    if (!m_waitsForTheme) {
+      restyle();
+    }
   }
   QWidget::changeEvent(event);
+}
+
+bool Page::event(QEvent* event) {
+  if (event->type() == QEvent::Show) {
+    if (std::exchange(m_waitsForLanguage, false)) {
+      followLanguage();
+    }
+    if (std::exchange(m_waitsForTheme, false)) {
+      restyle();
+    }
+  }
+  return QWidget::event(event);
+}
+
+void Page::followLanguage() {
+  setLocale(QLocale());  // spin boxes show and read numbers in the new language
+  retranslate();
 }
 
 QPushButton* makeTouchButton(QWidget* parent) {

@@ -3,7 +3,8 @@
 
 /// @file
 /// Base of every page: texts are set in one place and set again when the language changes,
-/// colours when the theme changes. A derived constructor ends with `retranslate(); restyle();`.
+/// colours when the theme changes. A page that is not shown in a window that is follows when it is
+/// shown. A derived constructor ends with `retranslate(); restyle();`.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -27,6 +28,15 @@ class Page : public QWidget {
   virtual void restyle() {}
 
   void changeEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  /// All pages at once would keep the window busy for too long.
+  [[nodiscard]] bool canWait() const { return !isVisible() && window()->isVisible(); }
+  void followLanguage();
+
+  bool m_waitsForLanguage = false;
+  bool m_waitsForTheme = false;
 };
 
 /// A button large enough for a finger.

@@ -27,20 +27,31 @@ class SideTabBar final : public QTabBar {
     setUsesScrollButtons(true);
   }
 
+  void setTitles(const QStringList& titles) {
+    measure(titles);
+    for (int i = 0; i < count(); ++i) {
+      setTabText(i, titles[i]);
+    }
+  }
+
  protected:
   [[nodiscard]] QSize tabSizeHint(int /*index*/) const override {
-    QFont bold = font();
-    bold.setBold(true);  // as the present one is drawn
-    const QFontMetrics metrics(bold);
-    int width = 0;
-    for (int i = 0; i < count(); ++i) {
-      width = std::max(width, metrics.horizontalAdvance(tabText(i)));
-    }
     const int room = parentWidget()->height() / std::max(1, count());
-    return {width + kMarkPx + 2 * kPaddingPx, std::clamp(room, kHeightPxMin, kTouchHeightPx)};
+    return {m_widthPx + kMarkPx + 2 * kPaddingPx, std::clamp(room, kHeightPxMin, kTouchHeightPx)};
   }
 
   [[nodiscard]] QSize minimumTabSizeHint(int index) const override { return tabSizeHint(index); }
+
+  void changeEvent(QEvent* event) override {
+    if (event->type() == QEvent::FontChange) {
+      QStringList titles;
+      for (int i = 0; i < count(); ++i) {
+        titles.push_back(tabText(i));
+      }
+      measure(titles);
+    }
+    QTabBar::changeEvent(event);
+  }
 
   void paintEvent(QPaintEvent* /*event*/) override {
     QPainter painter(this);
@@ -64,6 +75,19 @@ class SideTabBar final : public QTabBar {
                        Qt::AlignLeft | Qt::AlignVCenter, tabText(i));
     }
   }
+
+ private:
+  void measure(const QStringList& titles) {
+    QFont bold = font();
+    bold.setBold(true);  // as the present one is drawn
+    const QFontMetrics metrics(bold);
+    m_widthPx = 0;
+    for (const QString& title : titles) {
+      m_widthPx = std::max(m_widthPx, metrics.horizontalAdvance(title));
+    }
+  }
+
+  int m_widthPx = 0;  ///< of the widest title
 };
 
 }  // namespace
@@ -72,6 +96,14 @@ SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
   setTabBar(new SideTabBar(this));
   setTabPosition(West);
   setDocumentMode(true);
+}
+
+void SideTabs::setTitles(const QStringList& titles, const QStringList& toolTips) {
+  static_cast<SideTabBar*>(tabBar())->setTitles(titles);
+  for (int i = 0; i < count(); ++i) {
+    setTabToolTip(i, toolTips[i]);
+  }
+  setTabText(0, titles.first());  // the bar alone does not tell the widget its new width
 }
 
 void SideTabs::resizeEvent(QResizeEvent* event) {

@@ -18,6 +18,9 @@ class SideTabs final : public QTabWidget {
  public:
   explicit SideTabs(QWidget* parent = nullptr);
 
+  /// Names of all pages and their tool tips: laid out once, not for each name.
+  void setTitles(const QStringList& titles, const QStringList& toolTips);
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
 };
