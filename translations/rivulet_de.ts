@@ -16,14 +16,6 @@
         <translation>Zugriff kalibriert am %1 (%2): t = %3; Lesen %4, Schreiben %5.</translation>
     </message>
     <message>
-        <source>99 % of the writes of %1 cells end within %2.</source>
-        <translation>99 % der Schreibzugriffe auf %1 Zellen enden innerhalb von %2.</translation>
-    </message>
-    <message>
-        <source>Up to %1 cells were measured.</source>
-        <translation>Gemessen wurden bis zu %1 Zellen.</translation>
-    </message>
-    <message>
         <source>list</source>
         <translation>Liste</translation>
     </message>
@@ -42,6 +34,20 @@
     <message>
         <source>a server without a name</source>
         <translation>ein Server ohne Namen</translation>
+    </message>
+    <message numerus="yes">
+        <source>99 % of the writes of %n cells end within %1.</source>
+        <translation>
+            <numerusform>99&#xa0;% der Schreibzugriffe auf %n Zelle enden innerhalb von %1.</numerusform>
+            <numerusform>99&#xa0;% der Schreibzugriffe auf %n Zellen enden innerhalb von %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Up to %n cells were measured.</source>
+        <translation>
+            <numerusform>Gemessen wurde bis zu %n Zelle.</numerusform>
+            <numerusform>Gemessen wurden bis zu %n Zellen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1332,10 +1338,6 @@
         <translation>%1 von %2 Punkten ausgeführt</translation>
     </message>
     <message>
-        <source>%1 windows executed</source>
-        <translation>%1 Fenster ausgeführt</translation>
-    </message>
-    <message>
         <source>%1. Looking for its client …</source>
         <translation>%1. Der Client wird gesucht …</translation>
     </message>
@@ -1362,6 +1364,13 @@
     <message>
         <source>Stop requested, not yet confirmed.</source>
         <translation>Stopp angefordert, noch nicht bestätigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows executed</source>
+        <translation>
+            <numerusform>%Ln Fenster ausgeführt</numerusform>
+            <numerusform>%Ln Fenster ausgeführt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1508,9 +1517,12 @@
         <source>Afterwards the position is read from the control.</source>
         <translation>Danach wird die Position von der Steuerung gelesen.</translation>
     </message>
-    <message>
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
-        <translation>Abschnitt %1 von %2: Zeilen %3 bis %4 werden gestreamt, %5 Punkte.</translation>
+    <message numerus="yes">
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <translation>
+            <numerusform>Abschnitt %1 von %2: Zeilen %3 bis %4 werden gestreamt, %Ln Punkt.</numerusform>
+            <numerusform>Abschnitt %1 von %2: Zeilen %3 bis %4 werden gestreamt, %Ln Punkte.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1526,13 +1538,6 @@
 </context>
 <context>
     <name>MachineCard</name>
-    <message numerus="yes">
-        <source>%n alarm(s)</source>
-        <translation>
-            <numerusform>%n Alarm</numerusform>
-            <numerusform>%n Alarme</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No run is known.</source>
         <translation>Kein Lauf bekannt.</translation>
@@ -1552,6 +1557,13 @@
     <message>
         <source>%1, seen %2 ago</source>
         <translation>%1, gesehen vor %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarms</source>
+        <translation>
+            <numerusform>%n Alarm</numerusform>
+            <numerusform>%n Alarme</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1775,12 +1787,15 @@
         <translation>Ein Lauf ist aktiv. Ein anderes Programm erst nach dem Ende des Laufs öffnen.</translation>
     </message>
     <message>
-        <source>Opened %1 (%2), %3 points.</source>
-        <translation>%1 geöffnet (%2), %3 Punkte.</translation>
-    </message>
-    <message>
         <source>Reading %1 was cancelled.</source>
         <translation>Das Lesen von %1 wurde abgebrochen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1 (%2), %Ln points.</source>
+        <translation>
+            <numerusform>%1 geöffnet (%2), %Ln Punkt.</numerusform>
+            <numerusform>%1 geöffnet (%2), %Ln Punkte.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1798,12 +1813,15 @@
         <translation>den %1 schwierigsten Punkten</translation>
     </message>
     <message>
-        <source>Simulation of %1: no wrong point in %2 runs.</source>
-        <translation>Simulation mit %1: kein falscher Punkt in %2 Läufen.</translation>
-    </message>
-    <message>
         <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
         <translation>Simulation mit %1: falsche Punkte in %2 von %3 Läufen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Simulation of %1: no wrong point in %n runs.</source>
+        <translation>
+            <numerusform>Simulation mit %1: kein falscher Punkt in %n Lauf.</numerusform>
+            <numerusform>Simulation mit %1: kein falscher Punkt in %n Läufen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2485,7 +2503,7 @@
     </message>
     <message>
         <source>Median, 99 %, longest</source>
-        <translation>Median, 99 %, längste</translation>
+        <translation>Median, 99&#xa0;%, längste</translation>
     </message>
     <message>
         <source>Requests made again</source>
@@ -2493,7 +2511,7 @@
     </message>
     <message>
         <source>Margin; of the slowest 1 %</source>
-        <translation>Reserve; der langsamsten 1 %</translation>
+        <translation>Reserve; der langsamsten 1&#xa0;%</translation>
     </message>
 </context>
 <context>
@@ -2715,10 +2733,6 @@ GPL-3.0-or-later</translation>
         <translation>Neu laden</translation>
     </message>
     <message>
-        <source>%1, version %2, %3 points</source>
-        <translation>%1, Fassung %2, %3 Punkte</translation>
-    </message>
-    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
@@ -2823,14 +2837,6 @@ GPL-3.0-or-later</translation>
         <translation>Punkt %1 von %2 bei %3</translation>
     </message>
     <message>
-        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
-        <translation>Geradeaus über %1 zu %2. %3 Punkte sind ausgeführt.</translation>
-    </message>
-    <message>
-        <source>In a straight line to %1. %2 points have been executed.</source>
-        <translation>Geradeaus zu %1. %2 Punkte sind ausgeführt.</translation>
-    </message>
-    <message>
         <source>From point %1 on, the program differs from that of the interrupted run.</source>
         <translation>Ab Punkt %1 unterscheidet sich das Programm von dem des unterbrochenen Laufs.</translation>
     </message>
@@ -2895,16 +2901,8 @@ GPL-3.0-or-later</translation>
         <translation>Ganzer Auftrag</translation>
     </message>
     <message>
-        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
-        <translation>%1 Abschnitte werden gestreamt, und die Steuerung führt %2 Sätze aus: %3</translation>
-    </message>
-    <message>
         <source>Motion only</source>
         <translation>Nur Bewegung</translation>
-    </message>
-    <message>
-        <source>%1 blocks are left out: %2</source>
-        <translation>%1 Sätze werden ausgelassen: %2</translation>
     </message>
     <message>
         <source>Set tool, spindle and coolant at the control.</source>
@@ -2953,6 +2951,48 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
         <translation>Alle Sätze bleiben innerhalb von Verfahrweg, Spindeldrehzahl und Werkzeugtabelle.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, version %2, %Ln points</source>
+        <translation>
+            <numerusform>%1, Fassung %2, %Ln Punkt</numerusform>
+            <numerusform>%1, Fassung %2, %Ln Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Streamed: %1; the control executes %Ln blocks: %2</source>
+        <translation>
+            <numerusform>Gestreamt: %1; die Steuerung führt %Ln Satz aus: %2</numerusform>
+            <numerusform>Gestreamt: %1; die Steuerung führt %Ln Sätze aus: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln Abschnitt</numerusform>
+            <numerusform>%Ln Abschnitte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blocks are left out: %1</source>
+        <translation>
+            <numerusform>%Ln Satz wird ausgelassen: %1</numerusform>
+            <numerusform>%Ln Sätze werden ausgelassen: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line over %1 to %2. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>Geradeaus über %1 zu %2. %Ln Punkt ist ausgeführt.</numerusform>
+            <numerusform>Geradeaus über %1 zu %2. %Ln Punkte sind ausgeführt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line to %1. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>Geradeaus zu %1. %Ln Punkt ist ausgeführt.</numerusform>
+            <numerusform>Geradeaus zu %1. %Ln Punkte sind ausgeführt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3022,12 +3062,22 @@ GPL-3.0-or-later</translation>
         <translation>Falsche Bewegung: Die Steuerung hat nach Punkt %1 Punkte wiederholt.</translation>
     </message>
     <message>
-        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
-        <translation>Start eines ganzen Auftrags: %1 Abschnitte, %2 Sätze für die Steuerung.</translation>
-    </message>
-    <message>
         <source>The program waits for cycle start at the control (line %1).</source>
         <translation>Das Programm wartet auf NC-Start an der Steuerung (Zeile %1).</translation>
+    </message>
+    <message numerus="yes">
+        <source>Start of a whole job: %1, %Ln blocks for the control.</source>
+        <translation>
+            <numerusform>Start eines ganzen Auftrags: %1, %Ln Satz für die Steuerung.</numerusform>
+            <numerusform>Start eines ganzen Auftrags: %1, %Ln Sätze für die Steuerung.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln Abschnitt</numerusform>
+            <numerusform>%Ln Abschnitte</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3245,16 +3295,22 @@ GPL-3.0-or-later</translation>
         <translation>Den Alarm für eine Zeit zurückstellen. Er bleibt in dieser Liste.</translation>
     </message>
     <message>
-        <source>For %1 minutes</source>
-        <translation>Für %1 Minuten</translation>
-    </message>
-    <message>
-        <source>For %1 hours</source>
-        <translation>Für %1 Stunden</translation>
-    </message>
-    <message>
         <source>Show it again</source>
         <translation>Wieder zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n minutes</source>
+        <translation>
+            <numerusform>Für %n Minute</numerusform>
+            <numerusform>Für %n Minuten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n hours</source>
+        <translation>
+            <numerusform>Für %n Stunde</numerusform>
+            <numerusform>Für %n Stunden</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4236,12 +4292,15 @@ GPL-3.0-or-later</translation>
         <translation>Zeilen umbrechen</translation>
     </message>
     <message>
-        <source>%1 messages</source>
-        <translation>%1 Meldungen</translation>
-    </message>
-    <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln messages</source>
+        <translation>
+            <numerusform>%Ln Meldung</numerusform>
+            <numerusform>%Ln Meldungen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4731,10 +4790,6 @@ GPL-3.0-or-later</translation>
         <translation>Pause im Schnitt, nach Punkt %1, Zeile %2</translation>
     </message>
     <message>
-        <source>%1 pauses off the cut</source>
-        <translation>%1 Pausen außerhalb des Schnitts</translation>
-    </message>
-    <message>
         <source>%1 in the cut</source>
         <translation>%1 im Schnitt</translation>
     </message>
@@ -4765,6 +4820,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Tool change</source>
         <translation>Werkzeugwechsel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pauses off the cut</source>
+        <translation>
+            <numerusform>%Ln Pause außerhalb des Schnitts</numerusform>
+            <numerusform>%Ln Pausen außerhalb des Schnitts</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,10 +5147,6 @@ GPL-3.0-or-later</translation>
         <translation>Zeilen %1–%2</translation>
     </message>
     <message>
-        <source>%1 … %2 (%3 values)</source>
-        <translation>%1 … %2 (%3 Werte)</translation>
-    </message>
-    <message>
         <source>No findings</source>
         <translation>Keine Befunde</translation>
     </message>
@@ -5260,9 +5318,19 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Cannot be streamed: it needs a transformation of the control.</source>
         <translation>Nicht streambar: Das Programm braucht eine Transformation der Steuerung.</translation>
     </message>
-    <message>
-        <source>%1 with %2 pauses, which cost %3</source>
-        <translation>%1 mit %2 Pausen, die %3 kosten</translation>
+    <message numerus="yes">
+        <source>%1 … %2 (%Ln values)</source>
+        <translation>
+            <numerusform>%1 … %2 (%Ln Wert)</numerusform>
+            <numerusform>%1 … %2 (%Ln Werte)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 with %Ln pauses, which cost %2</source>
+        <translation>
+            <numerusform>%1 mit %Ln Pause, die %2 kostet</numerusform>
+            <numerusform>%1 mit %Ln Pausen, die %2 kosten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5676,10 +5744,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Dieses Fenster hat ihn nicht gestartet. Stopp beendet ihn.</translation>
     </message>
     <message>
-        <source>%1 windows</source>
-        <translation>%1 Fenster</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Zeile</translation>
     </message>
@@ -5736,10 +5800,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Bekannt, solange Punkte zu liefern sind.</translation>
     </message>
     <message>
-        <source>%1 pts</source>
-        <translation>%1 Pkt.</translation>
-    </message>
-    <message>
         <source>Points that the control has and that are not known to be executed</source>
         <translation>Punkte, die die Steuerung hat und die noch nicht nachweislich ausgeführt sind</translation>
     </message>
@@ -5794,6 +5854,20 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1, control %2</source>
         <translation>%1, Steuerung %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows</source>
+        <translation>
+            <numerusform>%Ln Fenster</numerusform>
+            <numerusform>%Ln Fenster</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pts</source>
+        <translation>
+            <numerusform>%Ln Pkt.</numerusform>
+            <numerusform>%Ln Pkt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

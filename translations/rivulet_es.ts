@@ -16,14 +16,6 @@
         <translation>Acceso calibrado el %1 (%2): t = %3; lectura %4, escritura %5.</translation>
     </message>
     <message>
-        <source>99 % of the writes of %1 cells end within %2.</source>
-        <translation>El 99&#xa0;% de las escrituras de %1 celdas termina en menos de %2.</translation>
-    </message>
-    <message>
-        <source>Up to %1 cells were measured.</source>
-        <translation>Se midieron hasta %1 celdas.</translation>
-    </message>
-    <message>
         <source>list</source>
         <translation>lista</translation>
     </message>
@@ -42,6 +34,20 @@
     <message>
         <source>a server without a name</source>
         <translation>un servidor sin nombre</translation>
+    </message>
+    <message numerus="yes">
+        <source>99 % of the writes of %n cells end within %1.</source>
+        <translation>
+            <numerusform>El 99&#xa0;% de las escrituras de %n celda termina en menos de %1.</numerusform>
+            <numerusform>El 99&#xa0;% de las escrituras de %n celdas termina en menos de %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Up to %n cells were measured.</source>
+        <translation>
+            <numerusform>Se midió hasta %n celda.</numerusform>
+            <numerusform>Se midieron hasta %n celdas.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1332,10 +1338,6 @@
         <translation>%1 de %2 puntos ejecutados</translation>
     </message>
     <message>
-        <source>%1 windows executed</source>
-        <translation>%1 ventanas ejecutadas</translation>
-    </message>
-    <message>
         <source>%1. Looking for its client …</source>
         <translation>%1. Buscando su cliente…</translation>
     </message>
@@ -1362,6 +1364,13 @@
     <message>
         <source>Stop requested, not yet confirmed.</source>
         <translation>Parada solicitada, aún sin confirmar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows executed</source>
+        <translation>
+            <numerusform>%Ln ventana ejecutada</numerusform>
+            <numerusform>%Ln ventanas ejecutadas</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1508,9 +1517,12 @@
         <source>Afterwards the position is read from the control.</source>
         <translation>Después se lee la posición en el control.</translation>
     </message>
-    <message>
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
-        <translation>Tramo %1 de %2: las líneas %3 a %4 se transmiten de forma continua, %5 puntos.</translation>
+    <message numerus="yes">
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <translation>
+            <numerusform>Tramo %1 de %2: las líneas %3 a %4 se transmiten de forma continua, %Ln punto.</numerusform>
+            <numerusform>Tramo %1 de %2: las líneas %3 a %4 se transmiten de forma continua, %Ln puntos.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1526,13 +1538,6 @@
 </context>
 <context>
     <name>MachineCard</name>
-    <message numerus="yes">
-        <source>%n alarm(s)</source>
-        <translation>
-            <numerusform>%n alarma</numerusform>
-            <numerusform>%n alarmas</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No run is known.</source>
         <translation>No se conoce ninguna ejecución.</translation>
@@ -1552,6 +1557,13 @@
     <message>
         <source>%1, seen %2 ago</source>
         <translation>%1, vista hace %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarms</source>
+        <translation>
+            <numerusform>%n alarma</numerusform>
+            <numerusform>%n alarmas</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1775,12 +1787,15 @@
         <translation>Hay una ejecución en curso. Abrir otro programa cuando haya terminado.</translation>
     </message>
     <message>
-        <source>Opened %1 (%2), %3 points.</source>
-        <translation>%1 abierto (%2), %3 puntos.</translation>
-    </message>
-    <message>
         <source>Reading %1 was cancelled.</source>
         <translation>Se canceló la lectura de %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1 (%2), %Ln points.</source>
+        <translation>
+            <numerusform>%1 abierto (%2), %Ln punto.</numerusform>
+            <numerusform>%1 abierto (%2), %Ln puntos.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1798,12 +1813,15 @@
         <translation>los %1 puntos más difíciles</translation>
     </message>
     <message>
-        <source>Simulation of %1: no wrong point in %2 runs.</source>
-        <translation>Simulación de %1: ningún punto erróneo en %2 pasadas.</translation>
-    </message>
-    <message>
         <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
         <translation>Simulación de %1: puntos erróneos en %2 de %3 pasadas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Simulation of %1: no wrong point in %n runs.</source>
+        <translation>
+            <numerusform>Simulación de %1: ningún punto erróneo en %n pasada.</numerusform>
+            <numerusform>Simulación de %1: ningún punto erróneo en %n pasadas.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2485,7 +2503,7 @@
     </message>
     <message>
         <source>Median, 99 %, longest</source>
-        <translation>Mediana, 99 %, máxima</translation>
+        <translation>Mediana, 99&#xa0;%, máxima</translation>
     </message>
     <message>
         <source>Requests made again</source>
@@ -2493,7 +2511,7 @@
     </message>
     <message>
         <source>Margin; of the slowest 1 %</source>
-        <translation>Margen; del 1 % más lento</translation>
+        <translation>Margen; del 1&#xa0;% más lento</translation>
     </message>
 </context>
 <context>
@@ -2715,10 +2733,6 @@ GPL-3.0-or-later</translation>
         <translation>Recargar</translation>
     </message>
     <message>
-        <source>%1, version %2, %3 points</source>
-        <translation>%1, versión %2, %3 puntos</translation>
-    </message>
-    <message>
         <source>Machine</source>
         <translation>Máquina</translation>
     </message>
@@ -2823,14 +2837,6 @@ GPL-3.0-or-later</translation>
         <translation>punto %1 de %2 en %3</translation>
     </message>
     <message>
-        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
-        <translation>En línea recta a lo largo de %1 hasta %2. Se han ejecutado %3 puntos.</translation>
-    </message>
-    <message>
-        <source>In a straight line to %1. %2 points have been executed.</source>
-        <translation>En línea recta hasta %1. Se han ejecutado %2 puntos.</translation>
-    </message>
-    <message>
         <source>From point %1 on, the program differs from that of the interrupted run.</source>
         <translation>A partir del punto %1, el programa difiere del de la ejecución interrumpida.</translation>
     </message>
@@ -2895,16 +2901,8 @@ GPL-3.0-or-later</translation>
         <translation>Trabajo completo</translation>
     </message>
     <message>
-        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
-        <translation>%1 tramos se transmiten de forma continua, y el control ejecuta %2 secuencias: %3</translation>
-    </message>
-    <message>
         <source>Motion only</source>
         <translation>Solo movimiento</translation>
-    </message>
-    <message>
-        <source>%1 blocks are left out: %2</source>
-        <translation>Se omiten %1 secuencias: %2</translation>
     </message>
     <message>
         <source>Set tool, spindle and coolant at the control.</source>
@@ -2953,6 +2951,48 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
         <translation>Todas las secuencias respetan los recorridos de los ejes, la velocidad del cabezal y la tabla de herramientas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, version %2, %Ln points</source>
+        <translation>
+            <numerusform>%1, versión %2, %Ln punto</numerusform>
+            <numerusform>%1, versión %2, %Ln puntos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Streamed: %1; the control executes %Ln blocks: %2</source>
+        <translation>
+            <numerusform>Transmisión continua: %1; el control ejecuta %Ln secuencia: %2</numerusform>
+            <numerusform>Transmisión continua: %1; el control ejecuta %Ln secuencias: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln tramo</numerusform>
+            <numerusform>%Ln tramos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blocks are left out: %1</source>
+        <translation>
+            <numerusform>Se omite %Ln secuencia: %1</numerusform>
+            <numerusform>Se omiten %Ln secuencias: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line over %1 to %2. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>En línea recta a lo largo de %1 hasta %2. Se ha ejecutado %Ln punto.</numerusform>
+            <numerusform>En línea recta a lo largo de %1 hasta %2. Se han ejecutado %Ln puntos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line to %1. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>En línea recta hasta %1. Se ha ejecutado %Ln punto.</numerusform>
+            <numerusform>En línea recta hasta %1. Se han ejecutado %Ln puntos.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3022,12 +3062,22 @@ GPL-3.0-or-later</translation>
         <translation>Movimiento erróneo: el control ha repetido puntos después del punto %1.</translation>
     </message>
     <message>
-        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
-        <translation>Inicio de un trabajo completo: %1 tramos, %2 secuencias para el control.</translation>
-    </message>
-    <message>
         <source>The program waits for cycle start at the control (line %1).</source>
         <translation>El programa espera Marcha CN en el control (línea %1).</translation>
+    </message>
+    <message numerus="yes">
+        <source>Start of a whole job: %1, %Ln blocks for the control.</source>
+        <translation>
+            <numerusform>Inicio de un trabajo completo: %1, %Ln secuencia para el control.</numerusform>
+            <numerusform>Inicio de un trabajo completo: %1, %Ln secuencias para el control.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln tramo</numerusform>
+            <numerusform>%Ln tramos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3245,16 +3295,22 @@ GPL-3.0-or-later</translation>
         <translation>Deja la alarma a un lado por un tiempo. Sigue en esta lista.</translation>
     </message>
     <message>
-        <source>For %1 minutes</source>
-        <translation>Durante %1 minutos</translation>
-    </message>
-    <message>
-        <source>For %1 hours</source>
-        <translation>Durante %1 horas</translation>
-    </message>
-    <message>
         <source>Show it again</source>
         <translation>Volver a mostrar</translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n minutes</source>
+        <translation>
+            <numerusform>Durante %n minuto</numerusform>
+            <numerusform>Durante %n minutos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n hours</source>
+        <translation>
+            <numerusform>Durante %n hora</numerusform>
+            <numerusform>Durante %n horas</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4236,12 +4292,15 @@ GPL-3.0-or-later</translation>
         <translation>Ajustar líneas</translation>
     </message>
     <message>
-        <source>%1 messages</source>
-        <translation>%1 avisos</translation>
-    </message>
-    <message>
         <source>Messages</source>
         <translation>Avisos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln messages</source>
+        <translation>
+            <numerusform>%Ln aviso</numerusform>
+            <numerusform>%Ln avisos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4731,10 +4790,6 @@ GPL-3.0-or-later</translation>
         <translation>Pausa en el corte, después del punto %1, línea %2</translation>
     </message>
     <message>
-        <source>%1 pauses off the cut</source>
-        <translation>%1 pausas fuera del corte</translation>
-    </message>
-    <message>
         <source>%1 in the cut</source>
         <translation>%1 en el corte</translation>
     </message>
@@ -4765,6 +4820,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Tool change</source>
         <translation>Cambio de herramienta</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pauses off the cut</source>
+        <translation>
+            <numerusform>%Ln pausa fuera del corte</numerusform>
+            <numerusform>%Ln pausas fuera del corte</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,10 +5147,6 @@ GPL-3.0-or-later</translation>
         <translation>líneas %1–%2</translation>
     </message>
     <message>
-        <source>%1 … %2 (%3 values)</source>
-        <translation>%1 … %2 (%3 valores)</translation>
-    </message>
-    <message>
         <source>No findings</source>
         <translation>Ninguna observación</translation>
     </message>
@@ -5260,9 +5318,19 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Cannot be streamed: it needs a transformation of the control.</source>
         <translation>No se puede transmitir: necesita una transformación del control.</translation>
     </message>
-    <message>
-        <source>%1 with %2 pauses, which cost %3</source>
-        <translation>%1 con %2 pausas, que cuestan %3</translation>
+    <message numerus="yes">
+        <source>%1 … %2 (%Ln values)</source>
+        <translation>
+            <numerusform>%1 … %2 (%Ln valor)</numerusform>
+            <numerusform>%1 … %2 (%Ln valores)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 with %Ln pauses, which cost %2</source>
+        <translation>
+            <numerusform>%1 con %Ln pausa, que cuesta %2</numerusform>
+            <numerusform>%1 con %Ln pausas, que cuestan %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5676,10 +5744,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Esta ventana no la inició. Parada la termina.</translation>
     </message>
     <message>
-        <source>%1 windows</source>
-        <translation>%1 ventanas</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Línea</translation>
     </message>
@@ -5740,10 +5804,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Se conoce mientras queden puntos por enviar.</translation>
     </message>
     <message>
-        <source>%1 pts</source>
-        <translation>%1 ptos</translation>
-    </message>
-    <message>
         <source>Points that the control has and that are not known to be executed</source>
         <translation>Puntos que el control tiene y que aún no constan como ejecutados</translation>
     </message>
@@ -5794,6 +5854,20 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1, control %2</source>
         <translation>%1, control %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows</source>
+        <translation>
+            <numerusform>%Ln ventana</numerusform>
+            <numerusform>%Ln ventanas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pts</source>
+        <translation>
+            <numerusform>%Ln pto</numerusform>
+            <numerusform>%Ln ptos</numerusform>
+        </translation>
     </message>
 </context>
 <context>

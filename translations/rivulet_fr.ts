@@ -16,14 +16,6 @@
         <translation>Accès étalonné le %1 (%2)&#xa0;: t = %3&#xa0;; lecture %4, écriture %5.</translation>
     </message>
     <message>
-        <source>99 % of the writes of %1 cells end within %2.</source>
-        <translation>99&#xa0;% des écritures de %1 cellules se terminent en moins de %2.</translation>
-    </message>
-    <message>
-        <source>Up to %1 cells were measured.</source>
-        <translation>Mesures faites jusqu’à %1 cellules.</translation>
-    </message>
-    <message>
         <source>list</source>
         <translation>liste</translation>
     </message>
@@ -42,6 +34,20 @@
     <message>
         <source>a server without a name</source>
         <translation>un serveur sans nom</translation>
+    </message>
+    <message numerus="yes">
+        <source>99 % of the writes of %n cells end within %1.</source>
+        <translation>
+            <numerusform>99&#xa0;% des écritures de %n cellule se terminent en moins de %1.</numerusform>
+            <numerusform>99&#xa0;% des écritures de %n cellules se terminent en moins de %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Up to %n cells were measured.</source>
+        <translation>
+            <numerusform>Mesures faites jusqu’à %n cellule.</numerusform>
+            <numerusform>Mesures faites jusqu’à %n cellules.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1332,10 +1338,6 @@
         <translation>%1 points sur %2 exécutés</translation>
     </message>
     <message>
-        <source>%1 windows executed</source>
-        <translation>%1 fenêtres exécutées</translation>
-    </message>
-    <message>
         <source>%1. Looking for its client …</source>
         <translation>%1. Recherche de son client…</translation>
     </message>
@@ -1362,6 +1364,13 @@
     <message>
         <source>Stop requested, not yet confirmed.</source>
         <translation>Arrêt demandé, pas encore confirmé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows executed</source>
+        <translation>
+            <numerusform>%Ln fenêtre exécutée</numerusform>
+            <numerusform>%Ln fenêtres exécutées</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1508,9 +1517,12 @@
         <source>Afterwards the position is read from the control.</source>
         <translation>Ensuite, la position est lue sur la commande.</translation>
     </message>
-    <message>
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
-        <translation>Tronçon %1 sur %2 : les lignes %3 à %4 sont transmises en continu, %5 points.</translation>
+    <message numerus="yes">
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <translation>
+            <numerusform>Tronçon %1 sur %2&#xa0;: les lignes %3 à %4 sont transmises en continu, %Ln point.</numerusform>
+            <numerusform>Tronçon %1 sur %2&#xa0;: les lignes %3 à %4 sont transmises en continu, %Ln points.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1526,13 +1538,6 @@
 </context>
 <context>
     <name>MachineCard</name>
-    <message numerus="yes">
-        <source>%n alarm(s)</source>
-        <translation>
-            <numerusform>%n alarme</numerusform>
-            <numerusform>%n alarmes</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No run is known.</source>
         <translation>Aucune exécution connue.</translation>
@@ -1552,6 +1557,13 @@
     <message>
         <source>%1, seen %2 ago</source>
         <translation>%1, vue il y a %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarms</source>
+        <translation>
+            <numerusform>%n alarme</numerusform>
+            <numerusform>%n alarmes</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1775,12 +1787,15 @@
         <translation>Une exécution est en cours. Ouvrir un autre programme quand elle sera terminée.</translation>
     </message>
     <message>
-        <source>Opened %1 (%2), %3 points.</source>
-        <translation>%1 ouvert (%2), %3 points.</translation>
-    </message>
-    <message>
         <source>Reading %1 was cancelled.</source>
         <translation>La lecture de %1 a été annulée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1 (%2), %Ln points.</source>
+        <translation>
+            <numerusform>%1 ouvert (%2), %Ln point.</numerusform>
+            <numerusform>%1 ouvert (%2), %Ln points.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1798,12 +1813,15 @@
         <translation>les %1 points les plus difficiles</translation>
     </message>
     <message>
-        <source>Simulation of %1: no wrong point in %2 runs.</source>
-        <translation>Simulation (%1)&#xa0;: aucun point erroné en %2 passages.</translation>
-    </message>
-    <message>
         <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
         <translation>Simulation (%1)&#xa0;: points erronés dans %2 passages sur %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Simulation of %1: no wrong point in %n runs.</source>
+        <translation>
+            <numerusform>Simulation (%1)&#xa0;: aucun point erroné en %n passage.</numerusform>
+            <numerusform>Simulation (%1)&#xa0;: aucun point erroné en %n passages.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2485,7 +2503,7 @@
     </message>
     <message>
         <source>Median, 99 %, longest</source>
-        <translation>Médiane, 99 %, maximum</translation>
+        <translation>Médiane, 99&#xa0;%, maximum</translation>
     </message>
     <message>
         <source>Requests made again</source>
@@ -2493,7 +2511,7 @@
     </message>
     <message>
         <source>Margin; of the slowest 1 %</source>
-        <translation>Marge ; des 1 % plus lentes</translation>
+        <translation>Marge&#xa0;; des 1&#xa0;% plus lentes</translation>
     </message>
 </context>
 <context>
@@ -2715,10 +2733,6 @@ GPL-3.0-or-later</translation>
         <translation>Recharger</translation>
     </message>
     <message>
-        <source>%1, version %2, %3 points</source>
-        <translation>%1, version %2, %3 points</translation>
-    </message>
-    <message>
         <source>Machine</source>
         <translation>Machine</translation>
     </message>
@@ -2823,14 +2837,6 @@ GPL-3.0-or-later</translation>
         <translation>point %1 sur %2 à %3</translation>
     </message>
     <message>
-        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
-        <translation>En ligne droite sur %1 jusqu’à %2. %3 points ont été exécutés.</translation>
-    </message>
-    <message>
-        <source>In a straight line to %1. %2 points have been executed.</source>
-        <translation>En ligne droite jusqu’à %1. %2 points ont été exécutés.</translation>
-    </message>
-    <message>
         <source>From point %1 on, the program differs from that of the interrupted run.</source>
         <translation>À partir du point %1, le programme diffère de celui de l’exécution interrompue.</translation>
     </message>
@@ -2895,16 +2901,8 @@ GPL-3.0-or-later</translation>
         <translation>Tâche complète</translation>
     </message>
     <message>
-        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
-        <translation>%1 tronçons sont transmis en continu, et la commande exécute %2 blocs : %3</translation>
-    </message>
-    <message>
         <source>Motion only</source>
         <translation>Mouvement seul</translation>
-    </message>
-    <message>
-        <source>%1 blocks are left out: %2</source>
-        <translation>%1 blocs sont omis : %2</translation>
     </message>
     <message>
         <source>Set tool, spindle and coolant at the control.</source>
@@ -2953,6 +2951,48 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
         <translation>Tous les blocs respectent les courses des axes, la vitesse de la broche et la table d’outils.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, version %2, %Ln points</source>
+        <translation>
+            <numerusform>%1, version %2, %Ln point</numerusform>
+            <numerusform>%1, version %2, %Ln points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Streamed: %1; the control executes %Ln blocks: %2</source>
+        <translation>
+            <numerusform>Transmission en continu&#xa0;: %1&#xa0;; la commande exécute %Ln bloc&#xa0;: %2</numerusform>
+            <numerusform>Transmission en continu&#xa0;: %1&#xa0;; la commande exécute %Ln blocs&#xa0;: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln tronçon</numerusform>
+            <numerusform>%Ln tronçons</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blocks are left out: %1</source>
+        <translation>
+            <numerusform>%Ln bloc est omis&#xa0;: %1</numerusform>
+            <numerusform>%Ln blocs sont omis&#xa0;: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line over %1 to %2. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>En ligne droite sur %1 jusqu’à %2. %Ln point a été exécuté.</numerusform>
+            <numerusform>En ligne droite sur %1 jusqu’à %2. %Ln points ont été exécutés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line to %1. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>En ligne droite jusqu’à %1. %Ln point a été exécuté.</numerusform>
+            <numerusform>En ligne droite jusqu’à %1. %Ln points ont été exécutés.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3022,12 +3062,22 @@ GPL-3.0-or-later</translation>
         <translation>Mouvement erroné&#xa0;: la commande a répété des points après le point %1.</translation>
     </message>
     <message>
-        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
-        <translation>Démarrage d’une tâche complète : %1 tronçons, %2 blocs pour la commande.</translation>
-    </message>
-    <message>
         <source>The program waits for cycle start at the control (line %1).</source>
         <translation>Le programme attend le Départ cycle sur la commande (ligne %1).</translation>
+    </message>
+    <message numerus="yes">
+        <source>Start of a whole job: %1, %Ln blocks for the control.</source>
+        <translation>
+            <numerusform>Démarrage d’une tâche complète&#xa0;: %1, %Ln bloc pour la commande.</numerusform>
+            <numerusform>Démarrage d’une tâche complète&#xa0;: %1, %Ln blocs pour la commande.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln tronçon</numerusform>
+            <numerusform>%Ln tronçons</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3245,16 +3295,22 @@ GPL-3.0-or-later</translation>
         <translation>Mettre l’alarme de côté pour un temps. Elle reste dans cette liste.</translation>
     </message>
     <message>
-        <source>For %1 minutes</source>
-        <translation>Pendant %1 minutes</translation>
-    </message>
-    <message>
-        <source>For %1 hours</source>
-        <translation>Pendant %1 heures</translation>
-    </message>
-    <message>
         <source>Show it again</source>
         <translation>Réafficher</translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n minutes</source>
+        <translation>
+            <numerusform>Pendant %n minute</numerusform>
+            <numerusform>Pendant %n minutes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n hours</source>
+        <translation>
+            <numerusform>Pendant %n heure</numerusform>
+            <numerusform>Pendant %n heures</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4236,12 +4292,15 @@ GPL-3.0-or-later</translation>
         <translation>Renvoi à la ligne</translation>
     </message>
     <message>
-        <source>%1 messages</source>
-        <translation>%1 messages</translation>
-    </message>
-    <message>
         <source>Messages</source>
         <translation>Messages</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln messages</source>
+        <translation>
+            <numerusform>%Ln message</numerusform>
+            <numerusform>%Ln messages</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4731,10 +4790,6 @@ GPL-3.0-or-later</translation>
         <translation>Pause en coupe, après le point %1, ligne %2</translation>
     </message>
     <message>
-        <source>%1 pauses off the cut</source>
-        <translation>%1 pauses hors coupe</translation>
-    </message>
-    <message>
         <source>%1 in the cut</source>
         <translation>%1 en coupe</translation>
     </message>
@@ -4765,6 +4820,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Tool change</source>
         <translation>Changement d’outil</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pauses off the cut</source>
+        <translation>
+            <numerusform>%Ln pause hors coupe</numerusform>
+            <numerusform>%Ln pauses hors coupe</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,10 +5147,6 @@ GPL-3.0-or-later</translation>
         <translation>lignes %1–%2</translation>
     </message>
     <message>
-        <source>%1 … %2 (%3 values)</source>
-        <translation>%1 … %2 (%3 valeurs)</translation>
-    </message>
-    <message>
         <source>No findings</source>
         <translation>Aucune observation</translation>
     </message>
@@ -5260,9 +5318,19 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <source>Cannot be streamed: it needs a transformation of the control.</source>
         <translation>Ne peut pas être transmis&#xa0;: une transformation de la commande est nécessaire.</translation>
     </message>
-    <message>
-        <source>%1 with %2 pauses, which cost %3</source>
-        <translation>%1 avec %2 pauses, qui coûtent %3</translation>
+    <message numerus="yes">
+        <source>%1 … %2 (%Ln values)</source>
+        <translation>
+            <numerusform>%1 … %2 (%Ln valeur)</numerusform>
+            <numerusform>%1 … %2 (%Ln valeurs)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 with %Ln pauses, which cost %2</source>
+        <translation>
+            <numerusform>%1 avec %Ln pause, qui coûte %2</numerusform>
+            <numerusform>%1 avec %Ln pauses, qui coûtent %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5676,10 +5744,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Cette fenêtre ne l’a pas démarrée. Arrêt y met fin.</translation>
     </message>
     <message>
-        <source>%1 windows</source>
-        <translation>%1 fenêtres</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Ligne</translation>
     </message>
@@ -5740,10 +5804,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Connu tant qu’il reste des points à envoyer.</translation>
     </message>
     <message>
-        <source>%1 pts</source>
-        <translation>%1 pts</translation>
-    </message>
-    <message>
         <source>Points that the control has and that are not known to be executed</source>
         <translation>Points que la commande possède et dont on ne sait pas encore s’ils sont exécutés</translation>
     </message>
@@ -5794,6 +5854,20 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>%1, control %2</source>
         <translation>%1, commande %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows</source>
+        <translation>
+            <numerusform>%Ln fenêtre</numerusform>
+            <numerusform>%Ln fenêtres</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pts</source>
+        <translation>
+            <numerusform>%Ln pt</numerusform>
+            <numerusform>%Ln pts</numerusform>
+        </translation>
     </message>
 </context>
 <context>

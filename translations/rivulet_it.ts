@@ -16,14 +16,6 @@
         <translation>Accesso calibrato il %1 (%2): t = %3; lettura %4, scrittura %5.</translation>
     </message>
     <message>
-        <source>99 % of the writes of %1 cells end within %2.</source>
-        <translation>Il 99&#xa0;% delle scritture di %1 celle termina entro %2.</translation>
-    </message>
-    <message>
-        <source>Up to %1 cells were measured.</source>
-        <translation>Misurate fino a %1 celle.</translation>
-    </message>
-    <message>
         <source>list</source>
         <translation>lista</translation>
     </message>
@@ -42,6 +34,20 @@
     <message>
         <source>a server without a name</source>
         <translation>un server senza nome</translation>
+    </message>
+    <message numerus="yes">
+        <source>99 % of the writes of %n cells end within %1.</source>
+        <translation>
+            <numerusform>Il 99&#xa0;% delle scritture di %n cella termina entro %1.</numerusform>
+            <numerusform>Il 99&#xa0;% delle scritture di %n celle termina entro %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Up to %n cells were measured.</source>
+        <translation>
+            <numerusform>Misurata fino a %n cella.</numerusform>
+            <numerusform>Misurate fino a %n celle.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1332,10 +1338,6 @@
         <translation>eseguiti %1 punti su %2</translation>
     </message>
     <message>
-        <source>%1 windows executed</source>
-        <translation>eseguite %1 finestre</translation>
-    </message>
-    <message>
         <source>%1. Looking for its client …</source>
         <translation>%1. Ricerca del suo client…</translation>
     </message>
@@ -1362,6 +1364,13 @@
     <message>
         <source>Stop requested, not yet confirmed.</source>
         <translation>Stop richiesto, non ancora confermato.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows executed</source>
+        <translation>
+            <numerusform>eseguita %Ln finestra</numerusform>
+            <numerusform>eseguite %Ln finestre</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1508,9 +1517,12 @@
         <source>Afterwards the position is read from the control.</source>
         <translation>Poi la posizione è letta dal controllo.</translation>
     </message>
-    <message>
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %5 points.</source>
-        <translation>Tratto %1 di %2: le righe da %3 a %4 sono trasmesse in continuo, %5 punti.</translation>
+    <message numerus="yes">
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <translation>
+            <numerusform>Tratto %1 di %2: le righe da %3 a %4 sono trasmesse in continuo, %Ln punto.</numerusform>
+            <numerusform>Tratto %1 di %2: le righe da %3 a %4 sono trasmesse in continuo, %Ln punti.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1526,13 +1538,6 @@
 </context>
 <context>
     <name>MachineCard</name>
-    <message numerus="yes">
-        <source>%n alarm(s)</source>
-        <translation>
-            <numerusform>%n allarme</numerusform>
-            <numerusform>%n allarmi</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No run is known.</source>
         <translation>Nessuna esecuzione nota.</translation>
@@ -1552,6 +1557,13 @@
     <message>
         <source>%1, seen %2 ago</source>
         <translation>%1, vista %2 fa</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarms</source>
+        <translation>
+            <numerusform>%n allarme</numerusform>
+            <numerusform>%n allarmi</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1775,12 +1787,15 @@
         <translation>Un’esecuzione è in corso. Aprire un altro programma quando sarà terminata.</translation>
     </message>
     <message>
-        <source>Opened %1 (%2), %3 points.</source>
-        <translation>Aperto %1 (%2), %3 punti.</translation>
-    </message>
-    <message>
         <source>Reading %1 was cancelled.</source>
         <translation>La lettura di %1 è stata annullata.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1 (%2), %Ln points.</source>
+        <translation>
+            <numerusform>Aperto %1 (%2), %Ln punto.</numerusform>
+            <numerusform>Aperto %1 (%2), %Ln punti.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1798,12 +1813,15 @@
         <translation>i %1 punti più difficili</translation>
     </message>
     <message>
-        <source>Simulation of %1: no wrong point in %2 runs.</source>
-        <translation>Simulazione (%1): nessun punto errato in %2 prove.</translation>
-    </message>
-    <message>
         <source>Simulation of %1: wrong points in %2 of %3 runs.</source>
         <translation>Simulazione (%1): punti errati in %2 prove su %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Simulation of %1: no wrong point in %n runs.</source>
+        <translation>
+            <numerusform>Simulazione (%1): nessun punto errato in %n prova.</numerusform>
+            <numerusform>Simulazione (%1): nessun punto errato in %n prove.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2485,7 +2503,7 @@
     </message>
     <message>
         <source>Median, 99 %, longest</source>
-        <translation>Mediana, 99 %, massima</translation>
+        <translation>Mediana, 99&#xa0;%, massima</translation>
     </message>
     <message>
         <source>Requests made again</source>
@@ -2493,7 +2511,7 @@
     </message>
     <message>
         <source>Margin; of the slowest 1 %</source>
-        <translation>Margine; dell’1 % più lento</translation>
+        <translation>Margine; dell’1&#xa0;% più lento</translation>
     </message>
 </context>
 <context>
@@ -2715,10 +2733,6 @@ GPL-3.0-or-later</translation>
         <translation>Ricarica</translation>
     </message>
     <message>
-        <source>%1, version %2, %3 points</source>
-        <translation>%1, versione %2, %3 punti</translation>
-    </message>
-    <message>
         <source>Machine</source>
         <translation>Macchina</translation>
     </message>
@@ -2823,14 +2837,6 @@ GPL-3.0-or-later</translation>
         <translation>punto %1 di %2 in %3</translation>
     </message>
     <message>
-        <source>In a straight line over %1 to %2. %3 points have been executed.</source>
-        <translation>In linea retta per %1 fino a %2. Eseguiti %3 punti.</translation>
-    </message>
-    <message>
-        <source>In a straight line to %1. %2 points have been executed.</source>
-        <translation>In linea retta fino a %1. Eseguiti %2 punti.</translation>
-    </message>
-    <message>
         <source>From point %1 on, the program differs from that of the interrupted run.</source>
         <translation>Dal punto %1 il programma è diverso da quello dell’esecuzione interrotta.</translation>
     </message>
@@ -2895,16 +2901,8 @@ GPL-3.0-or-later</translation>
         <translation>Lavoro completo</translation>
     </message>
     <message>
-        <source>%1 stretches are streamed, and the control executes %2 blocks: %3</source>
-        <translation>%1 tratti sono trasmessi in continuo, e il controllo esegue %2 blocchi: %3</translation>
-    </message>
-    <message>
         <source>Motion only</source>
         <translation>Solo movimento</translation>
-    </message>
-    <message>
-        <source>%1 blocks are left out: %2</source>
-        <translation>%1 blocchi sono omessi: %2</translation>
     </message>
     <message>
         <source>Set tool, spindle and coolant at the control.</source>
@@ -2953,6 +2951,48 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Every block is within the travel of the axes, the speed of the spindle and the tool table.</source>
         <translation>Tutti i blocchi rientrano nelle corse degli assi, nella velocità del mandrino e nella tabella utensili.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, version %2, %Ln points</source>
+        <translation>
+            <numerusform>%1, versione %2, %Ln punto</numerusform>
+            <numerusform>%1, versione %2, %Ln punti</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Streamed: %1; the control executes %Ln blocks: %2</source>
+        <translation>
+            <numerusform>Trasmissione in continuo: %1; il controllo esegue %Ln blocco: %2</numerusform>
+            <numerusform>Trasmissione in continuo: %1; il controllo esegue %Ln blocchi: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln tratto</numerusform>
+            <numerusform>%Ln tratti</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blocks are left out: %1</source>
+        <translation>
+            <numerusform>%Ln blocco è omesso: %1</numerusform>
+            <numerusform>%Ln blocchi sono omessi: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line over %1 to %2. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>In linea retta per %1 fino a %2. Eseguito %Ln punto.</numerusform>
+            <numerusform>In linea retta per %1 fino a %2. Eseguiti %Ln punti.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line to %1. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>In linea retta fino a %1. Eseguito %Ln punto.</numerusform>
+            <numerusform>In linea retta fino a %1. Eseguiti %Ln punti.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3022,12 +3062,22 @@ GPL-3.0-or-later</translation>
         <translation>Movimento errato: il controllo ha ripetuto dei punti dopo il punto %1.</translation>
     </message>
     <message>
-        <source>Start of a whole job: %1 stretches, %2 blocks for the control.</source>
-        <translation>Avvio di un lavoro completo: %1 tratti, %2 blocchi per il controllo.</translation>
-    </message>
-    <message>
         <source>The program waits for cycle start at the control (line %1).</source>
         <translation>Il programma attende Start NC sul controllo (riga %1).</translation>
+    </message>
+    <message numerus="yes">
+        <source>Start of a whole job: %1, %Ln blocks for the control.</source>
+        <translation>
+            <numerusform>Avvio di un lavoro completo: %1, %Ln blocco per il controllo.</numerusform>
+            <numerusform>Avvio di un lavoro completo: %1, %Ln blocchi per il controllo.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln tratto</numerusform>
+            <numerusform>%Ln tratti</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3245,16 +3295,22 @@ GPL-3.0-or-later</translation>
         <translation>Mette da parte l’allarme per un certo tempo. Resta in questo elenco.</translation>
     </message>
     <message>
-        <source>For %1 minutes</source>
-        <translation>Per %1 minuti</translation>
-    </message>
-    <message>
-        <source>For %1 hours</source>
-        <translation>Per %1 ore</translation>
-    </message>
-    <message>
         <source>Show it again</source>
         <translation>Mostra di nuovo</translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n minutes</source>
+        <translation>
+            <numerusform>Per %n minuto</numerusform>
+            <numerusform>Per %n minuti</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n hours</source>
+        <translation>
+            <numerusform>Per %n ora</numerusform>
+            <numerusform>Per %n ore</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4236,12 +4292,15 @@ GPL-3.0-or-later</translation>
         <translation>A capo automatico</translation>
     </message>
     <message>
-        <source>%1 messages</source>
-        <translation>%1 messaggi</translation>
-    </message>
-    <message>
         <source>Messages</source>
         <translation>Messaggi</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln messages</source>
+        <translation>
+            <numerusform>%Ln messaggio</numerusform>
+            <numerusform>%Ln messaggi</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4731,10 +4790,6 @@ GPL-3.0-or-later</translation>
         <translation>Pausa nel taglio, dopo il punto %1, riga %2</translation>
     </message>
     <message>
-        <source>%1 pauses off the cut</source>
-        <translation>%1 pause fuori dal taglio</translation>
-    </message>
-    <message>
         <source>%1 in the cut</source>
         <translation>%1 nel taglio</translation>
     </message>
@@ -4765,6 +4820,13 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Tool change</source>
         <translation>Cambio utensile</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pauses off the cut</source>
+        <translation>
+            <numerusform>%Ln pausa fuori dal taglio</numerusform>
+            <numerusform>%Ln pause fuori dal taglio</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,10 +5147,6 @@ GPL-3.0-or-later</translation>
         <translation>righe %1–%2</translation>
     </message>
     <message>
-        <source>%1 … %2 (%3 values)</source>
-        <translation>%1 … %2 (%3 valori)</translation>
-    </message>
-    <message>
         <source>No findings</source>
         <translation>Nessuna segnalazione</translation>
     </message>
@@ -5260,9 +5318,19 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Cannot be streamed: it needs a transformation of the control.</source>
         <translation>Non trasmissibile: richiede una trasformazione del controllo.</translation>
     </message>
-    <message>
-        <source>%1 with %2 pauses, which cost %3</source>
-        <translation>%1 con %2 pause, che costano %3</translation>
+    <message numerus="yes">
+        <source>%1 … %2 (%Ln values)</source>
+        <translation>
+            <numerusform>%1 … %2 (%Ln valore)</numerusform>
+            <numerusform>%1 … %2 (%Ln valori)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 with %Ln pauses, which cost %2</source>
+        <translation>
+            <numerusform>%1 con %Ln pausa, che costa %2</numerusform>
+            <numerusform>%1 con %Ln pause, che costano %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5676,10 +5744,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Questa finestra non l’ha avviata. Stop la termina.</translation>
     </message>
     <message>
-        <source>%1 windows</source>
-        <translation>%1 finestre</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Riga</translation>
     </message>
@@ -5740,10 +5804,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Noto finché restano punti da inviare.</translation>
     </message>
     <message>
-        <source>%1 pts</source>
-        <translation>%1 pti</translation>
-    </message>
-    <message>
         <source>Points that the control has and that are not known to be executed</source>
         <translation>Punti che il controllo ha e che non risultano ancora eseguiti</translation>
     </message>
@@ -5794,6 +5854,20 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1, control %2</source>
         <translation>%1, controllo %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows</source>
+        <translation>
+            <numerusform>%Ln finestra</numerusform>
+            <numerusform>%Ln finestre</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pts</source>
+        <translation>
+            <numerusform>%Ln pto</numerusform>
+            <numerusform>%Ln pti</numerusform>
+        </translation>
     </message>
 </context>
 <context>

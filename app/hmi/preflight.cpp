@@ -159,9 +159,8 @@ PreflightItem Preflight::programItem() const {
   }
   return {program.isStreamable() ? Status::Good : Status::Fault,
           tr("Program"),
-          tr("%1, version %2, %3 points")
-              .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash),
-                   widgets::countText(m_document.points().size())),
+          tr("%1, version %2, %Ln points", nullptr, static_cast<int>(m_document.points().size()))
+              .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash)),
           {},
           0};
 }
@@ -190,17 +189,18 @@ PreflightItem Preflight::jobItem() const {
   if (m_document.isJob()) {
     return {Status::Good,
             tr("Whole job"),
-            tr("%1 stretches are streamed, and the control executes %2 blocks: %3")
-                .arg(widgets::countText(outline.stretches()), widgets::countText(blocks.size()),
+            tr("Streamed: %1; the control executes %Ln blocks: %2", nullptr,
+               static_cast<int>(blocks.size()))
+                .arg(tr("%Ln stretches", nullptr, static_cast<int>(outline.stretches())),
                      blocksText(blocks)),
             {},
             0};
   }
-  return {
-      Status::Attention, tr("Motion only"),
-      tr("%1 blocks are left out: %2").arg(widgets::countText(blocks.size()), blocksText(blocks)) +
-          QLatin1Char('\n') + tr("Set tool, spindle and coolant at the control."),
-      m_document.jobObstacle() ? QString() : tr("Run the whole job"), RunWholeJob};
+  return {Status::Attention, tr("Motion only"),
+          tr("%Ln blocks are left out: %1", nullptr, static_cast<int>(blocks.size()))
+                  .arg(blocksText(blocks)) +
+              QLatin1Char('\n') + tr("Set tool, spindle and coolant at the control."),
+          m_document.jobObstacle() ? QString() : tr("Run the whole job"), RunWholeJob};
 }
 
 PreflightItem Preflight::firstMoveItem() const {
@@ -315,12 +315,13 @@ PreflightItem Preflight::resumeItem() const {
   const QString point = tr("point %1 of %2 at %3")
                             .arg(widgets::countText(place.point + 1),
                                  widgets::countText(place.points), positionText(place.positionMm));
-  item.text =
-      place.approachMm
-          ? tr("In a straight line over %1 to %2. %3 points have been executed.")
-                .arg(widgets::lengthText(*place.approachMm), point, widgets::countText(place.point))
-          : tr("In a straight line to %1. %2 points have been executed.")
-                .arg(point, widgets::countText(place.point));
+  item.text = place.approachMm
+                  ? tr("In a straight line over %1 to %2. %Ln points have been executed.", nullptr,
+                       static_cast<int>(place.point))
+                        .arg(widgets::lengthText(*place.approachMm), point)
+                  : tr("In a straight line to %1. %Ln points have been executed.", nullptr,
+                       static_cast<int>(place.point))
+                        .arg(point);
   if (place.changedFrom) {
     item.status = Status::Attention;
     item.text += QLatin1Char('\n') +

@@ -325,8 +325,9 @@ void RunController::announceStart(const streaming::RunSettings& settings) {
     const widgets::JobOutline& outline = m_document.view()->outline;
     m_messages.log(Severity::Note, Source::Run,
                    [stretches = outline.stretches(), blocks = outline.needed().size()] {
-                     return tr("Start of a whole job: %1 stretches, %2 blocks for the control.")
-                         .arg(widgets::countText(stretches), widgets::countText(blocks));
+                     return tr("Start of a whole job: %1, %Ln blocks for the control.", nullptr,
+                               static_cast<int>(blocks))
+                         .arg(tr("%Ln stretches", nullptr, static_cast<int>(stretches)));
                    });
   } else if (toolMm && !m_document.points().empty()) {
     const double lengthMm = base::distance(*toolMm, m_document.points().front().positionMm);

@@ -46,9 +46,6 @@ void Translator::setLanguage(const QString& language) {
   QLocale::setDefault(localeFor(m_language, system));
   QCoreApplication::removeTranslator(&m_own);
   QCoreApplication::removeTranslator(&m_qt);
-  if (m_language == QLatin1String("en")) {
-    return;
-  }
   if (m_qt.load(QStringLiteral("qtbase_") + m_language,
                 QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
     QCoreApplication::installTranslator(&m_qt);

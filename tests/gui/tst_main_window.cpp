@@ -372,8 +372,8 @@ class TestMainWindow : public QObject {
     QTest::keyClick(start, Qt::Key_Space);
     QVERIFY(sheet->isVisible() && !m_window->isRunning());
     QVERIFY(shows(sheet, QStringLiteral("Nothing has moved yet")));
-    QVERIFY(shows(sheet, QStringLiteral("scorpion.tap, version ") +
-                             QString::fromStdString(m_window->program()->hash)));
+    QTRY_VERIFY(shows(sheet, QStringLiteral("scorpion.tap, version ") +
+                                 QString::fromStdString(m_window->program()->hash)));
     QVERIFY(shows(sheet, QStringLiteral("in a straight line over")));
     QTest::keyClick(start, Qt::Key_Space);
     QTest::mouseClick(start, Qt::LeftButton);
@@ -598,7 +598,7 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(shows(m_window.get(), QStringLiteral("line 246: F")), kSoonMs);
     QTest::mouseClick(m_window->findChild<widgets::HoldButton*>(QStringLiteral("start")),
                       Qt::LeftButton);
-    QVERIFY(shows(m_window.get(), QStringLiteral("Those of the program")));
+    QTRY_VERIFY(shows(m_window.get(), QStringLiteral("Those of the program")));
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/preflight-feeds.png")));
     const auto report = runToEnd();
     QVERIFY(report && report->isFaultless());

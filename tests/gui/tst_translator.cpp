@@ -21,7 +21,7 @@ class TestTranslator : public QObject {
     for (const Language& language : languages()) {
       codes.append(language.code);
     }
-    QCOMPARE(codes.takeFirst(), QStringLiteral("en"));
+    QCOMPARE(codes.first(), QStringLiteral("en"));
     codes.sort();
     QStringList files;
     for (const QString& code : codes) {
@@ -52,6 +52,28 @@ class TestTranslator : public QObject {
     translator.setLanguage(QLatin1String(QTest::currentDataTag()));
     QCOMPARE(QCoreApplication::translate("rivulet::widgets::RunPanel", "Stop"), stop);
     QCOMPARE(QLocale().decimalPoint(), QString(point));
+  }
+
+  void oneIsSingular_data() {
+    QTest::addColumn<QString>("one");
+    QTest::addColumn<QString>("many");
+    QTest::addRow("en") << QStringLiteral("1 message") << QStringLiteral("1,200 messages");
+    QTest::addRow("de") << QStringLiteral("1 Meldung") << QStringLiteral("1.200 Meldungen");
+    QTest::addRow("fr") << QStringLiteral("1 message") << QStringLiteral("1\u202F200 messages");
+    QTest::addRow("it") << QStringLiteral("1 messaggio") << QStringLiteral("1.200 messaggi");
+    QTest::addRow("es") << QStringLiteral("1 aviso") << QStringLiteral("1200 avisos");
+  }
+  void oneIsSingular() {
+    QFETCH(QString, one);
+    QFETCH(QString, many);
+    Translator translator;
+    translator.setLanguage(QLatin1String(QTest::currentDataTag()));
+    const auto text = [](int count) {
+      return QCoreApplication::translate("rivulet::widgets::LogView", "%Ln messages", nullptr,
+                                         count);
+    };
+    QCOMPARE(text(1), one);
+    QCOMPARE(text(1200), many);
   }
 
   void theFirstKnownLanguageOfTheSystem_data() {

@@ -254,8 +254,8 @@ void AlarmPage::retranslate() {
     const int minutes = kShelvingMinutes[i];
     constexpr int kMinutesPerHour = 60;
     actions[static_cast<qsizetype>(i)]->setText(
-        minutes < kMinutesPerHour ? tr("For %1 minutes").arg(minutes)
-                                  : tr("For %1 hours").arg(minutes / kMinutesPerHour));
+        minutes < kMinutesPerHour ? tr("For %n minutes", nullptr, minutes)
+                                  : tr("For %n hours", nullptr, minutes / kMinutesPerHour));
   }
   actions.last()->setText(tr("Show it again"));
   m_model->refresh();

@@ -52,16 +52,16 @@ AccessSourceText accessSourceText(const AccessSource& source, base::Duration acc
                lineText(calibration, true, source.form));
   const auto tail = calibration.tail(true, source.form, source.cellsMax);
   if (tail) {
-    text += QLatin1Char(' ') + AccessTexts::tr("99 % of the writes of %1 cells end within %2.")
-                                   .arg(QString::number(source.cellsMax), millisecondsText(*tail));
+    text += QLatin1Char(' ') + AccessTexts::tr("99 % of the writes of %n cells end within %1.",
+                                               nullptr, source.cellsMax)
+                                   .arg(millisecondsText(*tail));
   }
   int measured = 0;
   for (const streaming::AccessSeries& series : calibration.series) {
     measured = std::max(measured, series.nodes);
   }
   if (source.cellsMax > measured) {
-    text += QLatin1Char(' ') +
-            AccessTexts::tr("Up to %1 cells were measured.").arg(QString::number(measured));
+    text += QLatin1Char(' ') + AccessTexts::tr("Up to %n cells were measured.", nullptr, measured);
   }
   return {Status::Plain, text};
 }

@@ -236,7 +236,7 @@ void LogView::wrapRows() {
 void LogView::showCount() {
   const int shown = m_filter->rowCount();
   const int all = m_model->rowCount();
-  m_count->setText(shown == all ? tr("%1 messages").arg(all)
+  m_count->setText(shown == all ? tr("%Ln messages", nullptr, all)
                                 : tr("%1 of %2 messages").arg(shown).arg(all));
 }
 

@@ -80,7 +80,7 @@ class MachineCard final : public QFrame {
     m_progress->setValue(static_cast<int>(1000.0 * view.progress));
     m_progress->setFormat(percentText(view.progress));
     m_alarms->setVisible(view.isPresent && view.alarms > 0);
-    m_alarms->setStatus(Status::Fault, tr("%n alarm(s)", nullptr, static_cast<int>(view.alarms)));
+    m_alarms->setStatus(Status::Fault, tr("%n alarms", nullptr, static_cast<int>(view.alarms)));
     m_lastRun->setText(view.lastRun.isEmpty() ? tr("No run is known.") : view.lastRun);
     m_open->setText(isConnected ? tr("Open") : tr("Connect"));
     m_open->setAccessibleName(m_open->text() + QLatin1Char(' ') + m_name->text());

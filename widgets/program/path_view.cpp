@@ -412,8 +412,9 @@ void PathView::showLegend() {
     showJobLegend(entries);
     if (m_pauses && m_showPauses->isChecked()) {
       const ThemeColors& colors = themeColors(palette());
-      entries.push_back({LegendEntry::Symbol::Square, QPen(colors.text, 1.4), colors.surface,
-                         tr("%1 pauses off the cut").arg(countText(m_pauses->offCut.size()))});
+      entries.push_back(
+          {LegendEntry::Symbol::Square, QPen(colors.text, 1.4), colors.surface,
+           tr("%Ln pauses off the cut", nullptr, static_cast<int>(m_pauses->offCut.size()))});
       entries.push_back({LegendEntry::Symbol::Triangle, QPen(colors.surface, 1.2), colors.attention,
                          tr("%1 in the cut").arg(countText(m_pauses->inCut.size()))});
     }

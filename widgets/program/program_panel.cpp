@@ -414,10 +414,10 @@ QString ProgramPanel::feedsText(const std::vector<double>& feedsMmPerMin) const 
   }
   const double first = feedsMmPerMin.front();
   const QString last = feedText(base::mmPerSFromMmPerMin(feedsMmPerMin.back()));
-  return feedsMmPerMin.size() == 1 ? last
-                                   : tr("%1 … %2 (%3 values)")
-                                         .arg(numberText(first, first >= 10.0 ? 0 : 2), last,
-                                              countText(feedsMmPerMin.size()));
+  return feedsMmPerMin.size() == 1
+             ? last
+             : tr("%1 … %2 (%Ln values)", nullptr, static_cast<int>(feedsMmPerMin.size()))
+                   .arg(numberText(first, first >= 10.0 ? 0 : 2), last);
 }
 
 void ProgramPanel::fillFigures(std::vector<QString>& values) const {
@@ -478,12 +478,11 @@ void ProgramPanel::showTimes() {
       m_program && m_program->points.points.size() > 1 ? tr("computing …") : noValue();
   m_figureValues[ProgrammedTime]->setText(
       m_times ? tr("%1 without pauses").arg(durationText(m_times->programmedS)) : unknown);
-  m_figureValues[StreamedTime]->setText(m_times && m_times->run
-                                            ? tr("%1 with %2 pauses, which cost %3")
-                                                  .arg(durationText(m_times->run->totalS),
-                                                       countText(m_times->run->pauses),
-                                                       durationText(m_times->run->pausesCostS()))
-                                            : unknown);
+  m_figureValues[StreamedTime]->setText(
+      m_times && m_times->run
+          ? tr("%1 with %Ln pauses, which cost %2", nullptr, static_cast<int>(m_times->run->pauses))
+                .arg(durationText(m_times->run->totalS), durationText(m_times->run->pausesCostS()))
+          : unknown);
   const QString machine =
       m_times ? tr("Computed with the axes of %1").arg(QString::fromStdString(m_times->machine))
               : QString();

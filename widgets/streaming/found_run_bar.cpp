@@ -38,7 +38,7 @@ struct FoundRunTexts {
   static QString progress(const FoundRunView& run) {
     return run.total > 0
                ? tr("%1 of %2 points executed").arg(countText(run.executed), countText(run.total))
-               : tr("%1 windows executed").arg(countText(run.executed));
+               : tr("%Ln windows executed", nullptr, static_cast<int>(run.executed));
   }
   static QString state(const FoundRunView& run) {
     switch (run.kind) {

@@ -84,8 +84,9 @@ struct RehearsalTexts {
         rehearsal.isWhole ? tr("all %1 points").arg(countText(rehearsal.points))
                           : tr("the %1 most difficult points").arg(countText(rehearsal.points));
     if (!rehearsal.hasFailed()) {
-      return tr("Simulation of %1: no wrong point in %2 runs.")
-          .arg(points, countText(rehearsal.runs));
+      return tr("Simulation of %1: no wrong point in %n runs.", nullptr,
+                static_cast<int>(rehearsal.runs))
+          .arg(points);
     }
     return tr("Simulation of %1: wrong points in %2 of %3 runs.")
         .arg(points, countText(rehearsal.faulty), countText(rehearsal.runs));

@@ -557,7 +557,7 @@ void RunPanel::showCounters() {
   };
   showFigure(Executed,
              isWatching() && counters.total == 0
-                 ? tr("%1 windows").arg(countText(counters.executed))
+                 ? tr("%Ln windows", nullptr, static_cast<int>(counters.executed))
                  : place(counters.executed),
              tr("Points that are known to be executed"));
   const QString unknown = elsewhereText();
@@ -647,12 +647,13 @@ void RunPanel::showMargin() {
 void RunPanel::showBuffer() {
   const streaming::Counters& counters = m_update.counters;
   const bool isKnown = isActive() && counters.accepted >= counters.executed;
-  showFigure(
-      Buffer,
-      isKnown ? tr("%1 pts").arg(countText(counters.accepted - counters.executed)) : QString(),
-      isKnown        ? tr("Points that the control has and that are not known to be executed")
-      : isWatching() ? elsewhereText()
-                     : tr("No run of this window is in progress."));
+  showFigure(Buffer,
+             isKnown
+                 ? tr("%Ln pts", nullptr, static_cast<int>(counters.accepted - counters.executed))
+                 : QString(),
+             isKnown ? tr("Points that the control has and that are not known to be executed")
+             : isWatching() ? elsewhereText()
+                            : tr("No run of this window is in progress."));
 }
 
 void RunPanel::fitFigures() {

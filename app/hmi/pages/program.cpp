@@ -112,8 +112,9 @@ void connectLoading(ProgramPage* page, const Models& models) {
     models.messages.log(Severity::Note, Source::Program,
                         [name = QString::fromStdString(program.name),
                          hash = QString::fromStdString(program.hash), points] {
-                          return ProgramTexts::tr("Opened %1 (%2), %3 points.")
-                              .arg(name, hash, widgets::countText(points));
+                          return ProgramTexts::tr("Opened %1 (%2), %Ln points.", nullptr,
+                                                  static_cast<int>(points))
+                              .arg(name, hash);
                         });
     if (!ProgramTexts::refusal(program, points > 0).isEmpty()) {
       models.messages.show(Severity::Error, [read = models.document.program(), points] {

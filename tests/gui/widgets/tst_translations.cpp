@@ -117,7 +117,7 @@ class TestTranslations : public QObject {
     QCOMPARE(update.exitCode(), 0);
     for (const QString& path : copies) {
       const QList<Message> messages = messagesOf(path);
-      QVERIFY(messages.size() > 300);
+      QVERIFY(messages.size() > (path.endsWith(QLatin1String("_en.ts")) ? 10 : 300));
       for (const Message& message : messages) {
         QVERIFY2(message.isFinished && !message.translation.isEmpty(),
                  qPrintable(where(path, message)));
@@ -128,7 +128,7 @@ class TestTranslations : public QObject {
   void placeholdersAndBreaksAreKept() {
     for (const QString& path : filesOf(kFolder)) {
       for (const Message& message : messagesOf(path)) {
-        for (const char* pattern : {"%[\\dp]", "<[^>]*>"}) {
+        for (const char* pattern : {"%[\\dp]", "%L?n", "<[^>]*>"}) {
           QVERIFY2(found(pattern, message.source) == found(pattern, message.translation),
                    qPrintable(where(path, message)));
         }

@@ -1,0 +1,204 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>AccessTexts</name>
+    <message numerus="yes">
+        <source>99 % of the writes of %n cells end within %1.</source>
+        <translation>
+            <numerusform>99 % of the writes of %n cell end within %1.</numerusform>
+            <numerusform>99 % of the writes of %n cells end within %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Up to %n cells were measured.</source>
+        <translation>
+            <numerusform>Up to %n cell was measured.</numerusform>
+            <numerusform>Up to %n cells were measured.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>FoundRunTexts</name>
+    <message numerus="yes">
+        <source>%Ln windows executed</source>
+        <translation>
+            <numerusform>%Ln window executed</numerusform>
+            <numerusform>%Ln windows executed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>JobTexts</name>
+    <message numerus="yes">
+        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <translation>
+            <numerusform>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln point.</numerusform>
+            <numerusform>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>MachineCard</name>
+    <message numerus="yes">
+        <source>%n alarms</source>
+        <translation>
+            <numerusform>%n alarm</numerusform>
+            <numerusform>%n alarms</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ProgramTexts</name>
+    <message numerus="yes">
+        <source>Opened %1 (%2), %Ln points.</source>
+        <translation>
+            <numerusform>Opened %1 (%2), %Ln point.</numerusform>
+            <numerusform>Opened %1 (%2), %Ln points.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RehearsalTexts</name>
+    <message numerus="yes">
+        <source>Simulation of %1: no wrong point in %n runs.</source>
+        <translation>
+            <numerusform>Simulation of %1: no wrong point in %n run.</numerusform>
+            <numerusform>Simulation of %1: no wrong point in %n runs.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Preflight</name>
+    <message numerus="yes">
+        <source>%1, version %2, %Ln points</source>
+        <translation>
+            <numerusform>%1, version %2, %Ln point</numerusform>
+            <numerusform>%1, version %2, %Ln points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln stretch</numerusform>
+            <numerusform>%Ln stretches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blocks are left out: %1</source>
+        <translation>
+            <numerusform>%Ln block is left out: %1</numerusform>
+            <numerusform>%Ln blocks are left out: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line over %1 to %2. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>In a straight line over %1 to %2. %Ln point has been executed.</numerusform>
+            <numerusform>In a straight line over %1 to %2. %Ln points have been executed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In a straight line to %1. %Ln points have been executed.</source>
+        <translation>
+            <numerusform>In a straight line to %1. %Ln point has been executed.</numerusform>
+            <numerusform>In a straight line to %1. %Ln points have been executed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Streamed: %1; the control executes %Ln blocks: %2</source>
+        <translation>
+            <numerusform>Streamed: %1; the control executes %Ln block: %2</numerusform>
+            <numerusform>Streamed: %1; the control executes %Ln blocks: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::RunController</name>
+    <message numerus="yes">
+        <source>Start of a whole job: %1, %Ln blocks for the control.</source>
+        <translation>
+            <numerusform>Start of a whole job: %1, %Ln block for the control.</numerusform>
+            <numerusform>Start of a whole job: %1, %Ln blocks for the control.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stretches</source>
+        <translation>
+            <numerusform>%Ln stretch</numerusform>
+            <numerusform>%Ln stretches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::AlarmPage</name>
+    <message numerus="yes">
+        <source>For %n minutes</source>
+        <translation>
+            <numerusform>For %n minute</numerusform>
+            <numerusform>For %n minutes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n hours</source>
+        <translation>
+            <numerusform>For %n hour</numerusform>
+            <numerusform>For %n hours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LogView</name>
+    <message numerus="yes">
+        <source>%Ln messages</source>
+        <translation>
+            <numerusform>%Ln message</numerusform>
+            <numerusform>%Ln messages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathView</name>
+    <message numerus="yes">
+        <source>%Ln pauses off the cut</source>
+        <translation>
+            <numerusform>%Ln pause off the cut</numerusform>
+            <numerusform>%Ln pauses off the cut</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ProgramPanel</name>
+    <message numerus="yes">
+        <source>%1 … %2 (%Ln values)</source>
+        <translation>
+            <numerusform>%1 … %2 (%Ln value)</numerusform>
+            <numerusform>%1 … %2 (%Ln values)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 with %Ln pauses, which cost %2</source>
+        <translation>
+            <numerusform>%1 with %Ln pause, which costs %2</numerusform>
+            <numerusform>%1 with %Ln pauses, which cost %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::RunPanel</name>
+    <message numerus="yes">
+        <source>%Ln windows</source>
+        <translation>
+            <numerusform>%Ln window</numerusform>
+            <numerusform>%Ln windows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pts</source>
+        <translation>
+            <numerusform>%Ln pt</numerusform>
+            <numerusform>%Ln pts</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
