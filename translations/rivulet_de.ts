@@ -2994,6 +2994,41 @@ GPL-3.0-or-later</translation>
             <numerusform>Geradeaus zu %1. %Ln Punkte sind ausgeführt.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>as a rapid, %1</source>
+        <translation>im Eilgang, %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line over %1, %2, to where line %3 begins: %4.</source>
+        <translation>Von dort, wo das Werkzeug steht, geradlinig über %1, %2, dorthin, wo Zeile %3 beginnt: %4.</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line, %1, to where line %2 begins: %3.</source>
+        <translation>Von dort, wo das Werkzeug steht, geradlinig, %1, dorthin, wo Zeile %2 beginnt: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %Ln points before it are not executed.</source>
+        <translation>
+            <numerusform>Der %Ln Punkt davor wird nicht ausgeführt.</numerusform>
+            <numerusform>Die %Ln Punkte davor werden nicht ausgeführt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Feeds are those that the program has commanded up to each line, and the work offset is the one that is active at the control.</source>
+        <translation>Es gelten die Vorschübe, die das Programm bis zu jeder Zeile befohlen hat, und die Nullpunktverschiebung, die an der Steuerung aktiv ist.</translation>
+    </message>
+    <message>
+        <source>State at this line</source>
+        <translation>Zustand an dieser Zeile</translation>
+    </message>
+    <message>
+        <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
+        <translation>Vor dieser Zeile ausgelassen, der letzte Satz zuerst: %1. An der Steuerung einstellen, was hier gilt.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3078,6 +3113,18 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln Abschnitt</numerusform>
             <numerusform>%Ln Abschnitte</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Ein ganzer Auftrag beginnt an seinem Anfang. Um an dieser Zeile zu beginnen, in der Einrichtung „Nur Bewegung“ wählen und Werkzeug, Spindel und Kühlmittel selbst einstellen.</translation>
+    </message>
+    <message>
+        <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
+        <translation>Zeile %1 und die danach bewegen nichts. Eine frühere Zeile wählen.</translation>
+    </message>
+    <message>
+        <source>The run starts at point %1.</source>
+        <translation>Der Lauf beginnt bei Punkt %1.</translation>
     </message>
 </context>
 <context>
@@ -5544,6 +5591,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>Ab Punkt %1 unterscheidet sich das Programm von dem des unterbrochenen Laufs. Keiner dieser Punkte wurde ausgeführt: Vor dem Fortsetzen die neue Bahn prüfen.</translation>
     </message>
+    <message>
+        <source>Press and hold: start at point %1</source>
+        <translation>Gedrückt halten: Start bei Punkt %1</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 beginnen, wo Zeile %3 anfängt: %4.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -5868,6 +5923,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
             <numerusform>%Ln Pkt.</numerusform>
             <numerusform>%Ln Pkt.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed, from point %1 on</source>
+        <translation>Punkte, die nachweislich ausgeführt sind, ab Punkt %1</translation>
     </message>
 </context>
 <context>
@@ -6215,6 +6274,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Nächster Abschnitt oder Sätze, die die Steuerung ausführt (Strg+Bild ab)</translation>
+    </message>
+    <message>
+        <source>Run from here …</source>
+        <translation>Ab hier laufen lassen …</translation>
+    </message>
+    <message>
+        <source>Start at the chosen line. First it is shown what would move.</source>
+        <translation>An der gewählten Zeile starten. Zuerst wird gezeigt, was sich bewegen würde.</translation>
     </message>
 </context>
 <context>

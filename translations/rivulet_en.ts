@@ -112,6 +112,13 @@
             <numerusform>Streamed: %1; the control executes %Ln blocks: %2</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The %Ln points before it are not executed.</source>
+        <translation>
+            <numerusform>The %Ln point before it is not executed.</numerusform>
+            <numerusform>The %Ln points before it are not executed.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

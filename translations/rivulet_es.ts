@@ -2994,6 +2994,41 @@ GPL-3.0-or-later</translation>
             <numerusform>En línea recta hasta %1. Se han ejecutado %Ln puntos.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>as a rapid, %1</source>
+        <translation>en rápido, %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>a %1</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line over %1, %2, to where line %3 begins: %4.</source>
+        <translation>Desde donde está la herramienta en línea recta a lo largo de %1, %2, hasta el comienzo de la línea %3: %4.</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line, %1, to where line %2 begins: %3.</source>
+        <translation>Desde donde está la herramienta en línea recta, %1, hasta el comienzo de la línea %2: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %Ln points before it are not executed.</source>
+        <translation>
+            <numerusform>El %Ln punto anterior no se ejecuta.</numerusform>
+            <numerusform>Los %Ln puntos anteriores no se ejecutan.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Feeds are those that the program has commanded up to each line, and the work offset is the one that is active at the control.</source>
+        <translation>Valen los avances que el programa ha mandado hasta cada línea, y el decalaje de origen activo en el control.</translation>
+    </message>
+    <message>
+        <source>State at this line</source>
+        <translation>Estado en esta línea</translation>
+    </message>
+    <message>
+        <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
+        <translation>Omitidas antes de esta línea, la última primero: %1. Ajustar en el control lo que vale aquí.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3078,6 +3113,18 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln tramo</numerusform>
             <numerusform>%Ln tramos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Un trabajo completo empieza por su comienzo. Para empezar en esta línea, elegir «Solo movimiento» en la configuración y ajustar uno mismo herramienta, cabezal y refrigerante.</translation>
+    </message>
+    <message>
+        <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
+        <translation>La línea %1 y las siguientes no mueven nada. Elegir una línea anterior.</translation>
+    </message>
+    <message>
+        <source>The run starts at point %1.</source>
+        <translation>La ejecución empieza en el punto %1.</translation>
     </message>
 </context>
 <context>
@@ -5544,6 +5591,14 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>A partir del punto %1, el programa difiere del de la ejecución interrumpida. Ninguno de estos puntos se ha ejecutado: comprobar la nueva trayectoria antes de continuar.</translation>
     </message>
+    <message>
+        <source>Press and hold: start at point %1</source>
+        <translation>Mantener pulsado: iniciar en el punto %1</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Todavía no se ha movido nada. La ejecución empezará en el punto %1 de %2, donde comienza la línea %3: %4.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -5868,6 +5923,10 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>%Ln pto</numerusform>
             <numerusform>%Ln ptos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed, from point %1 on</source>
+        <translation>Puntos que constan como ejecutados, a partir del punto %1</translation>
     </message>
 </context>
 <context>
@@ -6215,6 +6274,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Tramo siguiente, o secuencias que ejecuta el control (Ctrl+Av Pág)</translation>
+    </message>
+    <message>
+        <source>Run from here …</source>
+        <translation>Ejecutar desde aquí…</translation>
+    </message>
+    <message>
+        <source>Start at the chosen line. First it is shown what would move.</source>
+        <translation>Iniciar en la línea elegida. Antes se muestra qué se movería.</translation>
     </message>
 </context>
 <context>

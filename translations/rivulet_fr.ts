@@ -2994,6 +2994,41 @@ GPL-3.0-or-later</translation>
             <numerusform>En ligne droite jusqu’à %1. %Ln points ont été exécutés.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>as a rapid, %1</source>
+        <translation>en rapide, %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line over %1, %2, to where line %3 begins: %4.</source>
+        <translation>De la position de l’outil en ligne droite sur %1, %2, jusqu’au début de la ligne %3 : %4.</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line, %1, to where line %2 begins: %3.</source>
+        <translation>De la position de l’outil en ligne droite, %1, jusqu’au début de la ligne %2 : %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %Ln points before it are not executed.</source>
+        <translation>
+            <numerusform>Le %Ln point qui précède n’est pas exécuté.</numerusform>
+            <numerusform>Les %Ln points qui précèdent ne sont pas exécutés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Feeds are those that the program has commanded up to each line, and the work offset is the one that is active at the control.</source>
+        <translation>Les avances sont celles que le programme a commandées jusqu’à chaque ligne, et le décalage d’origine est celui qui est actif sur la commande.</translation>
+    </message>
+    <message>
+        <source>State at this line</source>
+        <translation>État à cette ligne</translation>
+    </message>
+    <message>
+        <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
+        <translation>Omis avant cette ligne, le dernier en premier : %1. Régler sur la commande ce qui vaut ici.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3078,6 +3113,18 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln tronçon</numerusform>
             <numerusform>%Ln tronçons</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Une tâche complète commence à son début. Pour commencer à cette ligne, choisir « Mouvement seul » dans la configuration et régler soi-même l’outil, la broche et l’arrosage.</translation>
+    </message>
+    <message>
+        <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
+        <translation>La ligne %1 et les suivantes ne déplacent rien. Choisir une ligne antérieure.</translation>
+    </message>
+    <message>
+        <source>The run starts at point %1.</source>
+        <translation>L’exécution commence au point %1.</translation>
     </message>
 </context>
 <context>
@@ -5544,6 +5591,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>À partir du point %1, le programme diffère de celui de l’exécution interrompue. Aucun de ces points n’a été exécuté&#xa0;: vérifier la nouvelle trajectoire avant de continuer.</translation>
     </message>
+    <message>
+        <source>Press and hold: start at point %1</source>
+        <translation>Maintenir appuyé : départ au point %1</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Rien n’a encore bougé. L’exécution commencera au point %1 sur %2, au début de la ligne %3 : %4.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -5868,6 +5923,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
             <numerusform>%Ln pt</numerusform>
             <numerusform>%Ln pts</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed, from point %1 on</source>
+        <translation>Points dont on sait qu’ils sont exécutés, à partir du point %1</translation>
     </message>
 </context>
 <context>
@@ -6215,6 +6274,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Tronçon suivant, ou blocs exécutés par la commande (Ctrl+Page suiv.)</translation>
+    </message>
+    <message>
+        <source>Run from here …</source>
+        <translation>Exécuter à partir d’ici…</translation>
+    </message>
+    <message>
+        <source>Start at the chosen line. First it is shown what would move.</source>
+        <translation>Démarrer à la ligne choisie. Ce qui bougerait est d’abord montré.</translation>
     </message>
 </context>
 <context>

@@ -2994,6 +2994,41 @@ GPL-3.0-or-later</translation>
             <numerusform>In linea retta fino a %1. Eseguiti %Ln punti.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>as a rapid, %1</source>
+        <translation>in rapido, %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>a %1</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line over %1, %2, to where line %3 begins: %4.</source>
+        <translation>Da dove si trova l’utensile in linea retta per %1, %2, fino all’inizio della riga %3: %4.</translation>
+    </message>
+    <message>
+        <source>From where the tool stands in a straight line, %1, to where line %2 begins: %3.</source>
+        <translation>Da dove si trova l’utensile in linea retta, %1, fino all’inizio della riga %2: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %Ln points before it are not executed.</source>
+        <translation>
+            <numerusform>Il %Ln punto precedente non viene eseguito.</numerusform>
+            <numerusform>I %Ln punti precedenti non vengono eseguiti.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Feeds are those that the program has commanded up to each line, and the work offset is the one that is active at the control.</source>
+        <translation>Valgono gli avanzamenti che il programma ha comandato fino a ogni riga, e lo spostamento origine attivo sul controllo.</translation>
+    </message>
+    <message>
+        <source>State at this line</source>
+        <translation>Stato a questa riga</translation>
+    </message>
+    <message>
+        <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
+        <translation>Omessi prima di questa riga, l’ultimo per primo: %1. Impostare sul controllo ciò che vale qui.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3078,6 +3113,18 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln tratto</numerusform>
             <numerusform>%Ln tratti</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Un lavoro completo comincia dal suo inizio. Per cominciare da questa riga, scegliere «Solo movimento» nella configurazione e impostare utensile, mandrino e refrigerante da sé.</translation>
+    </message>
+    <message>
+        <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
+        <translation>La riga %1 e quelle successive non muovono nulla. Scegliere una riga precedente.</translation>
+    </message>
+    <message>
+        <source>The run starts at point %1.</source>
+        <translation>L’esecuzione comincia dal punto %1.</translation>
     </message>
 </context>
 <context>
@@ -5544,6 +5591,14 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>Dal punto %1 il programma è diverso da quello dell’esecuzione interrotta. Nessuno di questi punti è stato eseguito: controllare il nuovo percorso prima di continuare.</translation>
     </message>
+    <message>
+        <source>Press and hold: start at point %1</source>
+        <translation>Tenere premuto: avvia dal punto %1</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Ancora non si è mosso nulla. L’esecuzione comincerà dal punto %1 di %2, dove inizia la riga %3: %4.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunPanel</name>
@@ -5868,6 +5923,10 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>%Ln pto</numerusform>
             <numerusform>%Ln pti</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed, from point %1 on</source>
+        <translation>Punti che risultano eseguiti, a partire dal punto %1</translation>
     </message>
 </context>
 <context>
@@ -6215,6 +6274,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Tratto successivo, o blocchi eseguiti dal controllo (Ctrl+Pag giù)</translation>
+    </message>
+    <message>
+        <source>Run from here …</source>
+        <translation>Esegui da qui…</translation>
+    </message>
+    <message>
+        <source>Start at the chosen line. First it is shown what would move.</source>
+        <translation>Avvia dalla riga scelta. Prima viene mostrato che cosa si muoverebbe.</translation>
     </message>
 </context>
 <context>

@@ -120,15 +120,18 @@ std::vector<PreflightItem> Preflight::items() const {
     return {};
   }
   std::vector<PreflightItem> items;
-  if (const auto blocked = isForResume() ? m_runs.resumeBlocked() : m_runs.startBlocked()) {
+  if (const auto blocked = isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) {
     items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
   }
   items.push_back(programItem());
   items.push_back(machineItem());
-  if (m_document.outline() != nullptr) {
+  if (m_document.outline() != nullptr && !(isForResume() && m_runs.place()->isChosen)) {
     items.push_back(jobItem());
   }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());
+  if (isForResume() && m_runs.place()->isChosen) {
+    items.push_back(stateItem());
+  }
   items.push_back(travelItem());
   items.push_back(feedItem());
   items.push_back(methodItem());
@@ -315,6 +318,9 @@ PreflightItem Preflight::resumeItem() const {
   const QString point = tr("point %1 of %2 at %3")
                             .arg(widgets::countText(place.point + 1),
                                  widgets::countText(place.points), positionText(place.positionMm));
+  if (place.isChosen) {
+    return chosenItem(point);
+  }
   item.text = place.approachMm
                   ? tr("In a straight line over %1 to %2. %Ln points have been executed.", nullptr,
                        static_cast<int>(place.point))
@@ -329,6 +335,50 @@ PreflightItem Preflight::resumeItem() const {
                      .arg(widgets::countText(*place.changedFrom + 1));
   }
   return item;
+}
+
+PreflightItem Preflight::chosenItem(const QString& point) const {
+  const widgets::ResumePlace& place = *m_runs.place();
+  const QString feed = widgets::feedText(place.feedMmPerS);
+  const QString how = place.isRapid ? tr("as a rapid, %1").arg(feed) : tr("at %1").arg(feed);
+  PreflightItem item{Status::Attention, tr("First move"), {}, {}, 0};
+  item.text =
+      (place.approachMm
+           ? tr("From where the tool stands in a straight line over %1, %2, to where line %3 "
+                "begins: %4.")
+                 .arg(widgets::lengthText(*place.approachMm), how,
+                      widgets::countText(place.line.value), point)
+           : tr("From where the tool stands in a straight line, %1, to where line %2 begins: %3.")
+                 .arg(how, widgets::countText(place.line.value), point)) +
+      QLatin1Char('\n') +
+      tr("The %Ln points before it are not executed.", nullptr, static_cast<int>(place.point));
+  return item;
+}
+
+PreflightItem Preflight::stateItem() const {
+  const widgets::ResumePlace& place = *m_runs.place();
+  std::vector<const job::NativeBlock*> before;  // the last first: it is what holds
+  if (const widgets::JobOutline* outline = m_document.outline()) {
+    for (const job::NativeBlock* block : outline->needed()) {
+      if (block->place.line.value < place.line.value) {
+        before.insert(before.begin(), block);
+      }
+    }
+  }
+  const QString feed =
+      tr("Feeds are those that the program has commanded up to each line, and "
+         "the work offset is the one that is active at the control.");
+  if (before.empty()) {
+    return {Status::Plain, tr("State at this line"), feed, {}, 0};
+  }
+  return {Status::Attention,
+          tr("State at this line"),
+          feed + QLatin1Char('\n') +
+              tr("Left out before this line, the last one first: %1. Set at the control what holds "
+                 "here.")
+                  .arg(blocksText(before)),
+          {},
+          0};
 }
 
 PreflightItem Preflight::programFeedItem() const {

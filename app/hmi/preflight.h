@@ -45,7 +45,7 @@ class Preflight final : public QObject {
   [[nodiscard]] bool isForResume() const { return m_runs.place().has_value(); }
   /// It is shown, and nothing stands in the way.
   [[nodiscard]] bool hasPassed() const {
-    return m_isOpen && !(isForResume() ? m_runs.resumeBlocked() : m_runs.startBlocked());
+    return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked());
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
@@ -70,6 +70,10 @@ class Preflight final : public QObject {
   /// What the machine cannot do of a whole job.
   [[nodiscard]] widgets::PreflightItem hazardItem() const;
   [[nodiscard]] widgets::PreflightItem resumeItem() const;
+  /// The first move of a run that begins at a chosen line. @param point  its number and place
+  [[nodiscard]] widgets::PreflightItem chosenItem(const QString& point) const;
+  /// What the program has set up to the chosen line, and nobody sets now.
+  [[nodiscard]] widgets::PreflightItem stateItem() const;
   [[nodiscard]] widgets::PreflightItem originItem() const;
   [[nodiscard]] widgets::PreflightItem feedItem() const;
   [[nodiscard]] widgets::PreflightItem programFeedItem() const;

@@ -85,7 +85,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
     // The points of another program are not those of the run that was left.
     m_left.reset();
     m_update = {};
-    m_document.setHeld(false);
+    m_runBegin = 0;
     forgetResume();
   });
 }
@@ -241,6 +241,64 @@ void RunController::takeResume(const session::ResumeFound& found) {
   Q_EMIT permissionsChanged();
 }
 
+void RunController::offerStartAtLine(std::size_t line) {
+  const auto& points = m_document.points();
+  if (isRunning() || !m_document.view()) {
+    return;
+  }
+  if (m_document.isJob()) {
+    // What the control executes before the line must not be left out without a word.
+    m_messages.show(Severity::Warning, [] {
+      return tr(
+          "A whole job begins at its beginning. To begin at this line, choose Motion only in "
+          "the set-up, and set tool, spindle and coolant yourself.");
+    });
+    return;
+  }
+  const auto found = std::find_if(points.begin(), points.end(),
+                                  [line](const auto& point) { return point.line.value >= line; });
+  if (found == points.end()) {
+    m_messages.show(Severity::Warning, [line] {
+      return tr("Line %1 and those after it move nothing. Choose an earlier line.")
+          .arg(widgets::countText(line));
+    });
+    return;
+  }
+  forgetResume();
+  // The tool goes to where the path of the line begins, so that all of it is executed.
+  const auto moved = static_cast<std::size_t>(found - points.begin());
+  const std::size_t first = moved > 0 ? moved - 1 : 0;
+  m_resume = streaming::Resume{first, m_document.view()->startMm, {}, std::nullopt};
+  m_document.setHeld(true);  // the points are those of this list
+  widgets::ResumePlace place;
+  place.isChosen = true;
+  place.point = first;
+  place.points = points.size();
+  place.line = found->line;
+  place.positionMm = points[first].positionMm;
+  place.feedMmPerS = m_document.commandedMmPerS(first);
+  place.isRapid = points[first].kind == gcode::MoveKind::Rapid;
+  if (const auto toolMm = m_machine.positionNowMm()) {
+    place.approachMm = base::distance(*toolMm, place.positionMm);
+  }
+  m_place = place;
+  Q_EMIT placeFound(place);
+  Q_EMIT permissionsChanged();
+}
+
+std::optional<streaming::Blocked> RunController::placeBlocked() const {
+  if (!m_place || !m_place->isChosen) {
+    return resumeBlocked();
+  }
+  if (auto blocked = startBlocked()) {
+    return blocked;
+  }
+  return base::hasWindows(m_document.settings().parameters.method)
+             ? std::nullopt
+             : std::optional(
+                   streaming::Blocked{streaming::BlockReason::MethodCannotResume, {}, {}});
+}
+
 void RunController::adopt(session::ResumeQuestion run) {
   m_left = std::move(run);
   m_document.setHeld(true);
@@ -256,6 +314,7 @@ void RunController::refuseResume(const Messages::Text& why) {
 void RunController::forgetResume() {
   m_resume.reset();
   m_place.reset();
+  m_document.setHeld(m_left.has_value());
   Q_EMIT resumeForgotten();
   Q_EMIT permissionsChanged();
 }
@@ -267,13 +326,17 @@ bool RunController::resume() {
     });
     return false;
   }
-  return !refuses(resumeBlocked()) && startRun(m_resume);
+  return !refuses(placeBlocked()) && startRun(m_resume);
 }
 
 bool RunController::startRun(std::optional<streaming::Resume> resume) {
   streaming::RunSettings settings = m_document.runSettings();
   settings.resume = resume;
   m_firstPoint = resume ? resume->point : 0;
+  const bool isChosen = m_place && m_place->isChosen;
+  if (isChosen || !resume) {
+    m_runBegin = m_firstPoint;
+  }
   forgetResume();
   if (!resume) {
     m_document.followTool();
@@ -289,8 +352,8 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
         alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
     m_messages.settle(code);
   }
-  announceStart(settings);
-  m_messages.didAct(resume ? Act::Resume : Act::Start,
+  announceStart(settings, isChosen);
+  m_messages.didAct(resume && !isChosen ? Act::Resume : Act::Start,
                     {{"program", m_document.program()->name},
                      {"hash", m_document.program()->hash},
                      {"machine", m_machine.endpoint().toStdString()},
@@ -305,7 +368,7 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
     command.points = m_document.points().size();
   }
   command.recordingPath = newRecordingPath().toStdString();
-  if (resume) {
+  if (resume && !isChosen) {
     command.resumes = m_left;
   }
   m_session.start(std::move(command));
@@ -315,11 +378,12 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
   return true;
 }
 
-void RunController::announceStart(const streaming::RunSettings& settings) {
+void RunController::announceStart(const streaming::RunSettings& settings, bool isChosen) {
   const std::optional<base::Vec3>& toolMm = m_machine.view().positionMm;
   if (settings.resume) {
-    m_messages.log(Severity::Note, Source::Run, [point = m_firstPoint + 1] {
-      return tr("The run resumes at point %1.").arg(widgets::countText(point));
+    m_messages.log(Severity::Note, Source::Run, [point = m_firstPoint + 1, isChosen] {
+      return (isChosen ? tr("The run starts at point %1.") : tr("The run resumes at point %1."))
+          .arg(widgets::countText(point));
     });
   } else if (m_document.isJob()) {
     const widgets::JobOutline& outline = m_document.view()->outline;
@@ -516,9 +580,12 @@ void RunController::logOutcome(const session::RunFinished& finished) {
       return tr("Access: %1.").arg(widgets::groupingText(grouping));
     });
   }
-  m_messages.log(Severity::Note, Source::Run, [counters = m_update.counters] {
+  m_messages.log(Severity::Note, Source::Run, [counters = m_update.counters, begin = m_runBegin] {
+    const auto ofRun = [begin](std::size_t count) {
+      return widgets::countText(std::max(count, begin) - begin);
+    };
     return tr("Run ended: %1 of %2 points executed.")
-        .arg(widgets::countText(counters.executed), widgets::countText(counters.total));
+        .arg(ofRun(counters.executed), ofRun(counters.total));
   });
   if (finished.jobTimes) {
     m_messages.log(Severity::Note, Source::Run,

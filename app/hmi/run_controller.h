@@ -58,6 +58,11 @@ class RunController final : public QObject {
   bool resume();
   /// The place found; nothing while there is none to be confirmed.
   [[nodiscard]] const std::optional<widgets::ResumePlace>& place() const { return m_place; }
+  /// Offers a start in the middle of the program, in the same way as a place to resume at: nothing
+  /// moves. Without an effect during a run. @param line  the first whose motion is executed, from 1
+  void offerStartAtLine(std::size_t line);
+  /// Why a run may not begin at `place`.
+  [[nodiscard]] std::optional<streaming::Blocked> placeBlocked() const;
   /// Says why the run that was left is not resumed. @param why  a sentence
   void refuseResume(const Messages::Text& why);
   /// The place found is no longer offered.
@@ -76,6 +81,9 @@ class RunController final : public QObject {
   [[nodiscard]] bool isCalibrating() const { return m_session.isCalibrating(); }
   /// Counted in the whole program, also for a run that was resumed.
   [[nodiscard]] const streaming::LiveUpdate& update() const { return m_update; }
+  /// Index of the point at which the run in progress, or the last one, has begun by the operator's
+  /// choice; 0: at the first. `update` counts the points before it, though nobody executes them.
+  [[nodiscard]] std::size_t runBegin() const { return m_runBegin; }
   /// Where the whole job in progress is; nothing: none is in progress.
   [[nodiscard]] const std::optional<session::JobUpdate>& job() const { return m_job; }
   /// Null: no run has ended since the last start.
@@ -114,7 +122,8 @@ class RunController final : public QObject {
   bool refuses(const std::optional<streaming::Blocked>& blocked);
   /// @param resume  by value: the start forgets the place that was found
   bool startRun(std::optional<streaming::Resume> resume);
-  void announceStart(const streaming::RunSettings& settings);
+  /// @param isChosen  it begins at a point that the operator has chosen
+  void announceStart(const streaming::RunSettings& settings, bool isChosen);
   void takeUpdate(const streaming::LiveUpdate& update);
   /// Where the run is, for when the axes cannot be read.
   void showExecuted();
@@ -142,6 +151,7 @@ class RunController final : public QObject {
   bool m_isRuined = false;                        ///< and not acknowledged
   std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;
+  std::size_t m_runBegin = 0;
   std::shared_ptr<const streaming::RunReport> m_report;
   std::optional<session::ResumeQuestion> m_left;  ///< the run that could be resumed
   std::optional<streaming::Resume> m_resume;      ///< the place found

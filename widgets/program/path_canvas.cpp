@@ -72,6 +72,7 @@ void PathCanvas::setTexts(const Texts& texts) {
 
 void PathCanvas::setProgram(std::shared_ptr<const ProgramView> view) {
   m_executed = 0;
+  m_runBegin = 0;
   m_selected.clear();
   m_marked.reset();
   replaceProgram(std::move(view));
@@ -130,6 +131,13 @@ void PathCanvas::setExecuted(std::size_t count) {
   }
   m_executed = count;
   update();
+}
+
+void PathCanvas::setRunBegin(std::size_t point) {
+  if (point != m_runBegin) {
+    m_runBegin = point;
+    dropPicture();
+  }
 }
 
 void PathCanvas::setToolPosition(const std::optional<base::Vec3>& positionMm) {
@@ -616,6 +624,7 @@ void PathCanvas::stroke(QImage& picture, const Strokes& strokes, const std::vect
 }
 
 void PathCanvas::drawExecuted(QImage& picture, std::size_t from, std::size_t to) {
+  from = std::max(from, m_runBegin);
   if (to < 2 || to <= from || !hasPath()) {
     return;
   }

@@ -67,6 +67,8 @@ class PathCanvas final : public QWidget {
   void setStyle(Style style);
   /// How many of the points the tool has passed.
   void setExecuted(std::size_t count);
+  /// The run has begun at this point, so the path before it is not executed. @param point  an index
+  void setRunBegin(std::size_t point);
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
   /// Points whose moves are shown as selected.
   void setSelected(std::vector<std::uint32_t> points);
@@ -166,6 +168,7 @@ class PathCanvas final : public QWidget {
   Style m_style;
   std::vector<std::vector<std::uint8_t>> m_levelClasses;  ///< per level, per kept point
   std::size_t m_executed = 0;
+  std::size_t m_runBegin = 0;
   std::optional<base::Vec3> m_toolMm;
   std::vector<std::uint32_t> m_selected;
   std::optional<std::size_t> m_marked;

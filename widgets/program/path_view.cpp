@@ -178,6 +178,10 @@ void PathView::setOperatingPoint(const feasibility::OperatingPoint& point,
   }
 }
 
+void PathView::setRunBegin(std::size_t point) {
+  m_canvas->setRunBegin(point);
+}
+
 void PathView::setExecuted(std::size_t count) {
   m_canvas->setExecuted(count);
 }

@@ -46,6 +46,8 @@ class PathView final : public Page {
                          const feasibility::AccessModel& access = {}, bool ownFeeds = false);
   /// Counts in the streamed points.
   void setExecuted(std::size_t count);
+  /// @param point  index of the first point of the run: the path before it is not executed
+  void setRunBegin(std::size_t point);
   /// @param positionMm  workpiece frame; nothing hides the tool
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
   void setIsometric(bool isometric);

@@ -94,6 +94,10 @@ void ProgramPage::setExecuted(std::size_t count, std::size_t runLine) {
                                  : 0);
 }
 
+void ProgramPage::setRunBegin(std::size_t point) {
+  m_path->setRunBegin(point);
+}
+
 void ProgramPage::followRun() {
   m_text->followRun();
 }

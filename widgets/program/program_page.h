@@ -35,6 +35,8 @@ class ProgramPage final : public Page {
   /// Points executed so far; the text shows the line of the last one. @param count  0: none
   /// @param runLine  the line that is being executed; 0: that of the last of these points
   void setExecuted(std::size_t count, std::size_t runLine = 0);
+  /// @param point  index of the first point of the run: the path before it is not executed
+  void setRunBegin(std::size_t point);
   /// A run begins: path and text show it.
   void followRun();
 

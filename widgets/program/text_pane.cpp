@@ -44,6 +44,7 @@ TextPane::TextPane(QWidget* parent)
       m_previousPart(makeTool(this, Qt::LeftArrow)),
       m_nextPart(makeTool(this, Qt::RightArrow)),
       m_follow(new QToolButton(this)),
+      m_startHere(new QToolButton(this)),
       m_text(new ProgramTextView(this)) {
   m_search->setClearButtonEnabled(true);
   m_search->setMinimumSize(90, kTouchHeightPx);
@@ -72,6 +73,11 @@ TextPane::TextPane(QWidget* parent)
   layout->addLayout(finding);
   layout->addLayout(places);
   layout->addWidget(m_text, 1);
+  layout->addWidget(m_startHere);
+  m_startHere->setMinimumHeight(kTouchHeightPx);
+  m_startHere->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  m_startHere->setEnabled(false);
+  setTabOrder(m_text, m_startHere);
 
   connect(m_search, &QLineEdit::textChanged, this, [this](const QString& wanted) {
     m_text->setHighlighted(wanted);
@@ -89,6 +95,8 @@ TextPane::TextPane(QWidget* parent)
   connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown), this), &QShortcut::activated,
           this, [this] { goToPart(true); });
   connect(m_line, &QLineEdit::returnPressed, this, &TextPane::goToLine);
+  connect(m_startHere, &QToolButton::clicked, this,
+          [this] { Q_EMIT startHereRequested(m_text->currentLine()); });
   connect(m_follow, &QToolButton::toggled, this, &TextPane::showRunLine);
   // Who looks elsewhere is not pulled back.
   connect(m_text, &ProgramTextView::lineChosen, this, [this] { m_follow->setChecked(false); });
@@ -117,6 +125,7 @@ void TextPane::setProgram(const std::shared_ptr<const ProgramView>& view) {
   m_wantsFirst = false;
   m_finder->setProgram(view);
   m_line->setEnabled(view != nullptr);
+  m_startHere->setEnabled(view != nullptr);
 }
 
 void TextPane::setRunLine(std::size_t line) {
@@ -199,6 +208,8 @@ void TextPane::retranslate() {
   m_previousPart->setAccessibleName(m_previousPart->toolTip());
   m_nextPart->setToolTip(tr("Next stretch, or blocks that the control executes (Ctrl+Page Down)"));
   m_nextPart->setAccessibleName(m_nextPart->toolTip());
+  m_startHere->setText(tr("Run from here …"));
+  m_startHere->setToolTip(tr("Start at the chosen line. First it is shown what would move."));
   m_follow->setText(tr("Follow the run"));
   m_follow->setToolTip(tr("The text shows the line that is being executed"));
   showFound();

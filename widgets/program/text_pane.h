@@ -41,10 +41,13 @@ class TextPane final : public Page {
   [[nodiscard]] QToolButton* previousPart() const { return m_previousPart; }
   [[nodiscard]] QToolButton* nextPart() const { return m_nextPart; }
   [[nodiscard]] QToolButton* follow() const { return m_follow; }
+  [[nodiscard]] QToolButton* startHere() const { return m_startHere; }
 
  Q_SIGNALS:
   /// Found, or typed as a number.
   void lineChosen(std::size_t line);
+  /// The operator wants a run to begin at the chosen line.
+  void startHereRequested(std::size_t line);
 
  protected:
   void retranslate() override;
@@ -67,6 +70,7 @@ class TextPane final : public Page {
   QToolButton* m_previousPart;
   QToolButton* m_nextPart;
   QToolButton* m_follow;
+  QToolButton* m_startHere;
   ProgramTextView* m_text;  ///< made last: the focus comes to it from above
   std::shared_ptr<const ProgramView> m_program;
   std::size_t m_runLine = 0;

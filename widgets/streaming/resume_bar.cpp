@@ -65,7 +65,9 @@ void ResumeBar::retranslate() {
       break;
     case State::Place:
       setNotice(m_place->changedFrom ? Status::Attention : Status::Busy, placeText());
-      m_goOn->setText(tr("Press and hold: resume at point %1").arg(countText(m_place->point + 1)));
+      m_goOn->setText((m_place->isChosen ? tr("Press and hold: start at point %1")
+                                         : tr("Press and hold: resume at point %1"))
+                          .arg(countText(m_place->point + 1)));
       m_goOn->setToolTip(tr("Hold for one second. Then the machine moves."));
       break;
     case State::Refusal:
@@ -76,7 +78,11 @@ void ResumeBar::retranslate() {
 
 QString ResumeBar::placeText() const {
   QString text =
-      tr("Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.")
+      (m_place->isChosen
+           ? tr("Nothing has moved yet. The run will start at point %1 of %2, where line %3 "
+                "begins: "
+                "%4.")
+           : tr("Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4."))
           .arg(countText(m_place->point + 1), countText(m_place->points),
                countText(m_place->line.value),
                QStringLiteral("X %1 Y %2 Z %3")

@@ -15,7 +15,7 @@
 
 namespace rivulet::widgets {
 
-/// Where a run would resume.
+/// Where a run would resume, or start in the middle of the program.
 struct ResumePlace {
   std::size_t point = 0;  ///< index of the first to be executed
   std::size_t points = 0;
@@ -24,6 +24,11 @@ struct ResumePlace {
   std::optional<double> approachMm;  ///< straight distance from the tool to it, if known
   /// Index of the first point that differs from the program of the interrupted run, if one does.
   std::optional<std::size_t> changedFrom;
+
+  /// The operator has chosen the line; no run was left there.
+  bool isChosen = false;
+  double feedMmPerS = 0.0;  ///< then: commanded for the move to the point
+  bool isRapid = false;     ///< then: that move is a rapid
 };
 
 class ResumeBar final : public NoticeBar {

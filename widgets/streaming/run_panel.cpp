@@ -10,6 +10,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <algorithm>
 
 #include "widgets/common/elided_label.h"
 #include "widgets/common/hold_button.h"
@@ -232,8 +233,14 @@ void RunPanel::setReport(const streaming::RunReport& report) {
   showAll();
 }
 
+void RunPanel::setRunBegin(std::size_t point) {
+  m_runBegin = point;
+  showAll();
+}
+
 void RunPanel::setProgram(std::size_t points) {
   m_update = {};
+  m_runBegin = 0;
   m_stopState = StopState::None;
   setTotal(points);
 }
@@ -550,6 +557,11 @@ void RunPanel::showCounters() {
   if (isWatching()) {
     counters.executed = m_found->executed;
     counters.total = m_found->total;
+  } else {
+    for (std::size_t* count :
+         {&counters.executed, &counters.sent, &counters.accepted, &counters.total}) {
+      *count -= std::min(*count, m_runBegin);
+    }
   }
   const QString total = countText(counters.total);
   const auto place = [&total](std::size_t count) {
@@ -559,7 +571,10 @@ void RunPanel::showCounters() {
              isWatching() && counters.total == 0
                  ? tr("%Ln windows", nullptr, static_cast<int>(counters.executed))
                  : place(counters.executed),
-             tr("Points that are known to be executed"));
+             m_runBegin == 0 || isWatching()
+                 ? tr("Points that are known to be executed")
+                 : tr("Points that are known to be executed, from point %1 on")
+                       .arg(countText(m_runBegin + 1)));
   const QString unknown = elsewhereText();
   showFigure(Sent, isWatching() ? QString() : place(counters.sent),
              isWatching() ? unknown : tr("Points that were sent to the control"));

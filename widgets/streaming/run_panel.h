@@ -46,6 +46,8 @@ class RunPanel final : public Page {
   void setProgram(std::size_t points);
   /// Number of points of the loaded program, before a run reports it.
   void setTotal(std::size_t points);
+  /// The run begins at a chosen point: the points before it do not count. @param point  an index
+  void setRunBegin(std::size_t point);
   /// Where the run is in its program, and the time that is left of it; before a start, of the run
   /// to come.
   void setProgress(const RunProgress& progress);
@@ -136,6 +138,7 @@ class RunPanel final : public Page {
   bool m_isRuined = false;
   QString m_startBlocked;
   StopState m_stopState = StopState::None;
+  std::size_t m_runBegin = 0;
   bool m_canHold = false;
   bool m_preflightPassed = false;
   bool m_canResume = false;

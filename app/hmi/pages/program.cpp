@@ -12,6 +12,7 @@
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/program/text_pane.h"
 
 namespace rivulet::hmi {
 
@@ -168,11 +169,12 @@ QWidget* makeProgramPage(const Models& models, QWidget* parent) {
   connectReading(panel, models);
   connectLoading(page, models);
   connectPath(page->path(), models);
-  QObject::connect(&models.runs, &RunController::started, page, [page](std::size_t firstPoint) {
+  RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::started, page, [page, runs](std::size_t firstPoint) {
     page->followRun();
+    page->setRunBegin(runs->runBegin());
     page->setExecuted(firstPoint);
   });
-  const RunController* runs = &models.runs;
   const auto showRun = [page, runs] {
     const bool isNative = runs->job() && runs->job()->isNative;
     page->setExecuted(runs->update().counters.executed, isNative ? runs->job()->line.value : 0);
@@ -185,8 +187,12 @@ QWidget* makeProgramPage(const Models& models, QWidget* parent) {
   QObject::connect(document, &Document::judged, panel,
                    [panel, document] { panel->setDistances(document->findings().distances); });
   QObject::connect(document, &Document::timesEstimated, page, &ProgramPage::setTimes);
-  QObject::connect(runs, &RunController::permissionsChanged, panel,
-                   [panel, runs] { panel->setOpenEnabled(!runs->isRunning()); });
+  QObject::connect(runs, &RunController::permissionsChanged, panel, [page, panel, runs, document] {
+    panel->setOpenEnabled(!runs->isRunning());
+    page->textPane()->startHere()->setEnabled(!runs->isRunning() && !document->points().empty());
+  });
+  QObject::connect(page->textPane(), &widgets::TextPane::startHereRequested, runs,
+                   &RunController::offerStartAtLine);
   return page;
 }
 

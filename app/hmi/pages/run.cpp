@@ -307,6 +307,8 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
     QObject::connect(document, signal, panel, showProgress);
   }
   QObject::connect(runs, &RunController::updated, panel, showProgress);
+  QObject::connect(runs, &RunController::started, panel,
+                   [panel, runs] { panel->setRunBegin(runs->runBegin()); });
   QObject::connect(preflight, &Preflight::changed, panel, [panel, preflight] {
     panel->setPreflightPassed(preflight->hasPassed() && !preflight->isForResume());
   });

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// A run that begins at a line the operator has chosen: shown first, then held like a resumed one.
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+#include "hmi/main_window.h"
+#include "support/simulated_control.h"
+#include "support/test_program.h"
+#include "widgets/alarms/alarm_line.h"
+#include "widgets/common/hold_button.h"
+#include "widgets/program/program_page.h"
+#include "widgets/program/text_pane.h"
+#include "widgets/streaming/preflight_sheet.h"
+#include "widgets/streaming/resume_bar.h"
+#include "widgets/streaming/run_panel.h"
+
+using namespace rivulet;
+using hmi::MainWindow;
+
+namespace {
+
+constexpr int kSoonMs = 20000;
+constexpr int kRunMs = 300000;
+const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
+constexpr std::size_t kPoints = 270;
+/// A cut in the middle, and the point at which its path begins.
+constexpr std::uint32_t kLine = 200;
+constexpr std::size_t kFirst = 195;
+
+}  // namespace
+
+class TestRunFromHere : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+  std::unique_ptr<tests::SimulatedControl> m_machine;
+  std::unique_ptr<MainWindow> m_window;
+
+  void openWindow(base::MethodKind method, bool wholeJob = false) {
+    m_machine = std::make_unique<tests::SimulatedControl>("dmu75");
+    hmi::Settings settings;
+    settings.language = QStringLiteral("en");
+    settings.stream.parameters.method = method;
+    settings.stream.wholeJob = wholeJob;
+    settings.stream.deltaMm = 0.1;
+    settings.stream.feedMmPerS = 2.0;
+    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
+      return m_machine->connect(endpoint);
+    });
+    m_window->resize(1440, 900);
+    m_window->show();
+    m_window->openProgram(kScorpion);
+    m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+  void choose(std::size_t line) {
+    m_window->programPage()->showLine(line);
+    m_window->programPage()->textPane()->startHere()->click();
+    QCoreApplication::processEvents();
+  }
+  [[nodiscard]] QString text(const QWidget* widget) const {
+    QString text;
+    for (const auto* label : widget->findChildren<QLabel*>()) {
+      text += label->text() + QLatin1Char('\n');
+    }
+    return text;
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    qputenv("XDG_DATA_HOME", m_folder.path().toUtf8());
+    qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());
+  }
+  void cleanup() {
+    m_window.reset();
+    m_machine.reset();
+  }
+
+  void beginsAtTheChosenLine() {
+    openWindow(base::MethodKind::Window);
+    choose(kLine);
+    const auto* bar = m_window->findChild<widgets::ResumeBar*>();
+    QVERIFY(bar->isVisible() && bar->place().has_value());
+    QVERIFY(bar->place()->isChosen);
+    QCOMPARE(bar->place()->line.value, kLine);
+    const std::size_t first = bar->place()->point;
+    // From where the line begins: the end of the one before it.
+    QCOMPARE(first, kFirst);
+    const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
+    QVERIFY(sheet->isVisible());
+    const QString shown = text(sheet);
+    QVERIFY2(shown.contains(QStringLiteral("The %1 points before it are not executed.").arg(first)),
+             qPrintable(shown));
+    // What holds at the line and is not set by a run of the motion alone, the last first.
+    QVERIFY2(shown.contains(QStringLiteral("G0X0.000Y0.000S10000M3 (line 4), T1M6 (line 2)")),
+             qPrintable(shown));
+    QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/run-from-here-light.png")));
+    m_window->setTheme(widgets::Theme::Dark);
+    QCoreApplication::processEvents();
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/run-from-here-dark.png")));
+    m_window->setTheme(widgets::Theme::Light);
+    QVERIFY(!m_window->isRunning());
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->resume());
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
+    const auto report = m_window->lastReport();
+    QVERIFY2(report->outcome == streaming::Outcome::Completed,
+             qPrintable(QString::fromStdString(report->error.text())));
+    QVERIFY(report->integrity.judged && report->integrity.isFaultless());
+    QVERIFY(report->settings.resume.has_value());
+    QCOMPARE(report->settings.resume->point, first);
+    // Neither executed nor skipped are the points before the line.
+    QCOMPARE(report->counters.total, kPoints - first);
+    QCOMPARE(report->counters.executed, kPoints - first);
+    QCOMPARE(report->integrity.skipped, std::size_t{0});
+    QCOMPARE(m_window->lastUpdate().counters.executed, kPoints);
+    const auto* panel = m_window->findChild<widgets::RunPanel*>();
+    const QString all = QString::number(kPoints - first);
+    QVERIFY2(text(panel).contains(QStringLiteral("%1 of %1").arg(all)), qPrintable(text(panel)));
+    // The next run has all points again.
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 1, kRunMs);
+    QCOMPARE(m_window->lastUpdate().counters.total, kPoints);
+    QVERIFY(text(panel).contains(QStringLiteral(" of %1").arg(kPoints)));
+    m_window->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isRunning(), kRunMs);
+  }
+
+  void notNowForgetsTheLine() {
+    openWindow(base::MethodKind::Window);
+    choose(kLine);
+    m_window->findChild<QPushButton*>(QStringLiteral("not-now"))->click();
+    QVERIFY(!m_window->findChild<widgets::ResumeBar*>()->isVisible());
+    QVERIFY(!m_window->resume());
+    QVERIFY(!m_window->isRunning());
+  }
+
+  /// What the control executes before the line would be left out without a word.
+  void aWholeJobBeginsAtItsBeginning() {
+    openWindow(base::MethodKind::Window, true);
+    choose(kLine);
+    QVERIFY(!m_window->findChild<widgets::ResumeBar*>()->isVisible());
+    const QString said = text(m_window->findChild<widgets::AlarmLine*>());
+    QVERIFY2(said.contains(QStringLiteral("choose Motion only")), qPrintable(said));
+    QVERIFY(!m_window->resume());
+  }
+
+  /// Methods without numbered windows begin at the first point only; a run from the beginning
+  /// forgets the chosen line.
+  void onlyWithWindows() {
+    openWindow(base::MethodKind::Signal);
+    choose(200);
+    QVERIFY(!m_window->resume());
+    QVERIFY(!m_window->isRunning());
+  }
+};
+
+RIVULET_TEST(TestRunFromHere)
+#include "tst_run_from_here.moc"
