@@ -202,10 +202,12 @@ void Executor::setWorkOffset(const BlockWords& words) {
     return;
   }
   WorkOffset& work = m_workOffsets[number == 0.0 ? workOffsetNumber() : static_cast<int>(number)];
-  work.degrees = words.hasRadius ? words.radius : work.degrees;
+  // A value that could not be computed has been reported.
+  work.degrees = words.hasRadius && std::isfinite(words.radius) ? words.radius : work.degrees;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    if (words.axes.given[axis + kFirstRotary]) {
-      work.rotaryDeg[axis] = words.axes.value[axis + kFirstRotary];
+    const double degrees = words.axes.value[axis + kFirstRotary];
+    if (words.axes.given[axis + kFirstRotary] && std::isfinite(degrees)) {
+      work.rotaryDeg[axis] = degrees;
     }
   }
   error(words, FaultCode::UnsupportedGCode, "G10");

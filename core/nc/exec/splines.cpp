@@ -48,8 +48,8 @@ void Executor::takeKnot(const BlockWords& words) {
   if (words.hasCentre[2]) {
     m_knots.push_back(words.centre[2]);
   }
-  if (words.p) {
-    m_splineDegree = static_cast<int>(std::clamp(*words.p - 1.0, 1.0, 9.0));
+  if (words.p && *words.p >= 2.0) {
+    m_splineDegree = static_cast<int>(std::min(*words.p - 1.0, 9.0));
   }
 }
 

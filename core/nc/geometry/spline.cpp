@@ -60,6 +60,7 @@ bool isClamped(const Spline& spline) {
   const std::vector<double>& knots = spline.knots;
   const std::size_t points = spline.controlMm.size();
   return spline.degree >= 1 && points >= order && knots.size() == points + order &&
+         std::all_of(knots.begin(), knots.end(), [](double knot) { return std::isfinite(knot); }) &&
          std::is_sorted(knots.begin(), knots.end()) && knots.front() == knots[order - 1] &&
          knots[points] == knots.back() && knots.front() < knots.back();
 }
