@@ -169,6 +169,7 @@ class Splitter final : public gcode::BlockObserver,
       drillHoles(words, executor);
       keepIncrements(words, executor);
       setWorkOffset(words, executor);
+      noteSetPosition(words);
     }
     if (!isForeign() && executor.state().planeFirstAxis != block.before.planeFirstAxis) {
       add(NativeReason::Tool);  // its length now acts on another axis
@@ -320,6 +321,28 @@ class Splitter final : public gcode::BlockObserver,
     if (number == active) {
       const int key = executor.state().workOffset;
       m_block->words.push_back({ForeignWord::Kind::Line, 0.0, workOffsetOf(key).value_or("G54")});
+    }
+  }
+
+  /// G92 gives a place its coordinates. If only the control knows that place, nobody knows where
+  /// motion after it goes. Before anything has moved, the operator has seen to it.
+  void noteSetPosition(const nc::BlockWords& words) {
+    const nc::GEffect offset = words.rare ? words.rare->offset : nc::GEffect::None;
+    if (offset == nc::GEffect::ResetPosition || offset == nc::GEffect::SuspendPosition) {
+      m_isSetUnknown.fill(false);
+    }
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (!words.axes.given[axis]) {
+        continue;
+      }
+      if (offset == nc::GEffect::SetPosition) {
+        m_isSetUnknown[axis] = m_hasMoved[axis] && std::isnan(m_block->startMm[axis]);
+      } else if (!words.taken) {
+        m_hasMoved[axis] = true;
+        if (words.machineToken == nullptr && m_isSetUnknown[axis] && !isAccepted("G92")) {
+          refuse(RefusalCode::NotTranslated, "G92");
+        }
+      }
     }
   }
 
@@ -908,6 +931,8 @@ class Splitter final : public gcode::BlockObserver,
   std::optional<BlockNotes> m_block;  ///< nothing: between two blocks
   HoleCycles m_holes;
   std::string m_cycleWord;  ///< as written, e.g. "G81"
+  std::array<bool, base::kAxisCount> m_hasMoved{};
+  std::array<bool, base::kAxisCount> m_isSetUnknown{};  ///< by G92, from where is not known
   std::vector<std::string> m_frame;
   bool m_curveIsStreamed = false;
   std::size_t m_points = 0;

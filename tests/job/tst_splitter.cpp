@@ -153,6 +153,16 @@ class TestSplitter : public QObject {
     QVERIFY(!planOf("G10 L2 P1 X0\nG0 X1\n", gcode::Dialect::Iso).isWhole());
   }
 
+  /// After a tool change only the control knows where the tool stands, and so what G92 shifts.
+  void setsPositionAtUnknownPlace() {
+    const auto planOfIso = [](const char* lines) { return planOf(lines, gcode::Dialect::Iso); };
+    const job::Plan plan = planOfIso("G0 X0 Y0 Z5\nT1 M6\nG92 X0\nG1 Y1 F100\nX5\nM30\n");
+    QCOMPARE(refusals(plan), QStringLiteral("5 not-translated G92"));
+    QVERIFY(planOfIso("G0 X0 Y0 Z5\nT1 M6\nG92 X0\nG92.1\nG1 X5 F100\nM30\n").isWhole());
+    QVERIFY(planOfIso("G0 X0 Y0 Z5\nG92 X7\nT1 M6\nG1 X5 F100\nM30\n").isWhole());
+    QVERIFY(planOfIso("T1 M6\nG92 X0 Y0 Z0\nG1 X5 F100\nM30\n").isWhole());
+  }
+
   /// LinuxCNC, "Switchable kinematics": M428 makes X, Y and Z those of the tool's tip, M429 ends
   /// it. Without it the same points would be another path.
   void tipOfTheTool() {
