@@ -136,6 +136,19 @@ class TestWholeJobs : public QObject {
     QVERIFY(result["error"]["message"].get<std::string>().find("tool T99") != std::string::npos);
   }
 
+  /// A machine that is named is taken as it is; else it is as large as the job needs, and says so.
+  void largeMachine() {
+    const QStringList job{part("G54\nG0 X0 Y0 Z10\nX2000\nM30\n"), QStringLiteral("--simulate"),
+                          QStringLiteral("--json")};
+    const Outcome fits = run(job);
+    QVERIFY2(fits.exit == 0, fits.output.constData());
+    QVERIFY(fits.output.contains("more travel than the machine has: X goes"));
+    const Outcome named =
+        run(job + QStringList{QStringLiteral("--preset"), QStringLiteral("dmu75-mill")});
+    QCOMPARE(named.exit, 2);
+    QVERIFY(named.output.contains("beyond its limit"));
+  }
+
   void inVirtualTime() {
     const Outcome outcome = run({part(), QStringLiteral("--simulate"), QStringLiteral("--json")});
     QVERIFY2(outcome.exit == 0, outcome.output.constData());
