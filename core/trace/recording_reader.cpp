@@ -3,15 +3,21 @@
 
 #include "trace/recording_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/contract.h"
+#include "base/file.h"
 #include "trace/frames.h"
 #include "trace/import/compression.h"
 
 namespace rivulet::trace {
 
 namespace {
+
+/// An index of `RecordingIndex::kGroupsMax` groups is much smaller.
+constexpr std::uint64_t kIndexBytesMax = std::uint64_t{64} << 20U;
 
 template <class Record, class Time>
 void keepWithin(std::vector<Record>& records, base::Instant from, base::Instant until, Time time) {
@@ -60,7 +66,7 @@ base::Result<void> RecordingReader::readIndex() {
     return base::fail(tail.error());
   }
   const std::optional<IndexPlace> place = findIndex(*tail, size);
-  if (!place) {
+  if (!place || place->bytes > kIndexBytesMax) {
     return {};
   }
   const auto packed = m_bytes->read(place->at, place->bytes);
@@ -75,6 +81,13 @@ base::Result<void> RecordingReader::readIndex() {
 }
 
 base::Result<void> RecordingReader::makeIndex() {
+  if (m_bytes->size() > base::kFileBytesMax) {
+    return base::fail(
+        base::FileError::Unreadable,
+        fmt::format("The file has no index, or a damaged one, and is larger than {} MiB: it cannot "
+                    "be read as a whole.",
+                    base::kFileBytesMax >> 20U));
+  }
   const auto bytes = m_bytes->read(0, m_bytes->size());
   if (!bytes) {
     return base::fail(bytes.error());

@@ -21,7 +21,8 @@ class RecordingReader {
  public:
   /// A recording without its index (cut off, or of an earlier version) is read once as a whole.
   /// @param bytes  not null
-  /// @return errors of `parseRecording`, and of the source
+  /// @return errors of `parseRecording`, and of the source; Unreadable: it has no index and is
+  /// larger than `base::kFileBytesMax`
   [[nodiscard]] static base::Result<RecordingReader> open(std::unique_ptr<base::ByteSource> bytes);
 
   [[nodiscard]] const RunStart& start() const { return m_start; }

@@ -239,6 +239,20 @@ class TestRecordingReader : public QObject {
     QVERIFY(!RecordingReader::open(counted("rivulet-recording 999\n", count)).has_value());
   }
 
+  /// A file that does not fit into the memory is not taken into it.
+  void aHugeFileWithoutIndexIsRefused() {
+    class Huge final : public base::ByteSource {
+     public:
+      [[nodiscard]] std::uint64_t size() const override { return std::uint64_t{50} << 30U; }
+      [[nodiscard]] base::Result<std::string> read(std::uint64_t, std::uint64_t bytes) override {
+        return std::string(static_cast<std::size_t>(std::min<std::uint64_t>(bytes, 1000)), '\0');
+      }
+    };
+    const auto reader = RecordingReader::open(std::make_unique<Huge>());
+    QVERIFY(!reader.has_value());
+    QVERIFY(reader.error().message.find("larger than") != std::string::npos);
+  }
+
   void filesAreReadInParts() {
     QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath(QStringLiteral("a")).toStdString();
