@@ -151,6 +151,66 @@ class TestAnalyse : public QObject {
     QVERIFY(!refused.errors.empty());
   }
 
+  /// Every kind of file that is not as it should be: what can be read is shown, and one sentence
+  /// says the rest.
+  void saysWhatIsWrongWithAFile_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("exit");
+    QTest::addColumn<QString>("sentence");
+    const QByteArray good = traceText("t_s;x_cmd;y_cmd\n", false);
+    QByteArray backwards = good;
+    backwards.replace("\n0.500;", "\n0.100;");
+    QByteArray doubled("t_s;x_cmd;x_cmd\n");
+    QByteArray twoTimes("t_s;x_cmd;t2_s;y_cmd\n");
+    for (int i = 0; i < 50; ++i) {
+      const QByteArray at = QByteArray::number(0.01 * i);
+      doubled += at + ';' + at + ';' + at + '\n';
+      twoTimes += at + ';' + at + ';' + at + ';' + at + '\n';
+    }
+    QByteArray commas = good;
+    commas.replace('.', ',');
+    QTest::newRow("cut") << good.chopped(4) << 0 << QStringLiteral("cut off");
+    QTest::newRow("rubbish") << QByteArray("\x01\x02 nothing \xff\n") << 2
+                             << QStringLiteral("no rows of numbers");
+    QTest::newRow("empty") << QByteArray() << 2 << QStringLiteral("no rows of numbers");
+    QTest::newRow("time runs backwards") << backwards << 0 << QStringLiteral("runs backwards");
+    QTest::newRow("columns twice") << doubled << 0 << QStringLiteral("more than once");
+    QTest::newRow("two time bases") << twoTimes << 0 << QStringLiteral("2 columns of time");
+    QTest::newRow("commas as decimal signs") << commas << 0 << QStringLiteral("2 signals");
+  }
+  void saysWhatIsWrongWithAFile() {
+    QFETCH(QByteArray, text);
+    QFETCH(int, exit);
+    QFETCH(QString, sentence);
+    const Outcome outcome = run({file("wrong.csv", text)});
+    QCOMPARE(outcome.exit, exit);
+    const QString said = QString::fromStdString(outcome.output + outcome.errors);
+    QVERIFY2(said.contains(sentence), qPrintable(said));
+  }
+  void refusesAFileLargerThanTheMemory() {
+    QFile huge(file("huge.rivulet", "rivulet-recording 1\n"));
+    QVERIFY(huge.open(QIODevice::ReadWrite) && huge.resize(qint64{50} << 30));
+    huge.close();
+    for (const char* option : {"--json", "--overview"}) {
+      const Outcome outcome = run({huge.fileName(), QString::fromUtf8(option)});
+      QCOMPARE(outcome.exit, 2);
+      QVERIFY((outcome.output + outcome.errors).find("larger than") != std::string::npos);
+    }
+    QVERIFY(huge.remove());
+  }
+  /// The place where the motion leaves a program that is not its own is named.
+  void saysWhereTheMotionLeavesTheProgram() {
+    const QString other =
+        file("other.mpf", "G90 G94\nG1 X0 Y0 F600\nG1 X10 Y0\nG1 X10 Y-40\nG1 X-30 Y-40\nM30\n");
+    const Outcome outcome = run({file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false)),
+                                 QStringLiteral("--program"), other, QStringLiteral("--json")});
+    QCOMPARE(outcome.exit, 1);
+    const json departure = outcome.parsed()["path"]["departure"];
+    QVERIFY(departure.is_object());
+    QCOMPARE(departure["line"].get<int>(), 4);
+    QVERIFY(std::abs(departure["place_mm"][0].get<double>() - 10.0) < 0.2);
+  }
+
   void remembersTheColumns() {
     const QString trace = file("own.csv", traceText("clock;a;b\n", false));
     QVERIFY(run({trace}).output.find("say which with --map") != std::string::npos);

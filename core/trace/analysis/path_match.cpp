@@ -448,7 +448,9 @@ void CourseJudge::findDeparture(std::size_t lastOn) {
   // A retraction at the end is no other program, unless it is long.
   const double lengthMm = m_course[lastOn].place.lengthMm;
   if (restMm > 2.0 * m_toleranceMm && lengthMm < m_path.lengthMm() - 2.0 * m_toleranceMm) {
-    m_match.departure = fault(FaultKind::Foreign, m_path.segmentAt(lengthMm), lastOn + 1);
+    // Where the motion leaves at a point, this one is done, and the next is due.
+    m_match.departure =
+        fault(FaultKind::Foreign, m_path.segmentAt(lengthMm + m_toleranceMm), lastOn + 1);
   }
 }
 
