@@ -1565,6 +1565,50 @@
             <numerusform>%n Alarme</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Entfernen …</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>credit test</source>
+        <translation>Kredit-Test</translation>
+    </message>
+    <message>
+        <source>Remove this machine from the list? Its runs and recordings stay on the page Runs.</source>
+        <translation>Diese Maschine aus der Liste entfernen? Ihre Läufe und Aufzeichnungen bleiben auf der Seite Läufe.</translation>
+    </message>
+    <message>
+        <source>Put aside as files, and not used any more: %1.</source>
+        <translation>Als Dateien beiseitegelegt und nicht mehr verwendet: %1.</translation>
+    </message>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Letzter Lauf %1: %2, %3 von %4 Punkten</translation>
+    </message>
+    <message>
+        <source>Not connected; its port answered %1 ago</source>
+        <translation>Nicht verbunden; ihr Port hat vor %1 geantwortet</translation>
+    </message>
+    <message>
+        <source>Not reachable: no answer %1 ago</source>
+        <translation>Nicht erreichbar: vor %1 keine Antwort</translation>
+    </message>
 </context>
 <context>
     <name>MachinesPage</name>
@@ -2601,13 +2645,6 @@
     <message>
         <source>The limits of %1 have been saved.</source>
         <translation>Die Grenzen von %1 wurden gespeichert.</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::hmi::Machines</name>
-    <message>
-        <source>Last run %1: %2, %3 of %4 points</source>
-        <translation>Letzter Lauf %1: %2, %3 von %4 Punkten</translation>
     </message>
 </context>
 <context>
@@ -4367,9 +4404,24 @@ GPL-3.0-or-later</translation>
 </context>
 <context>
     <name>rivulet::widgets::MachinesPage</name>
+    <message numerus="yes">
+        <source>%Ln virtual machines of this computer do not answer any more, and nothing but their runs is kept.</source>
+        <translation>
+            <numerusform>%Ln virtuelle Maschine dieses Rechners antwortet nicht mehr, und nur ihre Läufe sind aufbewahrt.</numerusform>
+            <numerusform>%Ln virtuelle Maschinen dieses Rechners antworten nicht mehr, und nur ihre Läufe sind aufbewahrt.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
-        <translation>Mit einem Fenster ist immer nur eine Maschine verbunden. Die anderen werden nicht gefragt, denn jede Frage kostet sie Zeit, die ein anderer Stream vielleicht braucht.</translation>
+        <source>Hide them</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
+        <translation>Mit einem Fenster ist jeweils eine Maschine verbunden. Bei den anderen wird nur der Port geprüft, alle 30 s, solange diese Seite gezeigt wird: Eine Abfrage würde sie Zeit kosten, die ein anderer Stream vielleicht braucht.</translation>
     </message>
 </context>
 <context>

@@ -165,6 +165,16 @@
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::MachinesPage</name>
+    <message numerus="yes">
+        <source>%Ln virtual machines of this computer do not answer any more, and nothing but their runs is kept.</source>
+        <translation>
+            <numerusform>%Ln virtual machine of this computer does not answer any more, and nothing but its runs is kept.</numerusform>
+            <numerusform>%Ln virtual machines of this computer do not answer any more, and nothing but their runs is kept.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathView</name>
     <message numerus="yes">
         <source>%Ln pauses off the cut</source>

@@ -1565,6 +1565,50 @@
             <numerusform>%n alarmas</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Quitar…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>límites</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>calibración</translation>
+    </message>
+    <message>
+        <source>credit test</source>
+        <translation>prueba crédito</translation>
+    </message>
+    <message>
+        <source>Remove this machine from the list? Its runs and recordings stay on the page Runs.</source>
+        <translation>¿Quitar esta máquina de la lista? Sus ejecuciones y grabaciones permanecen en la página Ejecuciones.</translation>
+    </message>
+    <message>
+        <source>Put aside as files, and not used any more: %1.</source>
+        <translation>Se apartan como archivos y ya no se usan: %1.</translation>
+    </message>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Última ejecución %1: %2, %3 de %4 puntos</translation>
+    </message>
+    <message>
+        <source>Not connected; its port answered %1 ago</source>
+        <translation>No conectada; su puerto respondió hace %1</translation>
+    </message>
+    <message>
+        <source>Not reachable: no answer %1 ago</source>
+        <translation>No accesible: sin respuesta hace %1</translation>
+    </message>
 </context>
 <context>
     <name>MachinesPage</name>
@@ -2601,13 +2645,6 @@
     <message>
         <source>The limits of %1 have been saved.</source>
         <translation>Se han guardado los límites de %1.</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::hmi::Machines</name>
-    <message>
-        <source>Last run %1: %2, %3 of %4 points</source>
-        <translation>Última ejecución %1: %2, %3 de %4 puntos</translation>
     </message>
 </context>
 <context>
@@ -4367,9 +4404,24 @@ GPL-3.0-or-later</translation>
 </context>
 <context>
     <name>rivulet::widgets::MachinesPage</name>
+    <message numerus="yes">
+        <source>%Ln virtual machines of this computer do not answer any more, and nothing but their runs is kept.</source>
+        <translation>
+            <numerusform>%Ln máquina virtual de este ordenador ya no responde, y solo se conservan sus ejecuciones.</numerusform>
+            <numerusform>%Ln máquinas virtuales de este ordenador ya no responden, y solo se conservan sus ejecuciones.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
-        <translation>A una ventana solo está conectada una máquina a la vez. A las demás no se les pregunta, porque cada pregunta les costaría tiempo que otra transmisión puede necesitar.</translation>
+        <source>Hide them</source>
+        <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
+        <translation>Una ventana está conectada con una sola máquina a la vez. De las demás solo se comprueba el puerto, cada 30 s mientras se muestra esta página: una pregunta les costaría tiempo que otro flujo puede necesitar.</translation>
     </message>
 </context>
 <context>

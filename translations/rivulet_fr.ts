@@ -1565,6 +1565,50 @@
             <numerusform>%n alarmes</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Retirer…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>limites</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>calibration</translation>
+    </message>
+    <message>
+        <source>credit test</source>
+        <translation>test crédit</translation>
+    </message>
+    <message>
+        <source>Remove this machine from the list? Its runs and recordings stay on the page Runs.</source>
+        <translation>Retirer cette machine de la liste&#xa0;? Ses exécutions et ses enregistrements restent sur la page Exécutions.</translation>
+    </message>
+    <message>
+        <source>Put aside as files, and not used any more: %1.</source>
+        <translation>Mis de côté dans des fichiers, et plus utilisés&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Dernière exécution %1&#xa0;: %2, %3 points sur %4</translation>
+    </message>
+    <message>
+        <source>Not connected; its port answered %1 ago</source>
+        <translation>Non connectée&#xa0;; son port a répondu il y a %1</translation>
+    </message>
+    <message>
+        <source>Not reachable: no answer %1 ago</source>
+        <translation>Injoignable&#xa0;: pas de réponse il y a %1</translation>
+    </message>
 </context>
 <context>
     <name>MachinesPage</name>
@@ -2604,13 +2648,6 @@
     </message>
 </context>
 <context>
-    <name>rivulet::hmi::Machines</name>
-    <message>
-        <source>Last run %1: %2, %3 of %4 points</source>
-        <translation>Dernière exécution %1&#xa0;: %2, %3 points sur %4</translation>
-    </message>
-</context>
-<context>
     <name>rivulet::hmi::MainWindow</name>
     <message>
         <source>About Rivulet</source>
@@ -3004,11 +3041,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>From where the tool stands in a straight line over %1, %2, to where line %3 begins: %4.</source>
-        <translation>De la position de l’outil en ligne droite sur %1, %2, jusqu’au début de la ligne %3 : %4.</translation>
+        <translation>De la position de l’outil en ligne droite sur %1, %2, jusqu’au début de la ligne %3&#xa0;: %4.</translation>
     </message>
     <message>
         <source>From where the tool stands in a straight line, %1, to where line %2 begins: %3.</source>
-        <translation>De la position de l’outil en ligne droite, %1, jusqu’au début de la ligne %2 : %3.</translation>
+        <translation>De la position de l’outil en ligne droite, %1, jusqu’au début de la ligne %2&#xa0;: %3.</translation>
     </message>
     <message numerus="yes">
         <source>The %Ln points before it are not executed.</source>
@@ -3027,7 +3064,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
-        <translation>Omis avant cette ligne, le dernier en premier : %1. Régler sur la commande ce qui vaut ici.</translation>
+        <translation>Omis avant cette ligne, le dernier en premier&#xa0;: %1. Régler sur la commande ce qui vaut ici.</translation>
     </message>
 </context>
 <context>
@@ -3116,7 +3153,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Une tâche complète commence à son début. Pour commencer à cette ligne, choisir « Mouvement seul » dans la configuration et régler soi-même l’outil, la broche et l’arrosage.</translation>
+        <translation>Une tâche complète commence à son début. Pour commencer à cette ligne, choisir «&#xa0;Mouvement seul&#xa0;» dans la configuration et régler soi-même l’outil, la broche et l’arrosage.</translation>
     </message>
     <message>
         <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
@@ -4367,9 +4404,24 @@ GPL-3.0-or-later</translation>
 </context>
 <context>
     <name>rivulet::widgets::MachinesPage</name>
+    <message numerus="yes">
+        <source>%Ln virtual machines of this computer do not answer any more, and nothing but their runs is kept.</source>
+        <translation>
+            <numerusform>%Ln machine virtuelle de cet ordinateur ne répond plus, et seules ses exécutions sont conservées.</numerusform>
+            <numerusform>%Ln machines virtuelles de cet ordinateur ne répondent plus, et seules leurs exécutions sont conservées.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
-        <translation>Une fenêtre n’est connectée qu’à une machine à la fois. Les autres ne sont pas interrogées, car chaque question leur coûterait du temps dont une autre transmission peut avoir besoin.</translation>
+        <source>Hide them</source>
+        <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
+        <translation>Une fenêtre n’est connectée qu’à une machine à la fois. Pour les autres, seul le port est vérifié, toutes les 30 s tant que cette page est affichée&#xa0;: une question leur coûterait du temps dont un autre flux peut avoir besoin.</translation>
     </message>
 </context>
 <context>
@@ -5593,11 +5645,11 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Press and hold: start at point %1</source>
-        <translation>Maintenir appuyé : départ au point %1</translation>
+        <translation>Maintenir appuyé&#xa0;: départ au point %1</translation>
     </message>
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
-        <translation>Rien n’a encore bougé. L’exécution commencera au point %1 sur %2, au début de la ligne %3 : %4.</translation>
+        <translation>Rien n’a encore bougé. L’exécution commencera au point %1 sur %2, au début de la ligne %3&#xa0;: %4.</translation>
     </message>
 </context>
 <context>

@@ -1565,6 +1565,50 @@
             <numerusform>%n allarmi</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Rimuovi…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Mantieni</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>limiti</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>calibrazione</translation>
+    </message>
+    <message>
+        <source>credit test</source>
+        <translation>test credito</translation>
+    </message>
+    <message>
+        <source>Remove this machine from the list? Its runs and recordings stay on the page Runs.</source>
+        <translation>Rimuovere questa macchina dall’elenco? Le sue esecuzioni e registrazioni restano nella pagina Esecuzioni.</translation>
+    </message>
+    <message>
+        <source>Put aside as files, and not used any more: %1.</source>
+        <translation>Messi da parte come file e non più usati: %1.</translation>
+    </message>
+    <message>
+        <source>Last run %1: %2, %3 of %4 points</source>
+        <translation>Ultima esecuzione %1: %2, %3 di %4 punti</translation>
+    </message>
+    <message>
+        <source>Not connected; its port answered %1 ago</source>
+        <translation>Non connessa; la sua porta ha risposto %1 fa</translation>
+    </message>
+    <message>
+        <source>Not reachable: no answer %1 ago</source>
+        <translation>Non raggiungibile: nessuna risposta %1 fa</translation>
+    </message>
 </context>
 <context>
     <name>MachinesPage</name>
@@ -2601,13 +2645,6 @@
     <message>
         <source>The limits of %1 have been saved.</source>
         <translation>I limiti di %1 sono stati salvati.</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::hmi::Machines</name>
-    <message>
-        <source>Last run %1: %2, %3 of %4 points</source>
-        <translation>Ultima esecuzione %1: %2, %3 punti su %4</translation>
     </message>
 </context>
 <context>
@@ -4367,9 +4404,24 @@ GPL-3.0-or-later</translation>
 </context>
 <context>
     <name>rivulet::widgets::MachinesPage</name>
+    <message numerus="yes">
+        <source>%Ln virtual machines of this computer do not answer any more, and nothing but their runs is kept.</source>
+        <translation>
+            <numerusform>%Ln macchina virtuale di questo computer non risponde più, e se ne conservano solo le esecuzioni.</numerusform>
+            <numerusform>%Ln macchine virtuali di questo computer non rispondono più, e se ne conservano solo le esecuzioni.</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>One machine at a time is connected with a window. The others are not asked, because each question would cost them time that another stream may need.</source>
-        <translation>A una finestra è collegata una sola macchina alla volta. Le altre non vengono interrogate, perché ogni domanda costerebbe loro tempo che può servire a un’altra trasmissione.</translation>
+        <source>Hide them</source>
+        <translation>Nascondi</translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
+        <translation>Una finestra è connessa a una macchina alla volta. Delle altre si controlla solo la porta, ogni 30 s finché questa pagina è visibile: una domanda costerebbe loro tempo di cui un altro flusso può avere bisogno.</translation>
     </message>
 </context>
 <context>

@@ -3,18 +3,37 @@
 
 #include "hmi/machines.h"
 
+#include <QDateTime>
+#include <QHostAddress>
+#include <QUrl>
 #include <algorithm>
-#include <map>
 #include <utility>
 
-#include "widgets/common/number_format.h"
-#include "widgets/runs/run_texts.h"
-
 namespace rivulet::hmi {
+
+namespace {
+
+/// A port is not looked at more often.
+constexpr qint64 kLookEveryMs = 30'000;
+/// "2026-11-22T08:30:05", which all forms of a time begin with.
+constexpr std::size_t kSecondsLength = 19;
+
+bool isThisComputer(const std::string& endpoint) {
+  const QString host = QUrl(QString::fromStdString(endpoint)).host();
+  return host == QLatin1String("localhost") || QHostAddress(host).isLoopback();
+}
+
+}  // namespace
 
 Machines::Machines(Document& document, MachineModel& machine, RunController& runs,
                    PastRuns& pastRuns, report::MachineStore store)
     : m_document(document), m_machine(machine), m_runs(runs), m_store(std::move(store)) {
+  m_clock.start();
+  connect(&m_portCheck, &session::PortCheck::looked, this,
+          [this](const QString& endpoint, bool isThere) {
+            m_looks[endpoint.toStdString()] = {isThere, m_clock.elapsed()};
+            Q_EMIT changed();
+          });
   connect(&pastRuns, &PastRuns::listed, this,
           [this](const std::shared_ptr<const report::HistoryList>& list) {
             const bool isFirst = m_history == nullptr;
@@ -31,6 +50,7 @@ Machines::Machines(Document& document, MachineModel& machine, RunController& run
 
 void Machines::refresh() {
   m_known = m_store.machines();
+  m_removed = m_store.removed();
   Q_EMIT changed();
 }
 
@@ -39,17 +59,18 @@ std::vector<widgets::MachineCardView> Machines::cards() const {
   for (const report::KnownMachine& known : m_known) {
     widgets::MachineCardView& card = cards[known.endpoint];
     card.name = card.name.isEmpty() ? QString::fromStdString(known.name) : card.name;
+    card.hasLimits = card.hasLimits || known.hasLimits;
+    card.hasCalibration = card.hasCalibration || known.hasCalibration;
+    card.hasCreditTest = card.hasCreditTest || known.hasCreditTest;
   }
   if (m_history) {
     for (const streaming::RunSummary& run : m_history->runs) {  // the newest first
-      if (run.endpoint.empty()) {
-        continue;
-      }
-      widgets::MachineCardView& card = cards[run.endpoint];
-      if (card.lastRun.isEmpty()) {
-        card.lastRun = tr("Last run %1: %2, %3 of %4 points")
-                           .arg(widgets::startText(run), QString::fromStdString(run.programName),
-                                widgets::countText(run.executed), widgets::countText(run.total));
+      const auto removed = m_removed.find(run.endpoint);
+      const bool isRemoved = removed != m_removed.end() && !cards.contains(run.endpoint) &&
+                             run.origin.startedAtUtc.substr(0, kSecondsLength) <=
+                                 base::utcText(removed->second).substr(0, kSecondsLength);
+      if (!run.endpoint.empty() && !isRemoved && !cards[run.endpoint].lastRun) {
+        cards[run.endpoint].lastRun = run;
       }
     }
   }
@@ -72,6 +93,15 @@ std::vector<widgets::MachineCardView> Machines::cards() const {
                                            : 0.0;
       }
     }
+    const auto look = m_looks.find(endpoint);
+    if (look != m_looks.end()) {
+      constexpr double kMsPerS = 1000.0;
+      card.answers = look->second.isThere;
+      card.lookedS = static_cast<double>(m_clock.elapsed() - look->second.atMs) / kMsPerS;
+    }
+    card.canRemove = m_runs.canChangeSettings() && canChange() && !isConnectedWith(endpoint);
+    card.isLeftOver =
+        isThisComputer(endpoint) && !card.hasFacts() && !card.answers && !isConnectedWith(endpoint);
     list.push_back(std::move(card));
   }
   std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
@@ -81,11 +111,40 @@ std::vector<widgets::MachineCardView> Machines::cards() const {
   return list;
 }
 
+bool Machines::isConnectedWith(const std::string& endpoint) const {
+  return m_machine.isConnected() && m_machine.endpoint().trimmed().toStdString() == endpoint;
+}
+
 void Machines::open(const QString& endpoint) {
-  const bool isPresent = endpoint == m_machine.endpoint().trimmed() && m_machine.isConnected();
-  if (!isPresent && canChange()) {
+  if (!isConnectedWith(endpoint.toStdString()) && canChange()) {
     m_machine.connectTo(endpoint);
   }
+}
+
+void Machines::look() {
+  if (m_lookedAtMs && m_clock.elapsed() - *m_lookedAtMs < kLookEveryMs) {
+    return;
+  }
+  m_lookedAtMs = m_clock.elapsed();
+  for (const widgets::MachineCardView& card : cards()) {
+    if (!isConnectedWith(card.endpoint.toStdString())) {
+      m_portCheck.look(card.endpoint);
+    }
+  }
+}
+
+void Machines::remove(const QString& endpoint) {
+  if (!canChange() || !m_runs.canChangeSettings() || isConnectedWith(endpoint.toStdString())) {
+    return;
+  }
+  const base::Result<void> done =
+      m_store.remove(endpoint.toStdString(), QDateTime::currentMSecsSinceEpoch());
+  if (done) {
+    Q_EMIT removed(endpoint);
+  } else {
+    Q_EMIT removeFailed(done.error());
+  }
+  refresh();
 }
 
 }  // namespace rivulet::hmi

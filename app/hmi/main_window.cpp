@@ -18,6 +18,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <initializer_list>
 
 #include "hmi/input_guard.h"
@@ -416,7 +417,10 @@ void MainWindow::showFirstPage() {
   const bool isUntouched = !m_isMachineChosen && m_tabs->currentIndex() == 0 &&
                            m_document.requestedPath().isEmpty() &&
                            m_machine.link().state == session::LinkState::Disconnected;
-  if (m_machines.cards().size() > 1 && isUntouched) {
+  const std::vector<widgets::MachineCardView> cards = m_machines.cards();
+  const auto count =
+      std::count_if(cards.begin(), cards.end(), [](const auto& card) { return !card.isLeftOver; });
+  if (count > 1 && isUntouched) {
     showPageOf(m_tabs->findChild<widgets::MachinesPage*>());
   }
 }

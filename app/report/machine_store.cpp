@@ -27,6 +27,8 @@ using streaming::MachineFileError;
 
 constexpr int kMachineFormat = 1;
 constexpr const char* kMachineFormatKey = "rivulet_machine";
+constexpr const char* kRemovedFormatKey = "rivulet_removed_machines";
+constexpr const char* kRemovedFile = "removed.json";
 constexpr const char* kCalibrationKey = "calibration";
 constexpr const char* kCreditTestKey = "credit_test";
 constexpr const char* kProfileKey = "profile";
@@ -207,6 +209,9 @@ std::vector<KnownMachine> MachineStore::machines() const {
       machine.name = key == kProfileKey && name != fact->end() && name->is_string()
                          ? name->get<std::string>()
                          : std::string();
+      machine.hasLimits = json.contains(kProfileKey);
+      machine.hasCalibration = json.contains(kCalibrationKey);
+      machine.hasCreditTest = json.contains(kCreditTestKey);
       found.push_back(std::move(machine));
       break;
     }
@@ -216,6 +221,49 @@ std::vector<KnownMachine> MachineStore::machines() const {
            std::pair(b.endpoint, b.server.applicationUri);
   });
   return found;
+}
+
+base::Result<void> MachineStore::remove(const std::string& endpoint, base::UtcMs at) const {
+  std::error_code error;
+  for (const KnownMachine& machine : machines()) {
+    const fs::path path = pathOf(machine.endpoint, machine.server);
+    if (machine.endpoint == endpoint && fs::exists(path, error)) {
+      fs::path aside = path;
+      fs::rename(path, aside += ".removed", error);
+      if (error) {
+        return base::fail(base::FileError::NotWritable,
+                          "The machine cannot be removed. Check the rights of its file.",
+                          path.string());
+      }
+    }
+  }
+  // Its runs name it, too.
+  ordered_json file{{kRemovedFormatKey, kMachineFormat}, {"machines", ordered_json::object()}};
+  for (const auto& [name, when] : removed()) {
+    file["machines"][name] = base::utcText(when);
+  }
+  file["machines"][endpoint] = base::utcText(at);
+  fs::create_directories(m_folders.machines, error);
+  return base::writeFile(m_folders.machines / kRemovedFile,
+                         file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+}
+
+std::map<std::string, base::UtcMs> MachineStore::removed() const {
+  std::map<std::string, base::UtcMs> machines;
+  const base::Result<std::string> text = base::readFile(m_folders.machines / kRemovedFile);
+  const ordered_json file =
+      text ? ordered_json::parse(*text, nullptr, false) : ordered_json::object();
+  const auto list = file.is_object() ? file.find("machines") : file.end();
+  if (list == file.end() || !list->is_object()) {
+    return machines;
+  }
+  for (const auto& [endpoint, when] : list->items()) {
+    if (const auto at =
+            when.is_string() ? base::utcOfText(when.get<std::string>()) : std::nullopt) {
+      machines[endpoint] = *at;
+    }
+  }
+  return machines;
 }
 
 base::Result<void> MachineStore::saveMember(const std::string& endpoint,

@@ -8,12 +8,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "base/utc.h"
 #include "streaming/machine_facts.h"
 #include "streaming/machine_profile.h"
 
@@ -38,6 +40,9 @@ struct KnownMachine {
   std::string endpoint;
   opcua::ServerIdentity server;
   std::string name;  ///< as its profile has it; may be empty
+  bool hasLimits = false;
+  bool hasCalibration = false;
+  bool hasCreditTest = false;
 };
 
 class MachineStore {
@@ -65,6 +70,12 @@ class MachineStore {
   /// All machines with a file of their own, sorted by endpoint; files that cannot be read are left
   /// out.
   [[nodiscard]] std::vector<KnownMachine> machines() const;
+
+  /// Puts all that is known of a machine aside: its files are renamed (`.removed`), not deleted.
+  /// @param at  now  @return NotWritable
+  [[nodiscard]] base::Result<void> remove(const std::string& endpoint, base::UtcMs at) const;
+  /// When machines were removed, by endpoint.
+  [[nodiscard]] std::map<std::string, base::UtcMs> removed() const;
 
   /// Makes the folder if it is missing. @return FileNotWritable, and as `calibration`: a file that
   /// cannot be read is not overwritten

@@ -183,6 +183,22 @@ class TestMachineStore : public QObject {
     QVERIFY(!newer && newer.error().code == MachineFileError::OtherVersion);
   }
 
+  /// Nothing is deleted, and the machine is new at the next connection.
+  void aRemovedMachineIsPutAside() {
+    QVERIFY(store().save(makeTest()).has_value());
+    QVERIFY(store().machines().front().hasCreditTest && !store().machines().front().hasLimits);
+    const std::filesystem::path path = store().pathOf(kEndpoint, kServer);
+    const base::UtcMs now = *base::utcOfText("2026-05-04T09:30:00.000Z");
+    QVERIFY(store().remove(kEndpoint, now).has_value());
+    QVERIFY(store().remove("opc.tcp://127.0.0.1:4999", now + 1).has_value());
+    QVERIFY(store().machines().empty());
+    QVERIFY(!store().creditTest(kEndpoint, kServer).value());
+    QVERIFY(std::filesystem::exists(path.string() + ".removed"));
+    const auto removed = store().removed();
+    QCOMPARE(removed.size(), std::size_t{2});
+    QCOMPARE(removed.at(kEndpoint), now);
+  }
+
   /// Limits come back as they were entered, beside the other facts; a machine with a file is known
   /// by its name.
   void limitsAreKept() {

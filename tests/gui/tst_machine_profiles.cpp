@@ -166,7 +166,7 @@ class TestMachineProfiles : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(machines->isVisible(), kSoonMs);
     const auto connects = [machines] {
       QStringList names;
-      for (const auto* button : machines->findChildren<QPushButton*>()) {
+      for (const auto* button : machines->findChildren<QPushButton*>(QStringLiteral("open"))) {
         names.append(button->accessibleName());
       }
       return names;
@@ -176,7 +176,7 @@ class TestMachineProfiles : public QObject {
     QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
     QCoreApplication::processEvents();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/machines-light.png")));
-    machines->findChildren<QPushButton*>().back()->click();
+    machines->findChildren<QPushButton*>(QStringLiteral("open")).back()->click();
     QVERIFY(!machines->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(connects().back().startsWith(QStringLiteral("Open ")), kSoonMs);
     m_window->setTheme(widgets::Theme::Dark);
@@ -186,6 +186,12 @@ class TestMachineProfiles : public QObject {
     QCoreApplication::processEvents();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/machines-dark.png")));
     m_window->setTheme(widgets::Theme::Light);
+    // A removed machine goes from the list; what is known of it is put aside.
+    machines->findChildren<QPushButton*>(QStringLiteral("remove")).front()->click();
+    machines->findChildren<QPushButton*>(QStringLiteral("confirm-remove")).front()->click();
+    QTRY_COMPARE(connects().size(), 1);
+    QVERIFY(connects().front().startsWith(QStringLiteral("Open ")));
+    QVERIFY(!report::MachineStore().profile(other.endpoint, other.server).value());
   }
 };
 

@@ -4,6 +4,7 @@
 /// Pages about the machine: connection, calibration, and the program it is to be given.
 
 #include <QCoreApplication>
+#include <QTimer>
 
 #include "hmi/credit_commissioning.h"
 #include "hmi/pages/pages.h"
@@ -25,6 +26,9 @@ using widgets::CalibrationPage;
 using widgets::ConnectionPanel;
 
 namespace {
+
+/// The age of a look is shown in seconds.
+constexpr int kLookMs = 1000;
 
 struct PagesTexts {
   Q_DECLARE_TR_FUNCTIONS(MachinesPage)
@@ -86,6 +90,22 @@ QWidget* makeMachinesPage(const Models& models, QWidget* parent) {
   QObject::connect(&models.profiles, &MachineProfiles::changed, machines, &Machines::refresh);
   QObject::connect(&models.machine, &MachineModel::viewChanged, page, showIfSeen);
   QObject::connect(&models.runs, &RunController::updated, page, showIfSeen);
+  QObject::connect(page, &widgets::MachinesPage::removeRequested, machines, &Machines::remove);
+  QObject::connect(machines, &Machines::removed, page, [models](const QString& endpoint) {
+    models.messages.didAct(permission::Act::ChangeSettings,
+                           {{"machine", endpoint.toStdString()}, {"removed", "true"}});
+  });
+  QObject::connect(machines, &Machines::removeFailed, page, [models](const base::Error& error) {
+    models.messages.show(gcode::Severity::Error, [error] { return widgets::errorText(error); });
+  });
+  auto* looks = new QTimer(page);
+  looks->start(kLookMs);
+  QObject::connect(looks, &QTimer::timeout, page, [page, machines, show] {
+    if (page->isVisible()) {
+      machines->look();
+      show();  // what was seen gets older
+    }
+  });
   QObject::connect(page, &widgets::MachinesPage::openRequested, machines,
                    [page, machines](const QString& endpoint) {
                      machines->open(endpoint);
