@@ -125,11 +125,11 @@ std::vector<PreflightItem> Preflight::items() const {
   }
   items.push_back(programItem());
   items.push_back(machineItem());
-  if (m_document.outline() != nullptr && !(isForResume() && m_runs.place()->isChosen)) {
+  if (m_document.outline() != nullptr && !(isForChosenLine())) {
     items.push_back(jobItem());
   }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());
-  if (isForResume() && m_runs.place()->isChosen) {
+  if (isForChosenLine()) {
     items.push_back(stateItem());
   }
   items.push_back(travelItem());

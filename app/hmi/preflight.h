@@ -43,6 +43,8 @@ class Preflight final : public QObject {
   [[nodiscard]] bool isOpen() const { return m_isOpen; }
   /// The place where a run was left has been found: it is about resuming there.
   [[nodiscard]] bool isForResume() const { return m_runs.place().has_value(); }
+  /// At a line that the operator has chosen, a kind of resuming.
+  [[nodiscard]] bool isForChosenLine() const { return isForResume() && m_runs.place()->isChosen; }
   /// It is shown, and nothing stands in the way.
   [[nodiscard]] bool hasPassed() const {
     return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked());

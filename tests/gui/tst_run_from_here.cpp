@@ -64,6 +64,12 @@ class TestRunFromHere : public QObject {
     m_window->programPage()->textPane()->startHere()->click();
     QCoreApplication::processEvents();
   }
+  /// Layouts take several turns.
+  static void settle() {
+    for (int turn = 0; turn < 5; ++turn) {
+      QCoreApplication::processEvents();
+    }
+  }
   [[nodiscard]] QString text(const QWidget* widget) const {
     QString text;
     for (const auto* label : widget->findChildren<QLabel*>()) {
@@ -95,15 +101,17 @@ class TestRunFromHere : public QObject {
     const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
     QVERIFY(sheet->isVisible());
     const QString shown = text(sheet);
+    QVERIFY(shown.contains(QStringLiteral("Before the start")));
     QVERIFY2(shown.contains(QStringLiteral("The %1 points before it are not executed.").arg(first)),
              qPrintable(shown));
     // What holds at the line and is not set by a run of the motion alone, the last first.
     QVERIFY2(shown.contains(QStringLiteral("G0X0.000Y0.000S10000M3 (line 4), T1M6 (line 2)")),
              qPrintable(shown));
     QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
+    settle();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/run-from-here-light.png")));
     m_window->setTheme(widgets::Theme::Dark);
-    QCoreApplication::processEvents();
+    settle();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/run-from-here-dark.png")));
     m_window->setTheme(widgets::Theme::Light);
     QVERIFY(!m_window->isRunning());

@@ -67,6 +67,7 @@ void PreflightSheet::showItems() {
     text->setStatus(item.status, item.text);
     m_rows->addWidget(name, row, 0, Qt::AlignTop);
     m_rows->addWidget(text, row, 1);
+    std::vector<QWidget*> shown{name, text};
     if (!item.remedy.isEmpty()) {
       QPushButton* button = makeTouchButton(this);
       button->setText(item.remedy);
@@ -74,14 +75,21 @@ void PreflightSheet::showItems() {
       connect(
           button, &QPushButton::clicked, this,
           [this, id = item.remedyId] { Q_EMIT remedyRequested(id); }, Qt::QueuedConnection);
+      shown.push_back(button);
+    }
+    if (isVisible()) {  // else they are shown with the sheet
+      for (QWidget* widget : shown) {
+        widget->show();
+      }
     }
     ++row;
   }
-  if (m_kind == Kind::Resume) {
+  if (m_kind != Kind::Start) {
     m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
                          m_passed ? tr("Nothing has moved yet. Hold the button with the point "
                                        "below for one second: then the machine moves.")
-                                  : tr("Resuming is not possible yet."));
+                         : m_kind == Kind::StartHere ? tr("Start is not possible yet.")
+                                                     : tr("Resuming is not possible yet."));
     return;
   }
   m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,

@@ -33,7 +33,8 @@ class PreflightSheet final : public Page {
 
  public:
   /// What is confirmed elsewhere: by Start, or by the bar with the place of a run that was left.
-  enum class Kind { Start, Resume };
+  /// `StartHere`: at a line that the operator has chosen.
+  enum class Kind { Start, StartHere, Resume };
 
   explicit PreflightSheet(QWidget* parent = nullptr);
 

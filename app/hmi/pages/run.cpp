@@ -247,9 +247,11 @@ QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
   Preflight* preflight = &models.preflight;
   const auto show = [sheet, preflight] {
     if (preflight->isOpen()) {
-      sheet->setItems(
-          preflight->items(), preflight->hasPassed(),
-          preflight->isForResume() ? PreflightSheet::Kind::Resume : PreflightSheet::Kind::Start);
+      sheet->setItems(preflight->items(), preflight->hasPassed(),
+                      preflight->isForResume() ? preflight->isForChosenLine()
+                                                     ? PreflightSheet::Kind::StartHere
+                                                     : PreflightSheet::Kind::Resume
+                                               : PreflightSheet::Kind::Start);
     }
   };
   QObject::connect(preflight, &Preflight::changed, sheet, show);
