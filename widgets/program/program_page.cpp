@@ -15,8 +15,9 @@ namespace rivulet::widgets {
 
 namespace {
 
-constexpr int kPathShare = 3;
-constexpr int kTextShare = 2;
+/// Weights, larger than any least width: a splitter raises smaller ones to that.
+constexpr int kPathShare = 30'000;
+constexpr int kTextShare = 20'000;
 constexpr const char* kMoved = "movedByHand";
 constexpr int kStackedPx = 660;
 /// Narrower than its buttons: the halves are stacked before that matters.
@@ -34,9 +35,7 @@ ProgramPage::ProgramPage(QWidget* parent)
   m_path->setMinimumWidth(kPathPx);
   m_halves->addWidget(m_path);
   m_halves->addWidget(m_panel);
-  m_halves->setStretchFactor(0, kPathShare);
-  m_halves->setStretchFactor(1, kTextShare);
-  m_halves->setSizes({kPathShare * 100, kTextShare * 100});
+  m_halves->setSizes({kPathShare, kTextShare});
   m_halves->setChildrenCollapsible(false);
   connect(m_halves, &QSplitter::splitterMoved, m_halves,
           [this] { m_halves->setProperty(kMoved, true); });
@@ -113,7 +112,7 @@ void ProgramPage::resizeEvent(QResizeEvent* event) {
     QMetaObject::invokeMethod(
         m_halves,
         [this] {
-          m_halves->setSizes({kPathShare * 100, kTextShare * 100});
+          m_halves->setSizes({kPathShare, kTextShare});
         },
         Qt::QueuedConnection);
   }

@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <cmath>
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
@@ -60,6 +61,17 @@ class TestProgramPage : public QObject {
     QVERIFY(view.lineText(1).size() < 5000);
     QVERIFY(view.lineText(1).endsWith(QChar(0x2026)));
     QVERIFY(test::colourCount(test::picture(view, {300, 200})) > 2);
+  }
+
+  /// Three fifths, unless the text would be too narrow for its buttons.
+  void thePathHasMostOfTheRoom() {
+    ProgramPage page;
+    page.setProgram(textOnly("X1\n"));
+    for (const int width : {1000, 1700}) {
+      QVERIFY(test::picture(page, {width, 800}).width() > 0);
+      const double share = static_cast<double>(page.path()->width()) / width;
+      QVERIFY2(std::abs(share - 0.6) < 0.02, qPrintable(QString::number(share)));
+    }
   }
 
   /// A million lines: no more of them are painted than there is room for.
