@@ -89,7 +89,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
       m_acceptedArea(new QWidget(this)),
       m_acceptedRows(new QVBoxLayout(m_acceptedArea)) {
   setAcceptDrops(true);
-  setMinimumWidth(300);
+  setMinimumWidth(360);
   m_recent->setMenu(m_recentMenu);
   m_recentMenu->setToolTipsVisible(true);
   auto* buttons = new QHBoxLayout;
