@@ -137,6 +137,7 @@ struct JobOptions {
   double stopAfterS = 0.0;           ///< 0: not
   std::string resume;                ///< file of a job that was left; empty: from the beginning
   int fromStretch = 0;               ///< 0: from the beginning
+  double dryRunMm = 0.0;             ///< > 0: a dry run, so much higher
   bool confirmed = false;            ///< what is done before a job goes on has been checked
   std::vector<std::string> command;  ///< the words of the command line
   bool json = false;

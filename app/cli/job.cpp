@@ -19,6 +19,7 @@
 #include "experiments/job_restart.h"
 #include "experiments/large_machine.h"
 #include "gcode/block_observer.h"
+#include "job/dry_plan.h"
 #include "job/main_program.h"
 #include "log/log.h"
 #include "machine/config.h"
@@ -181,6 +182,12 @@ base::Result<void> JobCommand::prepare() {
   auto plan = job::makePlan(std::move(program->name), std::move(program->text), options);
   if (!plan) {
     return base::fail(plan.error());
+  }
+  if (m_options.dryRunMm > 0.0) {
+    plan = job::dryPlan(std::move(*plan), m_options.dryRunMm);
+    if (!plan) {
+      return base::fail(plan.error());
+    }
   }
   m_plan = std::move(*plan);
   if (isVirtual) {
@@ -457,10 +464,14 @@ Exit JobCommand::run() {
   for (std::size_t i = 0; i < m_notes.size() && !m_options.json; ++i) {
     fmt::print("{}\n", m_notes[i]);
   }
+  if (m_options.dryRunMm > 0.0 && !m_options.json) {
+    fmt::print("dry run: {:g} mm higher, without spindle and coolant\n", m_options.dryRunMm);
+  }
   JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
-  // A job that goes on has other programs: it cannot be found again by those of the source.
+  // A job that goes on, and a dry run, have other programs: they cannot be found again by those of
+  // the source.
   std::optional<report::RunKeeper> keeper;
-  if (!m_options.simulate && !m_restart) {
+  if (!m_options.simulate && !m_restart && m_options.dryRunMm == 0.0) {
     keeper.emplace(report::RunStore(report::RunStore::folderOfJobs()), savedRun());
     m_start.keeper = &*keeper;
   }
@@ -475,6 +486,9 @@ Exit JobCommand::run() {
   if (m_options.json) {
     nlohmann::ordered_json json = report::wholeJobJson(m_plan, done);
     json["job"] = m_programs.number;
+    if (m_options.dryRunMm > 0.0) {
+      json["dry_run_mm"] = m_options.dryRunMm;
+    }
     json["hazards"] = report::hazardsJson(m_hazards);
     if (left) {
       json["saved_job"] = left->string();

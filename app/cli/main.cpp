@@ -372,9 +372,14 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   auto* simulate = command->add_flag("--simulate", options->simulate,
                                      "Run it on a virtual machine in virtual time");
   endpoint->excludes(simulate);
-  command->add_flag("--verify", options->verify,
-                    "Compare the job with its source on a virtual machine: motion, actions of the "
-                    "machine, modal state of its blocks");
+  auto* dry = command->add_option("--dry-run", options->dryRunMm,
+                                  "So many mm higher, without spindle and coolant");
+  dry->check(kPositive);
+  command
+      ->add_flag("--verify", options->verify,
+                 "Compare the job with its source on a virtual machine: motion, actions of the "
+                 "machine, modal state of its blocks")
+      ->excludes(dry);
   const auto* preset =
       command
           ->add_option(
@@ -393,6 +398,7 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
       ->check(CLI::PositiveNumber)
       ->excludes(resume);
   resume->excludes(simulate);
+  resume->excludes(dry);
   command->add_flag("--yes", options->confirmed,
                     "What is done before the job goes on has been checked");
   addJson(command, options->json);

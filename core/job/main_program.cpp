@@ -39,6 +39,8 @@ class Category final : public std::error_category {
         return "the tool is not where the program says";
       case JobError::BeyondMachine:
         return "beyond what the machine can do";
+      case JobError::NotDry:
+        return "no dry run";
     }
     return "unknown error";
   }

@@ -27,6 +27,7 @@ enum class JobError {
   TooManyStretches,  ///< more than `templates::JobProtocol::kStretchesMax`
   PositionDiffers,   ///< the tool is not where the program says
   BeyondMachine,     ///< travel, tools or what the machine refuses
+  NotDry,            ///< a block cannot be raised, or turns the spindle itself (`dryPlan`)
 };
 [[nodiscard]] std::error_code make_error_code(JobError code);
 

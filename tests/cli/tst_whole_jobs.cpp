@@ -149,6 +149,23 @@ class TestWholeJobs : public QObject {
     QVERIFY(named.output.contains("beyond its limit"));
   }
 
+  /// Higher, and only where that is safe.
+  void runsDry() {
+    const QString file =
+        part("G17 G90 G71\nT1 D1 M6\nS3000 M3\nG0 X5 Y5 Z2\nG1 Z-1 F2000\nX10\nM5\nM30\n");
+    const Outcome outcome = run({file, QStringLiteral("--simulate"), QStringLiteral("--json"),
+                                 QStringLiteral("--dry-run"), QStringLiteral("30")});
+    QVERIFY2(outcome.exit == 0, outcome.output.constData());
+    const json result = json::parse(outcome.output.toStdString());
+    QCOMPARE(result["dry_run_mm"].get<double>(), 30.0);
+    QCOMPARE(result["outcome"].get<std::string>(), std::string("completed"));
+    // An increment of Z after a tool.
+    const Outcome refused = run(
+        {part(), QStringLiteral("--simulate"), QStringLiteral("--dry-run"), QStringLiteral("30")});
+    QCOMPARE(refused.exit, 2);
+    QVERIFY2(refused.errors.contains("part.mpf:11"), refused.errors.constData());
+  }
+
   void inVirtualTime() {
     const Outcome outcome = run({part(), QStringLiteral("--simulate"), QStringLiteral("--json")});
     QVERIFY2(outcome.exit == 0, outcome.output.constData());
