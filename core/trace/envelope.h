@@ -15,13 +15,9 @@
 
 #include "base/instant.h"
 #include "trace/packed_points.h"
+#include "trace/value_range.h"
 
 namespace rivulet::trace {
-
-struct ValueRange {
-  double min = 0.0;
-  double max = 0.0;
-};
 
 class Envelope {
  public:

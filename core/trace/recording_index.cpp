@@ -114,16 +114,6 @@ ValueRange readRange(Fields& fields) {
 
 }  // namespace
 
-void ValueRange::add(double value) {
-  min = std::min(min, value);
-  max = std::max(max, value);
-}
-
-void ValueRange::add(const ValueRange& other) {
-  min = std::min(min, other.min);
-  max = std::max(max, other.max);
-}
-
 void IndexGroup::add(const IndexGroup& next) {
   bytes += next.bytes;
   frames += next.frames;

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,17 +16,9 @@
 
 #include "base/axes.h"
 #include "base/instant.h"
+#include "trace/value_range.h"
 
 namespace rivulet::trace {
-
-struct ValueRange {
-  double min = std::numeric_limits<double>::infinity();
-  double max = -std::numeric_limits<double>::infinity();
-
-  void add(double value);
-  void add(const ValueRange& other);
-  [[nodiscard]] bool isEmpty() const { return !(min <= max); }
-};
 
 /// Frames that follow one another in the file.
 struct IndexGroup {
