@@ -10,11 +10,11 @@
 #include "base/sha256.h"
 #include "base/units.h"
 #include "cli/commands.h"
-#include "cli/trace_source.h"
 #include "report/report_json.h"
 #include "report/rule.h"
 #include "report/stream_quality.h"
 #include "report/trace_json.h"
+#include "report/trace_source.h"
 #include "streaming/run.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
@@ -268,7 +268,7 @@ std::string summaryCell(const ordered_json& json, std::string_view column) {
 /// A page for a person.
 base::Result<void> writeReport([[maybe_unused]] const AnalyseOptions& options,
                                [[maybe_unused]] const std::string& file,
-                               [[maybe_unused]] const TraceSource& source,
+                               [[maybe_unused]] const report::TraceSource& source,
                                [[maybe_unused]] const Analysed& analysed,
                                [[maybe_unused]] const trace::TraceAnalysis& analysis) {
 #ifdef RIVULET_WITH_REPORTS
@@ -293,7 +293,7 @@ base::Result<void> writeReport([[maybe_unused]] const AnalyseOptions& options,
 
 base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions& options,
                                    const gcode::Program* program) {
-  const auto source = openTrace(file, options.columns, options.rateHz);
+  const auto source = report::openTrace(file, options.columns, options.rateHz);
   if (!source) {
     return base::fail(source.error());
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Opens what `analyse` can analyse, and remembers what the columns of other tools' files mean.
-/// @threadsafety main thread.
+/// Opens every file that holds a trace, and remembers what the columns of other tools' files mean.
+/// @threadsafety any thread, one at a time with `columns`.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 #include "trace/import/import.h"
 #include "trace/recording.h"
 
-namespace rivulet::cli {
+namespace rivulet::report {
 
 /// Exactly one of these.
 struct TraceSource {
@@ -29,4 +29,4 @@ struct TraceSource {
 [[nodiscard]] base::Result<TraceSource> openTrace(const std::filesystem::path& file,
                                                   const std::string& columns, double rateHz);
 
-}  // namespace rivulet::cli
+}  // namespace rivulet::report

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/trace_source.h"
+#include "report/trace_source.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "trace/frames.h"
 #include "trace/import/compression.h"
 
-namespace rivulet::cli {
+namespace rivulet::report {
 
 namespace {
 
@@ -115,4 +115,4 @@ base::Result<TraceSource> openTrace(const std::filesystem::path& file, const std
   return source;
 }
 
-}  // namespace rivulet::cli
+}  // namespace rivulet::report
