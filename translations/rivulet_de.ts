@@ -963,6 +963,30 @@
         <source>The override is out of range: choose 1 to 200 %.</source>
         <translation>Der Override liegt außerhalb des Bereichs: 1 bis 200 % wählen.</translation>
     </message>
+    <message>
+        <source>The formula is not understood from here on.</source>
+        <translation>Ab hier ist die Formel nicht verständlich.</translation>
+    </message>
+    <message>
+        <source>The formula is not complete.</source>
+        <translation>Die Formel ist nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>There is no such function. Press F1 for those there are.</source>
+        <translation>Diese Funktion gibt es nicht. F1 zeigt die vorhandenen.</translation>
+    </message>
+    <message>
+        <source>The trace has no such signal. The tool tips of the signals have their names.</source>
+        <translation>Der Verlauf hat kein solches Signal. Die Namen stehen in den Kurzhinweisen der Signale.</translation>
+    </message>
+    <message>
+        <source>This is no trace that can be read: there are no rows of numbers in it.</source>
+        <translation>Kein lesbarer Verlauf: Die Datei enthält keine Zeilen mit Zahlen.</translation>
+    </message>
+    <message>
+        <source>The table has no such column.</source>
+        <translation>Die Tabelle hat keine solche Spalte.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1784,6 +1808,38 @@
         <source>predicted</source>
         <translation>vorhergesagt</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>Genauhalt</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>Verweilzeit</translation>
+    </message>
+    <message>
+        <source>programmed stop</source>
+        <translation>programmierter Halt</translation>
+    </message>
+    <message>
+        <source>tool change</source>
+        <translation>Werkzeugwechsel</translation>
+    </message>
+    <message>
+        <source>hold: override 0</source>
+        <translation>Halt: Override 0</translation>
+    </message>
+    <message>
+        <source>waiting for data</source>
+        <translation>wartet auf Daten</translation>
+    </message>
+    <message>
+        <source>preprocessor stop</source>
+        <translation>Vorlaufstopp</translation>
+    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2212,6 +2268,123 @@
     </message>
 </context>
 <context>
+    <name>SignalTexts</name>
+    <message>
+        <source>Set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Actual position</source>
+        <translation>Istposition</translation>
+    </message>
+    <message>
+        <source>Lag (set point minus actual)</source>
+        <translation>Schleppabstand (Soll minus Ist)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Konturabweichung</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Requests to the control</source>
+        <translation>Anfragen an die Steuerung</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Spalten der Datei</translation>
+    </message>
+    <message>
+        <source>%1 set point</source>
+        <comment>of an axis</comment>
+        <translation>%1 Soll</translation>
+    </message>
+    <message>
+        <source>%1 actual</source>
+        <comment>of an axis</comment>
+        <translation>%1 Ist</translation>
+    </message>
+    <message>
+        <source>%1 lag</source>
+        <comment>of an axis</comment>
+        <translation>%1 Schleppabstand</translation>
+    </message>
+    <message>
+        <source>%1 speed</source>
+        <comment>of an axis</comment>
+        <translation>%1 Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <comment>of an axis</comment>
+        <translation>%1 Beschleunigung</translation>
+    </message>
+    <message>
+        <source>%1 jerk</source>
+        <comment>of an axis</comment>
+        <translation>%1 Ruck</translation>
+    </message>
+    <message>
+        <source>Path speed</source>
+        <translation>Bahngeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Path acceleration</source>
+        <translation>Bahnbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Konturabweichung, Ist</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Konturabweichung, Soll</translation>
+    </message>
+    <message>
+        <source>Line on the control</source>
+        <translation>Zeile der Steuerung</translation>
+    </message>
+    <message>
+        <source>Line of the program</source>
+        <translation>Zeile des Programms</translation>
+    </message>
+    <message>
+        <source>Point of the program</source>
+        <translation>Punkt des Programms</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Programmierter Vorschub</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Duration of writes</source>
+        <translation>Dauer der Schreibzugriffe</translation>
+    </message>
+    <message>
+        <source>Duration of reads</source>
+        <translation>Dauer der Lesezugriffe</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2556,6 +2729,13 @@
     <message>
         <source>Margin; of the slowest 1 %</source>
         <translation>Reserve; der langsamsten 1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>TracesPage</name>
+    <message>
+        <source>A run is in progress. Open files after it has ended.</source>
+        <translation>Ein Lauf ist im Gang. Dateien nach seinem Ende öffnen.</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4110,109 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CursorPanel</name>
+    <message>
+        <source>A %1, B %2, B − A %3</source>
+        <translation>A %1, B %2, B − A %3</translation>
+    </message>
+    <message>
+        <source>A %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
+        <source>A click on a curve sets cursor A, with Shift cursor B.</source>
+        <translation>Ein Klick auf eine Kurve setzt Cursor A, mit Umschalt Cursor B.</translation>
+    </message>
+    <message>
+        <source>The trace has no such place.</source>
+        <translation>Diese Stelle gibt es im Verlauf nicht.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Eine Zahl eingeben.</translation>
+    </message>
+    <message>
+        <source>At the cursors and between them</source>
+        <translation>An den Cursorn und dazwischen</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>Bei A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>Bei B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Slope, 1/s</source>
+        <translation>Steigung, 1/s</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % darunter</translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <translation>99 % darunter</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Number of the place to go to</source>
+        <translation>Nummer der Stelle</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Los</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::DiagnosticModel</name>
     <message>
         <source>Severity</source>
@@ -4763,6 +5046,25 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::PathPane</name>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>No X and Y here</source>
+        <translation>Hier gibt es kein X und Y</translation>
+    </message>
+    <message>
+        <source>Path in X and Y</source>
+        <translation>Bahn in X und Y</translation>
+    </message>
+    <message>
+        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
+        <translation>Die Bahn der sichtbaren Zeit. Klick: Cursor A. Umschalt und Klick: Cursor B.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathView</name>
     <message>
         <source>Top (XY)</source>
@@ -4926,21 +5228,6 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln Pause außerhalb des Schnitts</numerusform>
             <numerusform>%Ln Pausen außerhalb des Schnitts</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PauseModel</name>
-    <message>
-        <source>Start</source>
-        <translation>Beginn</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Herkunft</translation>
     </message>
 </context>
 <context>
@@ -6188,6 +6475,25 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopePane</name>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the pane</source>
+        <translation>Feld entfernen</translation>
+    </message>
+    <message>
+        <source>Curves: %1</source>
+        <translation>Kurven: %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2, from %3 to %4</source>
+        <translation>%1 bis %2, von %3 bis %4</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -6236,6 +6542,76 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SignalPanel</name>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search the signals</source>
+        <translation>Signale durchsuchen</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Pane</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Show the signal in a pane of its own (Enter)</source>
+        <translation>Das Signal in einem eigenen Feld zeigen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Dazu</translation>
+    </message>
+    <message>
+        <source>Show the signal in the current pane (Shift+Enter)</source>
+        <translation>Das Signal im aktuellen Feld zeigen (Umschalt+Eingabe)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Show the signal no longer (Delete)</source>
+        <translation>Das Signal nicht mehr zeigen (Entf)</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
+        <translation>Eine Formel aus Signalen, dann Eingabe. Ihre Namen stehen in ihren Kurzhinweisen.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StopModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Ursache</translation>
     </message>
 </context>
 <context>
@@ -6337,11 +6713,18 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
-    <name>rivulet::widgets::TracePage</name>
+    <name>rivulet::widgets::TimeStrip</name>
     <message>
         <source>Time, s</source>
         <translation>Zeit, s</translation>
     </message>
+    <message>
+        <source>Overview of the whole trace</source>
+        <translation>Übersicht des ganzen Verlaufs</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Live</source>
         <translation>Live</translation>
@@ -6353,14 +6736,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Show all</source>
         <translation>Alles zeigen</translation>
-    </message>
-    <message>
-        <source>Wheel: zoom. Drag: move.</source>
-        <translation>Rad: vergrößern. Ziehen: verschieben.</translation>
-    </message>
-    <message>
-        <source>Pauses (STOPRE)</source>
-        <translation>Pausen (STOPRE)</translation>
     </message>
     <message>
         <source>Number</source>
@@ -6387,20 +6762,68 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Aufzeichnung der Steuerung: ein Wert alle %1</translation>
     </message>
     <message>
-        <source>incomplete: the trace memory was full</source>
-        <translation>unvollständig: der Speicher der Steuerung war voll</translation>
-    </message>
-    <message>
         <source>%1: pause %2</source>
         <translation>%1: Pause %2</translation>
     </message>
     <message>
-        <source>F, mm/min</source>
-        <translation>F, mm/min</translation>
-    </message>
-    <message>
         <source>Run of %1, %2. </source>
         <translation>Lauf vom %1, %2. </translation>
+    </message>
+    <message>
+        <source>Open traces</source>
+        <translation>Verläufe öffnen</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Open recordings and traces; several are shown on one time axis</source>
+        <translation>Aufzeichnungen und Verläufe öffnen; mehrere auf einer Zeitachse</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: cursor A. Shift and click: cursor B. Home: show all.</source>
+        <translation>Rad: vergrößern. Ziehen: verschieben. Strg und Ziehen: Bereich vergrößern. Klick: Cursor A. Umschalt und Klick: Cursor B. Pos1: alles zeigen.</translation>
+    </message>
+    <message>
+        <source>Stops, signals and cursors beside the curves</source>
+        <translation>Halte, Signale und Cursor neben den Kurven</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Halte</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>%1: one sample every %2</source>
+        <translation>%1: ein Abtastwert alle %2</translation>
+    </message>
+    <message>
+        <source>Looking for stops …</source>
+        <translation>Sucht Halte …</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Liest %1 …</translation>
     </message>
 </context>
 <context>

@@ -963,6 +963,30 @@
         <source>The override is out of range: choose 1 to 200 %.</source>
         <translation>El override está fuera de rango: elegir de 1 a 200&#xa0;%.</translation>
     </message>
+    <message>
+        <source>The formula is not understood from here on.</source>
+        <translation>La fórmula no se entiende a partir de aquí.</translation>
+    </message>
+    <message>
+        <source>The formula is not complete.</source>
+        <translation>La fórmula no está completa.</translation>
+    </message>
+    <message>
+        <source>There is no such function. Press F1 for those there are.</source>
+        <translation>Esa función no existe. F1 muestra las que hay.</translation>
+    </message>
+    <message>
+        <source>The trace has no such signal. The tool tips of the signals have their names.</source>
+        <translation>El registro no tiene esa señal. Los nombres están en las ayudas de las señales.</translation>
+    </message>
+    <message>
+        <source>This is no trace that can be read: there are no rows of numbers in it.</source>
+        <translation>No es un registro legible: el archivo no contiene filas de números.</translation>
+    </message>
+    <message>
+        <source>The table has no such column.</source>
+        <translation>La tabla no tiene esa columna.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1784,6 +1808,38 @@
         <source>predicted</source>
         <translation>prevista</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocida</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>parada precisa</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>temporización</translation>
+    </message>
+    <message>
+        <source>programmed stop</source>
+        <translation>parada programada</translation>
+    </message>
+    <message>
+        <source>tool change</source>
+        <translation>cambio de herramienta</translation>
+    </message>
+    <message>
+        <source>hold: override 0</source>
+        <translation>parada: override 0</translation>
+    </message>
+    <message>
+        <source>waiting for data</source>
+        <translation>espera datos</translation>
+    </message>
+    <message>
+        <source>preprocessor stop</source>
+        <translation>parada de avance de bloques</translation>
+    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2212,6 +2268,123 @@
     </message>
 </context>
 <context>
+    <name>SignalTexts</name>
+    <message>
+        <source>Set point</source>
+        <translation>Consigna</translation>
+    </message>
+    <message>
+        <source>Actual position</source>
+        <translation>Posición real</translation>
+    </message>
+    <message>
+        <source>Lag (set point minus actual)</source>
+        <translation>Error de arrastre (consigna menos real)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Sacudida</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Error de contorno</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Requests to the control</source>
+        <translation>Peticiones al control</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Columnas del archivo</translation>
+    </message>
+    <message>
+        <source>%1 set point</source>
+        <comment>of an axis</comment>
+        <translation>%1 consigna</translation>
+    </message>
+    <message>
+        <source>%1 actual</source>
+        <comment>of an axis</comment>
+        <translation>%1 real</translation>
+    </message>
+    <message>
+        <source>%1 lag</source>
+        <comment>of an axis</comment>
+        <translation>%1 arrastre</translation>
+    </message>
+    <message>
+        <source>%1 speed</source>
+        <comment>of an axis</comment>
+        <translation>%1 velocidad</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <comment>of an axis</comment>
+        <translation>%1 aceleración</translation>
+    </message>
+    <message>
+        <source>%1 jerk</source>
+        <comment>of an axis</comment>
+        <translation>%1 sacudida</translation>
+    </message>
+    <message>
+        <source>Path speed</source>
+        <translation>Velocidad de trayectoria</translation>
+    </message>
+    <message>
+        <source>Path acceleration</source>
+        <translation>Aceleración de trayectoria</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Error de contorno, real</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Error de contorno, consigna</translation>
+    </message>
+    <message>
+        <source>Line on the control</source>
+        <translation>Línea en el control</translation>
+    </message>
+    <message>
+        <source>Line of the program</source>
+        <translation>Línea del programa</translation>
+    </message>
+    <message>
+        <source>Point of the program</source>
+        <translation>Punto del programa</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Avance programado</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Duration of writes</source>
+        <translation>Duración de las escrituras</translation>
+    </message>
+    <message>
+        <source>Duration of reads</source>
+        <translation>Duración de las lecturas</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2556,6 +2729,13 @@
     <message>
         <source>Margin; of the slowest 1 %</source>
         <translation>Margen; del 1&#xa0;% más lento</translation>
+    </message>
+</context>
+<context>
+    <name>TracesPage</name>
+    <message>
+        <source>A run is in progress. Open files after it has ended.</source>
+        <translation>Hay una ejecución en curso. Abrir archivos cuando haya terminado.</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4110,109 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CursorPanel</name>
+    <message>
+        <source>A %1, B %2, B − A %3</source>
+        <translation>A %1, B %2, B − A %3</translation>
+    </message>
+    <message>
+        <source>A %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
+        <source>A click on a curve sets cursor A, with Shift cursor B.</source>
+        <translation>Un clic en una curva coloca el cursor A, con Mayús el cursor B.</translation>
+    </message>
+    <message>
+        <source>The trace has no such place.</source>
+        <translation>El registro no tiene ese lugar.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Introducir un número.</translation>
+    </message>
+    <message>
+        <source>At the cursors and between them</source>
+        <translation>En los cursores y entre ellos</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>En A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>En B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Slope, 1/s</source>
+        <translation>Pendiente, 1/s</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % debajo</translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <translation>99 % debajo</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muestras</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Ir a</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tiempo, s</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Number of the place to go to</source>
+        <translation>Número del lugar</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Ir</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::DiagnosticModel</name>
     <message>
         <source>Severity</source>
@@ -4763,6 +5046,25 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::PathPane</name>
+    <message>
+        <source>line %1</source>
+        <translation>línea %1</translation>
+    </message>
+    <message>
+        <source>No X and Y here</source>
+        <translation>Aquí no hay X ni Y</translation>
+    </message>
+    <message>
+        <source>Path in X and Y</source>
+        <translation>Trayectoria en X e Y</translation>
+    </message>
+    <message>
+        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
+        <translation>La trayectoria del tiempo visible. Clic: cursor A. Mayús y clic: cursor B.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathView</name>
     <message>
         <source>Top (XY)</source>
@@ -4926,21 +5228,6 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln pausa fuera del corte</numerusform>
             <numerusform>%Ln pausas fuera del corte</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PauseModel</name>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Origen</translation>
     </message>
 </context>
 <context>
@@ -6188,6 +6475,25 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopePane</name>
+    <message>
+        <source>Remove %1</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>Remove the pane</source>
+        <translation>Quitar el panel</translation>
+    </message>
+    <message>
+        <source>Curves: %1</source>
+        <translation>Curvas: %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2, from %3 to %4</source>
+        <translation>%1 a %2, de %3 a %4</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -6236,6 +6542,76 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SignalPanel</name>
+    <message>
+        <source>shown</source>
+        <translation>mostrado</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search the signals</source>
+        <translation>Buscar una señal</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Señales</translation>
+    </message>
+    <message>
+        <source>Pane</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Show the signal in a pane of its own (Enter)</source>
+        <translation>Mostrar la señal en un panel propio (Intro)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Show the signal in the current pane (Shift+Enter)</source>
+        <translation>Mostrar la señal en el panel actual (Mayús+Intro)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Show the signal no longer (Delete)</source>
+        <translation>No mostrar más la señal (Supr)</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Fórmula</translation>
+    </message>
+    <message>
+        <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
+        <translation>Una fórmula de señales, luego Intro. Sus nombres están en sus ayudas.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StopModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
     </message>
 </context>
 <context>
@@ -6337,11 +6713,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
-    <name>rivulet::widgets::TracePage</name>
+    <name>rivulet::widgets::TimeStrip</name>
     <message>
         <source>Time, s</source>
         <translation>Tiempo, s</translation>
     </message>
+    <message>
+        <source>Overview of the whole trace</source>
+        <translation>Vista general del registro</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Live</source>
         <translation>En vivo</translation>
@@ -6353,14 +6736,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Show all</source>
         <translation>Mostrar todo</translation>
-    </message>
-    <message>
-        <source>Wheel: zoom. Drag: move.</source>
-        <translation>Rueda: zoom. Arrastrar: mover.</translation>
-    </message>
-    <message>
-        <source>Pauses (STOPRE)</source>
-        <translation>Pausas (STOPRE)</translation>
     </message>
     <message>
         <source>Number</source>
@@ -6387,20 +6762,68 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Registro del control: una muestra cada %1</translation>
     </message>
     <message>
-        <source>incomplete: the trace memory was full</source>
-        <translation>incompleto: la memoria de registro estaba llena</translation>
-    </message>
-    <message>
         <source>%1: pause %2</source>
         <translation>%1: pausa %2</translation>
     </message>
     <message>
-        <source>F, mm/min</source>
-        <translation>F, mm/min</translation>
-    </message>
-    <message>
         <source>Run of %1, %2. </source>
         <translation>Ejecución del %1, %2. </translation>
+    </message>
+    <message>
+        <source>Open traces</source>
+        <translation>Abrir registros</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Registros</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Todos los archivos</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Lista</translation>
+    </message>
+    <message>
+        <source>Open recordings and traces; several are shown on one time axis</source>
+        <translation>Abrir grabaciones y registros; varios en un mismo eje de tiempo</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: cursor A. Shift and click: cursor B. Home: show all.</source>
+        <translation>Rueda: ampliar. Arrastrar: mover. Ctrl y arrastrar: ampliar un intervalo. Clic: cursor A. Mayús y clic: cursor B. Inicio: mostrar todo.</translation>
+    </message>
+    <message>
+        <source>Stops, signals and cursors beside the curves</source>
+        <translation>Paradas, señales y cursores junto a las curvas</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Paradas</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Señales</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursores</translation>
+    </message>
+    <message>
+        <source>%1: one sample every %2</source>
+        <translation>%1: una muestra cada %2</translation>
+    </message>
+    <message>
+        <source>Looking for stops …</source>
+        <translation>Buscando paradas…</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Leyendo %1…</translation>
     </message>
 </context>
 <context>

@@ -963,6 +963,30 @@
         <source>The override is out of range: choose 1 to 200 %.</source>
         <translation>L’override est hors plage&#xa0;: choisir de 1 à 200&#xa0;%.</translation>
     </message>
+    <message>
+        <source>The formula is not understood from here on.</source>
+        <translation>La formule n’est pas comprise à partir d’ici.</translation>
+    </message>
+    <message>
+        <source>The formula is not complete.</source>
+        <translation>La formule n’est pas complète.</translation>
+    </message>
+    <message>
+        <source>There is no such function. Press F1 for those there are.</source>
+        <translation>Cette fonction n’existe pas. F1 montre celles qui existent.</translation>
+    </message>
+    <message>
+        <source>The trace has no such signal. The tool tips of the signals have their names.</source>
+        <translation>Le tracé n’a pas ce signal. Les noms sont dans les infobulles des signaux.</translation>
+    </message>
+    <message>
+        <source>This is no trace that can be read: there are no rows of numbers in it.</source>
+        <translation>Ce n’est pas un tracé lisible : le fichier n’a pas de lignes de nombres.</translation>
+    </message>
+    <message>
+        <source>The table has no such column.</source>
+        <translation>Le tableau n’a pas cette colonne.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1784,6 +1808,38 @@
         <source>predicted</source>
         <translation>prévue</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>arrêt précis</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>programmed stop</source>
+        <translation>arrêt programmé</translation>
+    </message>
+    <message>
+        <source>tool change</source>
+        <translation>changement d’outil</translation>
+    </message>
+    <message>
+        <source>hold: override 0</source>
+        <translation>arrêt : override 0</translation>
+    </message>
+    <message>
+        <source>waiting for data</source>
+        <translation>attend des données</translation>
+    </message>
+    <message>
+        <source>preprocessor stop</source>
+        <translation>arrêt du prétraitement</translation>
+    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2212,6 +2268,123 @@
     </message>
 </context>
 <context>
+    <name>SignalTexts</name>
+    <message>
+        <source>Set point</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Actual position</source>
+        <translation>Position réelle</translation>
+    </message>
+    <message>
+        <source>Lag (set point minus actual)</source>
+        <translation>Écart de poursuite (consigne moins réel)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>À-coup</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Écart de contour</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Requests to the control</source>
+        <translation>Requêtes à la commande</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Colonnes du fichier</translation>
+    </message>
+    <message>
+        <source>%1 set point</source>
+        <comment>of an axis</comment>
+        <translation>%1 consigne</translation>
+    </message>
+    <message>
+        <source>%1 actual</source>
+        <comment>of an axis</comment>
+        <translation>%1 réel</translation>
+    </message>
+    <message>
+        <source>%1 lag</source>
+        <comment>of an axis</comment>
+        <translation>%1 écart de poursuite</translation>
+    </message>
+    <message>
+        <source>%1 speed</source>
+        <comment>of an axis</comment>
+        <translation>%1 vitesse</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <comment>of an axis</comment>
+        <translation>%1 accélération</translation>
+    </message>
+    <message>
+        <source>%1 jerk</source>
+        <comment>of an axis</comment>
+        <translation>%1 à-coup</translation>
+    </message>
+    <message>
+        <source>Path speed</source>
+        <translation>Vitesse sur trajectoire</translation>
+    </message>
+    <message>
+        <source>Path acceleration</source>
+        <translation>Accélération sur trajectoire</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Écart de contour, réel</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Écart de contour, consigne</translation>
+    </message>
+    <message>
+        <source>Line on the control</source>
+        <translation>Ligne sur la commande</translation>
+    </message>
+    <message>
+        <source>Line of the program</source>
+        <translation>Ligne du programme</translation>
+    </message>
+    <message>
+        <source>Point of the program</source>
+        <translation>Point du programme</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Avance programmée</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Duration of writes</source>
+        <translation>Durée des écritures</translation>
+    </message>
+    <message>
+        <source>Duration of reads</source>
+        <translation>Durée des lectures</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2556,6 +2729,13 @@
     <message>
         <source>Margin; of the slowest 1 %</source>
         <translation>Marge&#xa0;; des 1&#xa0;% plus lentes</translation>
+    </message>
+</context>
+<context>
+    <name>TracesPage</name>
+    <message>
+        <source>A run is in progress. Open files after it has ended.</source>
+        <translation>Une exécution est en cours. Ouvrir les fichiers quand elle sera terminée.</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4110,109 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CursorPanel</name>
+    <message>
+        <source>A %1, B %2, B − A %3</source>
+        <translation>A %1, B %2, B − A %3</translation>
+    </message>
+    <message>
+        <source>A %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
+        <source>A click on a curve sets cursor A, with Shift cursor B.</source>
+        <translation>Un clic sur une courbe place le curseur A, avec Maj le curseur B.</translation>
+    </message>
+    <message>
+        <source>The trace has no such place.</source>
+        <translation>Le tracé n’a pas cet endroit.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Saisir un nombre.</translation>
+    </message>
+    <message>
+        <source>At the cursors and between them</source>
+        <translation>Aux curseurs et entre eux</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>En A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>En B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Slope, 1/s</source>
+        <translation>Pente, 1/s</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Efficace</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % dessous</translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <translation>99 % dessous</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Échantillons</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Aller à</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Temps, s</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Number of the place to go to</source>
+        <translation>Numéro de l’endroit</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Aller</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::DiagnosticModel</name>
     <message>
         <source>Severity</source>
@@ -4763,6 +5046,25 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::PathPane</name>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>No X and Y here</source>
+        <translation>Pas de X ni de Y ici</translation>
+    </message>
+    <message>
+        <source>Path in X and Y</source>
+        <translation>Trajectoire en X et Y</translation>
+    </message>
+    <message>
+        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
+        <translation>La trajectoire du temps visible. Clic : curseur A. Maj et clic : curseur B.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathView</name>
     <message>
         <source>Top (XY)</source>
@@ -4926,21 +5228,6 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln pause hors coupe</numerusform>
             <numerusform>%Ln pauses hors coupe</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PauseModel</name>
-    <message>
-        <source>Start</source>
-        <translation>Début</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Durée</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Origine</translation>
     </message>
 </context>
 <context>
@@ -6188,6 +6475,25 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopePane</name>
+    <message>
+        <source>Remove %1</source>
+        <translation>Enlever %1</translation>
+    </message>
+    <message>
+        <source>Remove the pane</source>
+        <translation>Enlever le volet</translation>
+    </message>
+    <message>
+        <source>Curves: %1</source>
+        <translation>Courbes : %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2, from %3 to %4</source>
+        <translation>%1 à %2, de %3 à %4</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -6236,6 +6542,76 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SignalPanel</name>
+    <message>
+        <source>shown</source>
+        <translation>affiché</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Search the signals</source>
+        <translation>Rechercher un signal</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signaux</translation>
+    </message>
+    <message>
+        <source>Pane</source>
+        <translation>Volet</translation>
+    </message>
+    <message>
+        <source>Show the signal in a pane of its own (Enter)</source>
+        <translation>Afficher le signal dans son propre volet (Entrée)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Show the signal in the current pane (Shift+Enter)</source>
+        <translation>Afficher le signal dans le volet actuel (Maj+Entrée)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Enlever</translation>
+    </message>
+    <message>
+        <source>Show the signal no longer (Delete)</source>
+        <translation>Ne plus afficher le signal (Suppr)</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formule</translation>
+    </message>
+    <message>
+        <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
+        <translation>Une formule de signaux, puis Entrée. Leurs noms sont dans leurs infobulles.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StopModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Cause</translation>
     </message>
 </context>
 <context>
@@ -6337,11 +6713,18 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
-    <name>rivulet::widgets::TracePage</name>
+    <name>rivulet::widgets::TimeStrip</name>
     <message>
         <source>Time, s</source>
         <translation>Temps, s</translation>
     </message>
+    <message>
+        <source>Overview of the whole trace</source>
+        <translation>Vue d’ensemble du tracé</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Live</source>
         <translation>En direct</translation>
@@ -6353,14 +6736,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Show all</source>
         <translation>Tout afficher</translation>
-    </message>
-    <message>
-        <source>Wheel: zoom. Drag: move.</source>
-        <translation>Molette&#xa0;: zoom. Tirer&#xa0;: déplacer.</translation>
-    </message>
-    <message>
-        <source>Pauses (STOPRE)</source>
-        <translation>Pauses (STOPRE)</translation>
     </message>
     <message>
         <source>Number</source>
@@ -6387,20 +6762,68 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Enregistrement de la commande&#xa0;: un échantillon toutes les %1</translation>
     </message>
     <message>
-        <source>incomplete: the trace memory was full</source>
-        <translation>incomplet&#xa0;: la mémoire d’enregistrement était pleine</translation>
-    </message>
-    <message>
         <source>%1: pause %2</source>
         <translation>%1&#xa0;: pause %2</translation>
     </message>
     <message>
-        <source>F, mm/min</source>
-        <translation>F, mm/min</translation>
-    </message>
-    <message>
         <source>Run of %1, %2. </source>
         <translation>Exécution du %1, %2. </translation>
+    </message>
+    <message>
+        <source>Open traces</source>
+        <translation>Ouvrir des tracés</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Tracés</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Tous les fichiers</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Open recordings and traces; several are shown on one time axis</source>
+        <translation>Ouvrir des enregistrements et des tracés ; plusieurs sur un même axe des temps</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: cursor A. Shift and click: cursor B. Home: show all.</source>
+        <translation>Molette : agrandir. Glisser : déplacer. Ctrl et glisser : agrandir une plage. Clic : curseur A. Maj et clic : curseur B. Origine : tout afficher.</translation>
+    </message>
+    <message>
+        <source>Stops, signals and cursors beside the curves</source>
+        <translation>Arrêts, signaux et curseurs à côté des courbes</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Arrêts</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signaux</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Curseurs</translation>
+    </message>
+    <message>
+        <source>%1: one sample every %2</source>
+        <translation>%1 : un échantillon toutes les %2</translation>
+    </message>
+    <message>
+        <source>Looking for stops …</source>
+        <translation>Recherche des arrêts…</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lecture de %1…</translation>
     </message>
 </context>
 <context>

@@ -963,6 +963,30 @@
         <source>The override is out of range: choose 1 to 200 %.</source>
         <translation>L’override è fuori campo: scegliere da 1 a 200&#xa0;%.</translation>
     </message>
+    <message>
+        <source>The formula is not understood from here on.</source>
+        <translation>La formula non è comprensibile da qui in poi.</translation>
+    </message>
+    <message>
+        <source>The formula is not complete.</source>
+        <translation>La formula non è completa.</translation>
+    </message>
+    <message>
+        <source>There is no such function. Press F1 for those there are.</source>
+        <translation>Questa funzione non esiste. F1 mostra quelle disponibili.</translation>
+    </message>
+    <message>
+        <source>The trace has no such signal. The tool tips of the signals have their names.</source>
+        <translation>La traccia non ha questo segnale. I nomi sono nei suggerimenti dei segnali.</translation>
+    </message>
+    <message>
+        <source>This is no trace that can be read: there are no rows of numbers in it.</source>
+        <translation>Non è una traccia leggibile: il file non contiene righe di numeri.</translation>
+    </message>
+    <message>
+        <source>The table has no such column.</source>
+        <translation>La tabella non ha questa colonna.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1784,6 +1808,38 @@
         <source>predicted</source>
         <translation>prevista</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>sconosciuta</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>arresto preciso</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>sosta</translation>
+    </message>
+    <message>
+        <source>programmed stop</source>
+        <translation>arresto programmato</translation>
+    </message>
+    <message>
+        <source>tool change</source>
+        <translation>cambio utensile</translation>
+    </message>
+    <message>
+        <source>hold: override 0</source>
+        <translation>arresto: override 0</translation>
+    </message>
+    <message>
+        <source>waiting for data</source>
+        <translation>attende dati</translation>
+    </message>
+    <message>
+        <source>preprocessor stop</source>
+        <translation>arresto avanzamento blocchi</translation>
+    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2212,6 +2268,123 @@
     </message>
 </context>
 <context>
+    <name>SignalTexts</name>
+    <message>
+        <source>Set point</source>
+        <translation>Valore nominale</translation>
+    </message>
+    <message>
+        <source>Actual position</source>
+        <translation>Posizione reale</translation>
+    </message>
+    <message>
+        <source>Lag (set point minus actual)</source>
+        <translation>Errore d’inseguimento (nominale meno reale)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocità</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accelerazione</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Jerk</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Errore di contorno</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Requests to the control</source>
+        <translation>Richieste al controllo</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Colonne del file</translation>
+    </message>
+    <message>
+        <source>%1 set point</source>
+        <comment>of an axis</comment>
+        <translation>%1 nominale</translation>
+    </message>
+    <message>
+        <source>%1 actual</source>
+        <comment>of an axis</comment>
+        <translation>%1 reale</translation>
+    </message>
+    <message>
+        <source>%1 lag</source>
+        <comment>of an axis</comment>
+        <translation>%1 inseguimento</translation>
+    </message>
+    <message>
+        <source>%1 speed</source>
+        <comment>of an axis</comment>
+        <translation>%1 velocità</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <comment>of an axis</comment>
+        <translation>%1 accelerazione</translation>
+    </message>
+    <message>
+        <source>%1 jerk</source>
+        <comment>of an axis</comment>
+        <translation>%1 jerk</translation>
+    </message>
+    <message>
+        <source>Path speed</source>
+        <translation>Velocità sul percorso</translation>
+    </message>
+    <message>
+        <source>Path acceleration</source>
+        <translation>Accelerazione sul percorso</translation>
+    </message>
+    <message>
+        <source>Contour error, actual</source>
+        <translation>Errore di contorno, reale</translation>
+    </message>
+    <message>
+        <source>Contour error, set point</source>
+        <translation>Errore di contorno, nominale</translation>
+    </message>
+    <message>
+        <source>Line on the control</source>
+        <translation>Riga sul controllo</translation>
+    </message>
+    <message>
+        <source>Line of the program</source>
+        <translation>Riga del programma</translation>
+    </message>
+    <message>
+        <source>Point of the program</source>
+        <translation>Punto del programma</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Avanzamento programmato</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Duration of writes</source>
+        <translation>Durata delle scritture</translation>
+    </message>
+    <message>
+        <source>Duration of reads</source>
+        <translation>Durata delle letture</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2556,6 +2729,13 @@
     <message>
         <source>Margin; of the slowest 1 %</source>
         <translation>Margine; dell’1&#xa0;% più lento</translation>
+    </message>
+</context>
+<context>
+    <name>TracesPage</name>
+    <message>
+        <source>A run is in progress. Open files after it has ended.</source>
+        <translation>È in corso un’esecuzione. Aprire i file quando sarà terminata.</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4110,109 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CursorPanel</name>
+    <message>
+        <source>A %1, B %2, B − A %3</source>
+        <translation>A %1, B %2, B − A %3</translation>
+    </message>
+    <message>
+        <source>A %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
+        <source>A click on a curve sets cursor A, with Shift cursor B.</source>
+        <translation>Un clic su una curva posiziona il cursore A, con Maiusc il cursore B.</translation>
+    </message>
+    <message>
+        <source>The trace has no such place.</source>
+        <translation>La traccia non ha questo punto.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Inserire un numero.</translation>
+    </message>
+    <message>
+        <source>At the cursors and between them</source>
+        <translation>Ai cursori e tra di essi</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>In A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>In B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Slope, 1/s</source>
+        <translation>Pendenza, 1/s</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimo</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Massimo</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Efficace</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % sotto</translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <translation>99 % sotto</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Campioni</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Vai a</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tempo, s</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Riga</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Number of the place to go to</source>
+        <translation>Numero del punto</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Vai</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::DiagnosticModel</name>
     <message>
         <source>Severity</source>
@@ -4763,6 +5046,25 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::PathPane</name>
+    <message>
+        <source>line %1</source>
+        <translation>riga %1</translation>
+    </message>
+    <message>
+        <source>No X and Y here</source>
+        <translation>Qui non ci sono X e Y</translation>
+    </message>
+    <message>
+        <source>Path in X and Y</source>
+        <translation>Percorso in X e Y</translation>
+    </message>
+    <message>
+        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
+        <translation>Il percorso del tempo visibile. Clic: cursore A. Maiusc e clic: cursore B.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathView</name>
     <message>
         <source>Top (XY)</source>
@@ -4926,21 +5228,6 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln pausa fuori dal taglio</numerusform>
             <numerusform>%Ln pause fuori dal taglio</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PauseModel</name>
-    <message>
-        <source>Start</source>
-        <translation>Inizio</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Durata</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Origine</translation>
     </message>
 </context>
 <context>
@@ -6188,6 +6475,25 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopePane</name>
+    <message>
+        <source>Remove %1</source>
+        <translation>Rimuovi %1</translation>
+    </message>
+    <message>
+        <source>Remove the pane</source>
+        <translation>Rimuovi il riquadro</translation>
+    </message>
+    <message>
+        <source>Curves: %1</source>
+        <translation>Curve: %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2, from %3 to %4</source>
+        <translation>da %1 a %2, da %3 a %4</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SeriesModel</name>
     <message>
         <source>The control refused arrays of this size.</source>
@@ -6236,6 +6542,76 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SignalPanel</name>
+    <message>
+        <source>shown</source>
+        <translation>mostrato</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Search the signals</source>
+        <translation>Cerca tra i segnali</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Segnali</translation>
+    </message>
+    <message>
+        <source>Pane</source>
+        <translation>Riquadro</translation>
+    </message>
+    <message>
+        <source>Show the signal in a pane of its own (Enter)</source>
+        <translation>Mostra il segnale in un proprio riquadro (Invio)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aggiungi</translation>
+    </message>
+    <message>
+        <source>Show the signal in the current pane (Shift+Enter)</source>
+        <translation>Mostra il segnale nel riquadro attuale (Maiusc+Invio)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Show the signal no longer (Delete)</source>
+        <translation>Non mostrare più il segnale (Canc)</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formula</translation>
+    </message>
+    <message>
+        <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
+        <translation>Una formula di segnali, poi Invio. I nomi sono nei loro suggerimenti.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StopModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Inizio</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Riga</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Causa</translation>
     </message>
 </context>
 <context>
@@ -6337,11 +6713,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
-    <name>rivulet::widgets::TracePage</name>
+    <name>rivulet::widgets::TimeStrip</name>
     <message>
         <source>Time, s</source>
         <translation>Tempo, s</translation>
     </message>
+    <message>
+        <source>Overview of the whole trace</source>
+        <translation>Panoramica dell’intera traccia</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TracePage</name>
     <message>
         <source>Live</source>
         <translation>In diretta</translation>
@@ -6353,14 +6736,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Show all</source>
         <translation>Mostra tutto</translation>
-    </message>
-    <message>
-        <source>Wheel: zoom. Drag: move.</source>
-        <translation>Rotella: zoom. Trascinare: sposta.</translation>
-    </message>
-    <message>
-        <source>Pauses (STOPRE)</source>
-        <translation>Pause (STOPRE)</translation>
     </message>
     <message>
         <source>Number</source>
@@ -6387,20 +6762,68 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Registrazione del controllo: un campione ogni %1</translation>
     </message>
     <message>
-        <source>incomplete: the trace memory was full</source>
-        <translation>incompleta: la memoria di registrazione era piena</translation>
-    </message>
-    <message>
         <source>%1: pause %2</source>
         <translation>%1: pausa %2</translation>
     </message>
     <message>
-        <source>F, mm/min</source>
-        <translation>F, mm/min</translation>
-    </message>
-    <message>
         <source>Run of %1, %2. </source>
         <translation>Esecuzione del %1, %2. </translation>
+    </message>
+    <message>
+        <source>Open traces</source>
+        <translation>Apri tracce</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Tracce</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Tutti i file</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Apri…</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Elenco</translation>
+    </message>
+    <message>
+        <source>Open recordings and traces; several are shown on one time axis</source>
+        <translation>Apri registrazioni e tracce; più file su un unico asse dei tempi</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: cursor A. Shift and click: cursor B. Home: show all.</source>
+        <translation>Rotellina: ingrandisci. Trascina: sposta. Ctrl e trascina: ingrandisci un intervallo. Clic: cursore A. Maiusc e clic: cursore B. Home: mostra tutto.</translation>
+    </message>
+    <message>
+        <source>Stops, signals and cursors beside the curves</source>
+        <translation>Arresti, segnali e cursori accanto alle curve</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Arresti</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Segnali</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursori</translation>
+    </message>
+    <message>
+        <source>%1: one sample every %2</source>
+        <translation>%1: un campione ogni %2</translation>
+    </message>
+    <message>
+        <source>Looking for stops …</source>
+        <translation>Ricerca degli arresti…</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lettura di %1…</translation>
     </message>
 </context>
 <context>

@@ -70,8 +70,13 @@ int main(int argc, char** argv) {
       QStringLiteral("What is logged on standard error (default: warning) and in the log file "
                      "(default: info): trace, debug, info, warning, error, critical or off."),
       QStringLiteral("LEVEL"));
-  parser.addOptions(
-      {logOption, connectOption, openOption, demoOption, languageOption, themeOption});
+  const QCommandLineOption tracesOption(
+      QStringLiteral("traces"), QStringLiteral("Compare the files: show them on one time axis."));
+  parser.addPositionalArgument(QStringLiteral("FILE"),
+                               QStringLiteral("Recordings and traces to open on the page Traces."),
+                               QStringLiteral("[FILE...]"));
+  parser.addOptions({tracesOption, logOption, connectOption, openOption, demoOption, languageOption,
+                     themeOption});
   parser.process(application);
   startLog(parser.value(logOption).toStdString());
 
@@ -105,6 +110,9 @@ int main(int argc, char** argv) {
       [&window] { window.stopAndWait(); }, Qt::DirectConnection);
   if (parser.isSet(openOption)) {
     window.openProgram(parser.value(openOption));
+  }
+  if (!parser.positionalArguments().isEmpty()) {
+    window.openTraces(parser.positionalArguments());
   }
   if (parser.isSet(connectOption)) {
     window.connectTo(parser.value(connectOption));

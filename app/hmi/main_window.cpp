@@ -72,7 +72,8 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_pastRuns(m_document, m_runs, m_messages),
       m_credit(m_session, m_machine, m_runs, report::MachineStore()),
       m_profiles(m_document, m_machine, m_runs, m_messages, report::MachineStore()),
-      m_machines(m_document, m_machine, m_runs, m_pastRuns, report::MachineStore()) {
+      m_machines(m_document, m_machine, m_runs, m_pastRuns, report::MachineStore()),
+      m_traces(m_document) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
@@ -125,7 +126,7 @@ MainWindow::~MainWindow() {
 void MainWindow::buildPages() {
   const Models models{m_settings, m_messages, m_alarms,   m_users,     m_audit,
                       m_machine,  m_document, m_runs,     m_preflight, m_found,
-                      m_pastRuns, m_credit,   m_profiles, m_machines};
+                      m_pastRuns, m_credit,   m_profiles, m_machines,  m_traces};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);

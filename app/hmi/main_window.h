@@ -23,6 +23,7 @@
 #include "hmi/releases.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
+#include "hmi/traces.h"
 #include "hmi/translator.h"
 #include "hmi/users.h"
 #include "session/stream_session.h"
@@ -60,6 +61,8 @@ class MainWindow final : public QMainWindow {
 
   /// Reads a program in the background; the present one stays until the new one is there.
   void openProgram(const QString& path);
+  /// Opens recordings and traces on the page Traces.
+  void openTraces(const QStringList& paths) { m_traces.open(paths); }
   void connectTo(const QString& endpoint) {
     m_isMachineChosen = true;
     m_machine.connectTo(endpoint);
@@ -155,6 +158,7 @@ class MainWindow final : public QMainWindow {
   CreditCommissioning m_credit;
   MachineProfiles m_profiles;
   Machines m_machines;
+  Traces m_traces;
 
   bool m_closesAfterRun = false;
   bool m_isMachineChosen = false;  ///< the page Machines does not come first

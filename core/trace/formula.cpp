@@ -164,8 +164,11 @@ class FormulaParser {
   }
   bool refuse() {
     if (!m_error) {
-      m_error = base::makeError(FormulaError::NotUnderstood, "the formula is not understood",
-                                std::string(m_text.substr(std::min(m_at, m_text.size()))));
+      m_error = atEnd()
+                    ? base::makeError(FormulaError::NotComplete, "The formula is not complete.", {})
+                    : base::makeError(FormulaError::NotUnderstood,
+                                      "The formula is not understood from here on.",
+                                      std::string(m_text.substr(m_at)));
     }
     return false;
   }
@@ -261,7 +264,8 @@ class FormulaParser {
     const auto function = std::find_if(kFunctions.begin(), kFunctions.end(),
                                        [name](const Function& one) { return one.name == name; });
     if (function == kFunctions.end()) {
-      m_error = base::makeError(FormulaError::UnknownFunction, "there is no such function",
+      m_error = base::makeError(FormulaError::UnknownFunction,
+                                "There is no such function. Press F1 for those there are.",
                                 std::string(name));
       return false;
     }

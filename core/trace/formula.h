@@ -24,15 +24,16 @@ namespace rivulet::trace {
 
 enum class FormulaError {
   NotUnderstood = 1,  ///< the context is what is not understood
-  UnknownFunction,    ///< the context is its name
-  UnknownSignal,      ///< the context is its name
+  NotComplete,
+  UnknownFunction,  ///< the context is its name
+  UnknownSignal,    ///< the context is its name
 };
 
 [[nodiscard]] std::error_code make_error_code(FormulaError code);
 
 class Formula {
  public:
-  /// @return error NotUnderstood, UnknownFunction
+  /// @return error NotUnderstood, NotComplete, UnknownFunction
   [[nodiscard]] static base::Result<Formula> parse(std::string_view text);
 
   /// Of the signals it needs, in the order in which they occur.

@@ -243,7 +243,10 @@ std::vector<SignalOffer> SignalSet::offers() const {
   }
   for (const Channel& channel : m_channels) {
     if (std::find(used.begin(), used.end(), channel.name) == used.end()) {
-      offers.push_back({SignalGroup::Column, channel.name, quotedName(channel.name), channel.unit});
+      // The unit is shown anyway.
+      NameAndUnit heading = splitUnit(channel.name);
+      offers.push_back({SignalGroup::Column, heading.name.empty() ? channel.name : heading.name,
+                        quotedName(channel.name), channel.unit});
     }
   }
   return offers;
@@ -258,7 +261,9 @@ base::Result<std::shared_ptr<const Envelope>> SignalSet::calculate(std::string_v
   for (const std::string& name : formula->names()) {
     const Channel* channel = find(name);
     if (channel == nullptr) {
-      return base::fail(FormulaError::UnknownSignal, "there is no such signal", name);
+      return base::fail(
+          FormulaError::UnknownSignal,
+          "The trace has no such signal. The tool tips of the signals have their names.", name);
     }
     if (formula->isName()) {
       return channel->samples;
@@ -266,7 +271,7 @@ base::Result<std::shared_ptr<const Envelope>> SignalSet::calculate(std::string_v
     inputs.push_back(channel->samples.get());
   }
   if (inputs.empty()) {
-    return base::fail(FormulaError::NotUnderstood, "the formula names no signal",
+    return base::fail(FormulaError::NotUnderstood, "The formula names no signal.",
                       std::string(text));
   }
   const std::size_t count = inputs.front()->size();
@@ -329,6 +334,13 @@ ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
     }
   }
   shown.step = motion.step;
+  if (subject.recording != nullptr && !subject.recording->controlTrace) {
+    shown.isObserved = true;
+    shown.pauses = subject.recording->pauses;
+    for (Pause& pause : shown.pauses) {
+      pause.start = Instant{pause.start - origin};
+    }
+  }
   addRemarks(shown, subject, analysis);
   return shown;
 }

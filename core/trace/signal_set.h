@@ -18,6 +18,7 @@
 #include "trace/analysis/trace_analysis.h"
 #include "trace/envelope.h"
 #include "trace/formula.h"
+#include "trace/pause.h"
 
 namespace rivulet::trace {
 
@@ -75,8 +76,11 @@ struct ShownTrace {
   std::string name;  ///< of the file, or of the run
   SignalSet signalSet;
   base::Duration length{};
-  base::Duration step{};             ///< median time between two samples of the position
-  std::vector<Standstill> stops;     ///< with their causes
+  base::Duration step{};          ///< median time between two samples of the position
+  std::vector<Standstill> stops;  ///< with their causes
+  /// Nothing but what the client read during the run; then `pauses` are those it noticed.
+  bool isObserved = false;
+  std::vector<Pause> pauses;
   std::vector<std::string> remarks;  ///< one sentence each, in English
   bool isAnalysed = false;           ///< stops, and contour error if there is a program
 };

@@ -147,6 +147,12 @@ class TestLook : public QObject {
         inspect(look, step == 0 ? QStringLiteral("%1-%2").arg(scene).arg(page)
                                 : QStringLiteral("%1-%2-%3").arg(scene).arg(page).arg(step));
       }
+      auto* panel = m_window->tracePage()->findChild<QTabWidget*>("tracePanel");
+      for (int tab = 1; panel->isVisible() && tab < panel->count(); ++tab) {
+        panel->setCurrentIndex(tab);
+        inspect(look, QStringLiteral("%1-%2-%3").arg(scene).arg(page).arg(tab));
+      }
+      panel->setCurrentIndex(0);
     }
     m_window->pages()->setCurrentIndex(0);
   }

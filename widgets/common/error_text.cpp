@@ -15,6 +15,8 @@
 #include "streaming/run.h"
 #include "templates/cells.h"
 #include "trace/control_trace.h"
+#include "trace/formula.h"
+#include "trace/import/import_error.h"
 
 namespace rivulet::widgets {
 
@@ -102,6 +104,31 @@ struct ErrorTexts {
         return tr("The recording was written by a newer Rivulet. Update this program to read it.");
       case TraceError::Damaged:
         return tr("The recording is damaged. Everything before the damage was kept.");
+    }
+    return {};
+  }
+
+  static QString text(trace::FormulaError code) {
+    using trace::FormulaError;
+    switch (code) {
+      case FormulaError::NotUnderstood:
+        return tr("The formula is not understood from here on.");
+      case FormulaError::NotComplete:
+        return tr("The formula is not complete.");
+      case FormulaError::UnknownFunction:
+        return tr("There is no such function. Press F1 for those there are.");
+      case FormulaError::UnknownSignal:
+        return tr("The trace has no such signal. The tool tips of the signals have their names.");
+    }
+    return {};
+  }
+
+  static QString text(trace::ImportError code) {
+    switch (code) {
+      case trace::ImportError::NotATable:
+        return tr("This is no trace that can be read: there are no rows of numbers in it.");
+      case trace::ImportError::BadMapping:
+        return tr("The table has no such column.");
     }
     return {};
   }
@@ -294,6 +321,12 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<trace::TraceError>(code)) {
     return ErrorTexts::text(static_cast<trace::TraceError>(code.value()));
+  }
+  if (belongsTo<trace::FormulaError>(code)) {
+    return ErrorTexts::text(static_cast<trace::FormulaError>(code.value()));
+  }
+  if (belongsTo<trace::ImportError>(code)) {
+    return ErrorTexts::text(static_cast<trace::ImportError>(code.value()));
   }
   if (belongsTo<streaming::MachineFileError>(code)) {
     return ErrorTexts::text(static_cast<streaming::MachineFileError>(code.value()));

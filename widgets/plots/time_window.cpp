@@ -10,7 +10,7 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr double kLiveSpanS = 15.0;
-constexpr double kSpanMinS = 0.02;  // a few cycles of the control
+constexpr double kSpanMinS = 0.002;  // a few cycles of the control
 constexpr double kSpanMaxS = 1e6;
 
 }  // namespace
@@ -25,6 +25,11 @@ void TimeWindow::setEnd(double endS) {
     const double to = std::max(m_endS, m_liveSpanS);
     show(to - m_liveSpanS, to);
   }
+}
+
+void TimeWindow::setLength(double lengthS) {
+  m_endS = lengthS;
+  showAll();
 }
 
 void TimeWindow::clear() {
@@ -59,6 +64,18 @@ void TimeWindow::zoom(double factor, double aroundS) {
   const double newSpan = std::clamp(span * factor, kSpanMinS, spanMax);
   const double from = aroundS - (aroundS - m_fromS) * newSpan / span;
   show(from, from + newSpan);
+}
+
+void TimeWindow::showRange(double fromS, double toS) {
+  m_isLive = false;
+  show(fromS, std::max(toS, fromS + kSpanMinS));
+}
+
+void TimeWindow::reveal(double atS) {
+  const double span = m_toS - m_fromS;
+  if (m_isLive || atS < m_fromS + span / 3.0 || atS > m_toS - span / 3.0) {
+    showRange(atS - span / 2.0, atS + span / 2.0);
+  }
 }
 
 void TimeWindow::show(double fromS, double toS) {

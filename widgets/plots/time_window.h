@@ -21,8 +21,12 @@ class TimeWindow final : public QObject {
   [[nodiscard]] double toS() const { return m_toS; }
   [[nodiscard]] bool isLive() const { return m_isLive; }
 
+  [[nodiscard]] double endS() const { return m_endS; }
+
   /// The data now extends to this time.
   void setEnd(double endS);
+  /// All of the data is there: shows it, and no longer follows.
+  void setLength(double lengthS);
   void clear();
   void goLive();
   /// The whole range of the data.
@@ -30,6 +34,10 @@ class TimeWindow final : public QObject {
   void pan(double byS);
   /// @param factor < 1 magnifies  @param aroundS stays where it is on the screen
   void zoom(double factor, double aroundS);
+  /// Ends following.
+  void showRange(double fromS, double toS);
+  /// Moves, without a change of scale, until an instant is in the middle third.
+  void reveal(double atS);
 
  Q_SIGNALS:
   void changed();

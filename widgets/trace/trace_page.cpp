@@ -3,15 +3,23 @@
 
 #include "widgets/trace/trace_page.h"
 
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
-#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMimeData>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QTabWidget>
 #include <QTableView>
+#include <QUrl>
+#include <algorithm>
+#include <iterator>
 
+#include "base/axes.h"
 #include "base/units.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
@@ -19,91 +27,168 @@
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/legend_strip.h"
-#include "widgets/plots/pause_bands.h"
-#include "widgets/plots/time_plot.h"
 #include "widgets/plots/time_window.h"
-#include "widgets/trace/pause_model.h"
+#include "widgets/scope/cursor_panel.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/signal_panel.h"
+#include "widgets/trace/stop_model.h"
 
 namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kPanelPx = 330;
+/// Narrower, panel and panes take turns.
+constexpr int kBothPx = 660;
+/// Narrower, the buttons show their icons alone.
+constexpr int kTextPx = 560;
+constexpr int kColumnPanes = 4;
+
+QString pathFeed() {
+  return QStringLiteral("per_min(path_speed)");
+}
+
+/// Files that are no NC programs.
+bool isTraceFile(const QString& path) {
+  static const QStringList suffixes{QStringLiteral("rivulet"), QStringLiteral("csv"),
+                                    QStringLiteral("tsv"),     QStringLiteral("xml"),
+                                    QStringLiteral("zst"),     QStringLiteral("trace"),
+                                    QStringLiteral("dat"),     QStringLiteral("log")};
+  return suffixes.contains(QFileInfo(path).suffix().toLower());
+}
+
+QStringList traceFilesOf(const QMimeData* data) {
+  QStringList paths;
+  for (const QUrl& url : data->urls()) {
+    if (url.isLocalFile() && isTraceFile(url.toLocalFile())) {
+      paths.append(url.toLocalFile());
+    }
+  }
+  return paths;
+}
+
+}  // namespace
 
 TracePage::TracePage(QWidget* parent)
     : Page(parent),
       m_window(new TimeWindow(this)),
-      m_sourceNote(new StatusLabel(this)),
+      m_curves(new ScopeCurves(this)),
+      m_cursors(new ScopeCursors(this)),
+      m_stops(new StopModel(this)),
+      m_view(new ScopeView(m_curves, m_window, m_cursors, &m_stops->rows(), this)),
+      m_note(new StatusLabel(this)),
+      m_open(makeTouchButton(this)),
       m_live(makeTouchButton(this)),
       m_all(makeTouchButton(this)),
+      m_list(makeTouchButton(this)),
       m_legend(new LegendStrip(this)),
-      m_pausesGroup(new QGroupBox(this)),
-      m_pauses(new PauseModel(this)),
+      m_panel(new QTabWidget(this)),
+      m_signals(
+          new SignalPanel([this](const QString& formula) { return m_view->shows(formula); }, this)),
+      m_cursorPanel(new CursorPanel(m_curves, m_window, m_cursors, m_view, this)),
       m_table(new QTableView(this)) {
-  m_sourceNote->setWordWrap(true);
+  setAcceptDrops(true);
+  m_note->setWordWrap(true);
+  m_note->setObjectName(QStringLiteral("traceNote"));
+  m_open->setObjectName(QStringLiteral("traceOpen"));
+  m_live->setObjectName(QStringLiteral("traceLive"));
+  m_all->setObjectName(QStringLiteral("traceAll"));
+  m_list->setObjectName(QStringLiteral("traceList"));
+  m_panel->setObjectName(QStringLiteral("tracePanel"));
   m_live->setCheckable(true);
   m_live->setChecked(true);
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_sourceNote, 1, Qt::AlignVCenter);
-  top->addWidget(m_live);
-  top->addWidget(m_all);
+  m_list->setCheckable(true);
+  m_panel->addTab(makeStopPanel(), QString());
+  m_panel->addTab(m_signals, QString());
+  m_panel->addTab(m_cursorPanel, QString());
+  layOut();
 
-  auto* plots = new QVBoxLayout;
-  plots->setSpacing(0);
-  for (std::size_t index = 0; index < m_plots.size(); ++index) {
-    m_plots[index] = new TimePlot(m_window, this);
-    m_plots[index]->setPauses(&m_pauses->rows(), index == kFeedPlot);
-    // The lowest plot also carries the times, the feed plot the labels of the pauses.
-    plots->addWidget(m_plots[index], index == kFeedPlot ? 6 : 4);
-  }
-  m_plots[kFeedPlot]->setFromZero(true);
-  m_plots[kFeedPlot]->setLeastSpan(10.0);
-  auto* left = new QVBoxLayout;
-  left->addLayout(plots, 1);
-  left->addWidget(m_legend);
-
-  m_table->setModel(m_pauses);
-  styleTable(m_table);
-  m_table->horizontalHeader()->setStretchLastSection(true);
-  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  m_table->horizontalHeader()->setResizeContentsPrecision(50);  // not all of a long run
-  auto* pauses = new QVBoxLayout(m_pausesGroup);
-  auto* summary = new QGridLayout;
-  summary->setHorizontalSpacing(16);
-  summary->setColumnStretch(1, 1);
-  for (std::size_t row = 0; row < m_summaryNames.size(); ++row) {
-    m_summaryNames[row] = new QLabel(this);
-    m_summaryValues[row] = makeValueLabel(this);
-    summary->addWidget(m_summaryNames[row], static_cast<int>(row), 0);
-    summary->addWidget(m_summaryValues[row], static_cast<int>(row), 1);
-  }
-  pauses->addLayout(summary);
-  pauses->addWidget(m_table, 1);
-  m_pausesGroup->setFixedWidth(330);
-
-  auto* body = new QHBoxLayout;
-  body->addLayout(left, 1);
-  body->addWidget(m_pausesGroup);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(top);
-  layout->addLayout(body, 1);
-
+  connect(m_open, &QPushButton::clicked, this, &TracePage::chooseFiles);
   connect(m_live, &QPushButton::clicked, m_window, &TimeWindow::goLive);
   connect(m_all, &QPushButton::clicked, m_window, &TimeWindow::showAll);
+  connect(m_list, &QPushButton::clicked, this, [this](bool wanted) {
+    m_wantsPanel = wanted;
+    showPanel();
+  });
   connect(m_window, &TimeWindow::changed, this, [this] { m_live->setChecked(m_window->isLive()); });
+  connect(m_curves, &ScopeCurves::failed, this,
+          [this](const QString&, const base::Error& error) { m_signals->showFormulaError(error); });
+  connect(m_view, &ScopeView::changed, m_signals, &SignalPanel::refresh);
+  connect(m_signals, &SignalPanel::paneRequested, m_view, &ScopeView::addPane);
+  connect(m_signals, &SignalPanel::addRequested, m_view, &ScopeView::addToPane);
+  connect(m_signals, &SignalPanel::removeRequested, m_view, &ScopeView::removeSignal);
+  connect(m_table, &QTableView::clicked, this,
+          [this](const QModelIndex& index) { goToStop(index.row()); });
+  connect(m_table, &QTableView::activated, this,
+          [this](const QModelIndex& index) { goToStop(index.row()); });
+  m_curves->startLive();
+  m_signals->setOffers(m_curves->offers());
+  arrange();
   retranslate();
   restyle();
 }
 
 TracePage::~TracePage() = default;
 
-void TracePage::clear() {
-  for (TimePlot* plot : m_plots) {
-    plot->clear();
+QWidget* TracePage::makeStopPanel() {
+  auto* panel = new QWidget(this);
+  m_table->setObjectName(QStringLiteral("stopTable"));
+  m_table->setModel(m_stops);
+  styleTable(m_table);
+  m_table->setMinimumHeight(100);
+  m_table->horizontalHeader()->setStretchLastSection(true);
+  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_table->horizontalHeader()->setResizeContentsPrecision(50);  // not all of a long run
+  auto* summary = new QGridLayout;
+  summary->setHorizontalSpacing(16);
+  summary->setColumnStretch(1, 1);
+  for (std::size_t row = 0; row < m_summaryNames.size(); ++row) {
+    m_summaryNames[row] = new QLabel(panel);
+    m_summaryValues[row] = makeValueLabel(panel);
+    summary->addWidget(m_summaryNames[row], static_cast<int>(row), 0);
+    summary->addWidget(m_summaryValues[row], static_cast<int>(row), 1);
   }
-  m_pauses->clear();
-  m_pauseTotal = {};
+  auto* layout = new QVBoxLayout(panel);
+  layout->setContentsMargins(4, 6, 4, 4);
+  layout->addLayout(summary);
+  layout->addWidget(m_table, 1);
+  layout->addWidget(m_legend);
+  return panel;
+}
+
+void TracePage::layOut() {
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_note, 1, Qt::AlignVCenter);
+  for (QPushButton* button : {m_open, m_live, m_all, m_list}) {
+    top->addWidget(button);
+  }
+  m_panel->setFixedWidth(kPanelPx);
+  auto* body = new QHBoxLayout;
+  body->addWidget(m_view, 1);
+  body->addWidget(m_panel);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(top);
+  layout->addLayout(body, 1);
+}
+
+void TracePage::setRunner(WorkRunner runner) {
+  m_curves->setRunner(std::move(runner));
+}
+
+void TracePage::clear() {
+  m_curves->startLive();
+  m_signals->setOffers(m_curves->offers());
+  m_cursors->set(ScopeCursors::A, std::nullopt);
+  m_cursors->set(ScopeCursors::B, std::nullopt);
+  setStops({});
   m_source = Source::Nothing;
   m_pastStart.clear();
+  m_reading.clear();
+  m_problem.clear();
+  m_live->setEnabled(true);
   m_window->clear();
+  arrange();
   showNote();
-  showSummary();
 }
 
 void TracePage::append(const TraceSample& sample) {
@@ -112,89 +197,201 @@ void TracePage::append(const TraceSample& sample) {
     showNote();
   }
   if (sample.positionMm) {
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      m_plots[axis]->append(sample.atS, (*sample.positionMm)[axis]);
-    }
+    m_curves->appendLive(QStringLiteral("x_act"), sample.atS, sample.positionMm->x);
+    m_curves->appendLive(QStringLiteral("y_act"), sample.atS, sample.positionMm->y);
+    m_curves->appendLive(QStringLiteral("z_act"), sample.atS, sample.positionMm->z);
   }
   if (sample.feedMmPerS) {
-    m_plots[kFeedPlot]->append(sample.atS, base::mmPerMinFromMmPerS(*sample.feedMmPerS));
+    m_curves->appendLive(pathFeed(), sample.atS, base::mmPerMinFromMmPerS(*sample.feedMmPerS));
   }
   m_window->setEnd(sample.atS);
+  m_view->scheduleRedraw();
 }
 
 void TracePage::addPause(const trace::Pause& pause) {
   const QScrollBar* bar = m_table->verticalScrollBar();
   const bool atEnd = bar->value() >= bar->maximum();
-  m_pauses->append(pause);
-  m_pauseTotal += pause.duration;
+  m_stops->append(stopRow(pause));
+  m_stopTotal += pause.duration;
   if (atEnd) {
     m_table->scrollToBottom();
   }
   showSummary();
-  for (TimePlot* plot : m_plots) {
-    plot->scheduleRedraw();
-  }
+  m_view->scheduleRedraw();
 }
 
-void TracePage::showControlTrace(const std::shared_ptr<const trace::ControlTrace>& trace,
-                                 const std::vector<trace::Pause>& pauses) {
-  if (!trace || trace->samples.empty()) {
-    return;  // the live samples stay: better than nothing
+void TracePage::showTraces(const ScopeCurves::Traces& traces, Source source) {
+  const ScopeCurves::Traces& before = m_curves->traces();
+  bool isSame = !traces.empty() && before.size() == traces.size() && m_source == source;
+  for (std::size_t i = 0; isSame && i < traces.size(); ++i) {
+    isSame = before[i]->name == traces[i]->name && before[i]->length == traces[i]->length &&
+             !before[i]->isAnalysed && traces[i]->isAnalysed;
   }
-  const base::Instant origin = trace->samples.front().at;
-  std::array<std::unique_ptr<EnvelopeSeries>, base::kAxisCount + 1> series;
-  for (auto& one : series) {
-    one = std::make_unique<EnvelopeSeries>();
+  m_source = source;
+  m_reading.clear();
+  m_curves->setTraces(traces);
+  m_signals->setOffers(m_curves->offers());
+  m_live->setEnabled(false);
+  std::vector<StopRow> stops;
+  base::Duration length{};
+  for (const auto& trace : traces) {
+    length = std::max(length, trace->length);
   }
-  for (const trace::ControlSample& sample : trace->samples) {
-    const double atS = base::toSeconds(sample.at - origin);
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      series[axis]->append(atS, sample.actualMm[axis]);
+  if (!traces.empty()) {
+    // Of several traces, the bands of the first one: they would lie on top of each other.
+    const trace::ShownTrace& first = *traces.front();
+    if (first.isObserved) {
+      std::transform(first.pauses.begin(), first.pauses.end(), std::back_inserter(stops),
+                     [](const trace::Pause& pause) { return stopRow(pause); });
+    } else {
+      std::transform(first.stops.begin(), first.stops.end(), std::back_inserter(stops),
+                     [](const trace::Standstill& stop) { return stopRow(stop); });
     }
-    series[kFeedPlot]->append(atS, base::mmPerMinFromMmPerS(sample.feedMmPerS));
   }
-  for (std::size_t index = 0; index < m_plots.size(); ++index) {
-    m_plots[index]->setSeries(std::move(series[index]));
+  if (!isSame) {
+    m_cursors->set(ScopeCursors::A, std::nullopt);
+    m_cursors->set(ScopeCursors::B, std::nullopt);
+    m_window->setLength(base::toSeconds(length));
+    arrange();
   }
-  std::vector<trace::Pause> shifted = pauses;
-  m_pauseTotal = {};
-  for (trace::Pause& pause : shifted) {
-    pause.start = base::Instant{pause.start - origin};
-    m_pauseTotal += pause.duration;
-  }
-  m_pauses->setRows(shifted);
-  m_cycle = trace->cycle;
-  m_truncated = trace->truncated;
-  m_source = Source::Control;
-  m_window->clear();
-  m_window->setEnd(base::toSeconds(trace->samples.back().at - origin));
-  m_window->showAll();
+  setStops(std::move(stops));
   showNote();
+}
+
+/// The panes stay if each of them still has something to show.
+void TracePage::arrange() {
+  std::vector<QString> known;
+  for (const trace::SignalOffer& offer : m_curves->offers()) {
+    known.push_back(QString::fromStdString(offer.formula));
+  }
+  const auto isKnown = [&known](const QString& formula) {
+    return std::find(known.begin(), known.end(), formula) != known.end();
+  };
+  const std::vector<QStringList> present = m_view->arrangement();
+  const bool fits = std::all_of(present.begin(), present.end(), [&](const QStringList& pane) {
+    return std::any_of(pane.begin(), pane.end(), isKnown);
+  });
+  if (!present.empty() && fits) {
+    m_view->scheduleRedraw();
+    return;
+  }
+  std::vector<QStringList> panes;
+  for (const char axis : base::kAxisNames) {
+    const QString letter = QString(QLatin1Char(axis)).toLower();
+    for (const QString& name : {letter + QStringLiteral("_act"), letter + QStringLiteral("_set")}) {
+      if (isKnown(name) && panes.size() <= static_cast<std::size_t>(axis - 'X')) {
+        panes.push_back({name});
+      }
+    }
+  }
+  if (isKnown(pathFeed())) {
+    panes.push_back({pathFeed()});
+  }
+  for (std::size_t i = 0; i < known.size() && panes.size() < kColumnPanes && !isKnown(pathFeed());
+       ++i) {
+    panes.push_back({known[i]});
+  }
+  m_view->setArrangement(panes);
+}
+
+void TracePage::setStops(std::vector<StopRow> stops) {
+  m_stopTotal = {};
+  for (const StopRow& stop : stops) {
+    m_stopTotal += stop.duration;
+  }
+  m_stops->setRows(stops);
+  m_view->scheduleRedraw();
   showSummary();
 }
 
-void TracePage::redrawNow() {
-  for (TimePlot* plot : m_plots) {
-    plot->redrawNow();
+void TracePage::goToStop(int row) {
+  const StopRow& stop = m_stops->row(row);
+  const double from = base::toSeconds(stop.start);
+  m_window->reveal(from);
+  m_cursors->set(ScopeCursors::A, from);
+  m_cursors->set(ScopeCursors::B, from + base::toSeconds(stop.duration));
+}
+
+void TracePage::showReading(const QStringList& names) {
+  m_reading = names;
+  m_problem.clear();
+  showNote();
+}
+
+void TracePage::showProblem(const QString& sentence) {
+  m_reading.clear();
+  m_problem = sentence;
+  showNote();
+}
+
+void TracePage::chooseFiles() {
+  const QStringList paths = QFileDialog::getOpenFileNames(
+      this, tr("Open traces"), QString(),
+      tr("Traces") + QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.zst *.dat *.log);;") +
+          tr("All files") + QStringLiteral(" (*)"));
+  if (!paths.isEmpty()) {
+    Q_EMIT openRequested(paths);
   }
 }
 
-void TracePage::retranslate() {
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    m_plots[axis]->setTitle(QStringLiteral("%1, mm").arg(QLatin1Char(base::kAxisNames[axis])));
+void TracePage::dragEnterEvent(QDragEnterEvent* event) {
+  if (!traceFilesOf(event->mimeData()).isEmpty()) {
+    event->acceptProposedAction();
   }
-  m_plots[kFeedPlot]->setTitle(tr("F, mm/min"));
-  m_plots[kFeedPlot]->setTimeLabels(true, tr("Time, s"));
-  m_live->setText(tr("Live"));
+}
+
+void TracePage::dropEvent(QDropEvent* event) {
+  const QStringList paths = traceFilesOf(event->mimeData());
+  if (!paths.isEmpty()) {
+    event->acceptProposedAction();
+    Q_EMIT openRequested(paths);
+  }
+}
+
+void TracePage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  showPanel();
+}
+
+void TracePage::showPanel() {
+  const bool hasRoom = width() >= kBothPx;
+  const bool isOpen = m_wantsPanel.value_or(hasRoom);
+  m_panel->setVisible(isOpen);
+  m_view->setVisible(hasRoom || !isOpen);
+  m_list->setChecked(isOpen);
+  const bool hasTexts = width() >= kTextPx;
+  m_open->setText(hasTexts ? tr("Open…") : QString());
+  m_live->setText(hasTexts ? tr("Live") : QString());
+  m_all->setText(hasTexts ? tr("Show all") : QString());
+  m_list->setText(hasTexts ? tr("List") : QString());
+}
+
+void TracePage::redrawNow() {
+  m_view->redrawNow();
+  m_cursorPanel->refreshNow();
+}
+
+void TracePage::retranslate() {
+  m_open->setAccessibleName(tr("Open…"));
+  m_open->setToolTip(tr("Open recordings and traces; several are shown on one time axis"));
+  m_live->setAccessibleName(tr("Live"));
   m_live->setToolTip(tr("Follow the newest samples"));
-  m_all->setText(tr("Show all"));
-  m_all->setToolTip(tr("Wheel: zoom. Drag: move."));
-  m_pausesGroup->setTitle(tr("Pauses (STOPRE)"));
-  m_table->setAccessibleName(tr("Pauses (STOPRE)"));
+  m_all->setAccessibleName(tr("Show all"));
+  m_all->setToolTip(
+      tr("Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: cursor "
+         "A. Shift and click: cursor B. Home: show all."));
+  m_list->setAccessibleName(tr("List"));
+  m_list->setToolTip(tr("Stops, signals and cursors beside the curves"));
+  m_panel->setTabText(0, tr("Stops"));
+  m_panel->setTabText(1, tr("Signals"));
+  m_panel->setTabText(2, tr("Cursors"));
+  m_table->setAccessibleName(tr("Stops"));
   m_summaryNames[0]->setText(tr("Number"));
   m_summaryNames[1]->setText(tr("Mean"));
   m_summaryNames[2]->setText(tr("Total"));
-  m_pauses->refresh();
+  m_stops->refresh();
+  m_view->scheduleRedraw();
+  showPanel();
   showNote();
   showSummary();
   showLegend();
@@ -202,8 +399,10 @@ void TracePage::retranslate() {
 
 void TracePage::restyle() {
   const QColor color = themeColors(palette()).text;
+  m_open->setIcon(themedIcon(QStringLiteral("open"), color));
   m_live->setIcon(themedIcon(QStringLiteral("live"), color));
   m_all->setIcon(themedIcon(QStringLiteral("fit"), color));
+  m_list->setIcon(themedIcon(QStringLiteral("list"), color));
   for (QLabel* label : m_summaryNames) {
     setMuted(label, palette());
   }
@@ -216,37 +415,91 @@ void TracePage::setPastRun(const QString& start, const QString& program) {
   showNote();
 }
 
+QString TracePage::liveText() const {
+  return tr(
+      "Live samples: read while the stream has time; short pauses "
+      "may be missing from the curves");
+}
+
+QString TracePage::tracesText() const {
+  const ScopeCurves::Traces& traces = m_curves->traces();
+  if (traces.empty()) {
+    return {};
+  }
+  QString text;
+  if (m_source == Source::Control && traces.front()->isObserved) {
+    text = liveText();
+  } else if (m_source == Source::Control) {
+    text = tr("The control's own trace: one sample every %1")
+               .arg(millisecondsText(traces.front()->step, 0));
+  } else {
+    QStringList names;
+    for (const auto& trace : traces) {
+      names.append(QString::fromStdString(trace->name));
+    }
+    text = names.join(QStringLiteral(", "));
+    if (traces.size() == 1 && traces.front()->step.count() > 0) {
+      text = tr("%1: one sample every %2").arg(text, millisecondsText(traces.front()->step));
+    }
+  }
+  if (!traces.front()->isAnalysed) {
+    text += QStringLiteral(". ") + tr("Looking for stops …");
+  }
+  QStringList remarks;
+  for (const auto& trace : traces) {
+    for (const std::string& remark : trace->remarks) {
+      remarks.append(QString::fromStdString(remark));
+    }
+  }
+  m_note->setToolTip(remarks.join(QLatin1Char('\n')));
+  if (!remarks.isEmpty()) {
+    text += QStringLiteral(" · ") + remarks.first();
+  }
+  if (remarks.size() > 1) {
+    // The tool tip has all of them.
+    text += QStringLiteral(" (+%1)").arg(remarks.size() - 1);
+  }
+  return text;
+}
+
 void TracePage::showNote() {
+  if (!m_reading.isEmpty()) {
+    m_note->setStatus(Status::Busy, tr("Reading %1 …").arg(m_reading.join(QStringLiteral(", "))));
+    return;
+  }
+  if (!m_problem.isEmpty()) {
+    const QString shown = tracesText();
+    m_note->setStatus(Status::Attention,
+                      shown.isEmpty() ? m_problem : m_problem + QStringLiteral(" · ") + shown);
+    return;
+  }
   const QString of =
       m_pastStart.isEmpty() ? QString() : tr("Run of %1, %2. ").arg(m_pastStart, m_pastProgram);
   switch (m_source) {
     case Source::Nothing:
-      m_sourceNote->setStatus(Status::Unknown, of + tr("No samples yet"));
+      m_note->setStatus(Status::Unknown, of + tr("No samples yet"));
       break;
     case Source::Live:
-      m_sourceNote->setStatus(of.isEmpty() ? Status::Busy : Status::Unknown,
-                              of + tr("Live samples: read while the stream has time; short pauses "
-                                      "may be missing from the curves"));
+      m_note->setStatus(of.isEmpty() ? Status::Busy : Status::Unknown, of + liveText());
       break;
-    case Source::Control: {
-      const QString text =
-          of + tr("The control's own trace: one sample every %1").arg(millisecondsText(m_cycle, 0));
-      m_sourceNote->setStatus(
-          m_truncated ? Status::Attention : Status::Good,
-          m_truncated ? text + QStringLiteral("; ") + tr("incomplete: the trace memory was full")
-                      : text);
+    case Source::Control:
+    case Source::Files: {
+      const ScopeCurves::Traces& traces = m_curves->traces();
+      const bool hasRemarks = std::any_of(traces.begin(), traces.end(),
+                                          [](const auto& one) { return !one->remarks.empty(); });
+      m_note->setStatus(hasRemarks ? Status::Attention : Status::Good, of + tracesText());
       break;
     }
   }
 }
 
 void TracePage::showSummary() {
-  const std::size_t count = m_pauses->rows().size();
+  const std::size_t count = m_stops->rows().size();
   m_summaryValues[0]->setText(countText(count));
   m_summaryValues[1]->setText(count == 0 ? noValue()
-                                         : millisecondsText(base::toMilliseconds(m_pauseTotal) /
+                                         : millisecondsText(base::toMilliseconds(m_stopTotal) /
                                                             static_cast<double>(count)));
-  m_summaryValues[2]->setText(secondsText(base::toSeconds(m_pauseTotal), 2));
+  m_summaryValues[2]->setText(secondsText(base::toSeconds(m_stopTotal), 2));
 }
 
 void TracePage::showLegend() {

@@ -2,33 +2,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The axes over time: X, Y, Z and the path feed on one time axis, the pauses as bands and as a
-/// table. During a run it shows the live samples; afterwards the control's own trace, if there is
-/// one, replaces them. A line says which of the two is shown.
+/// The page of the traces: signals over time in panes, the stops as bands and as a table, cursors.
+/// During a run it shows the live samples, afterwards the control's own trace, if there is one;
+/// and any files that the operator opens. A line says what is shown.
 /// @threadsafety GUI thread.
 #pragma once
 
+#include <QStringList>
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/vec3.h"
-#include "trace/control_trace.h"
 #include "trace/pause.h"
 #include "widgets/common/page.h"
+#include "widgets/scope/scope_curves.h"
+#include "widgets/scope/stop_row.h"
 
-class QGroupBox;
 class QLabel;
 class QPushButton;
+class QSplitter;
+class QTabWidget;
 class QTableView;
 
 namespace rivulet::widgets {
 
+class CursorPanel;
 class LegendStrip;
-class PauseModel;
+class ScopeCursors;
+class ScopeView;
+class SignalPanel;
 class StatusLabel;
-class TimePlot;
+class StopModel;
 class TimeWindow;
 
 /// One live observation; values that were not read stay empty.
@@ -45,47 +50,77 @@ class TracePage final : public Page {
   explicit TracePage(QWidget* parent = nullptr);
   ~TracePage() override;
 
-  /// Empties everything and goes live.
+  /// Where calculations are done; without it, at once.
+  void setRunner(WorkRunner runner);
+
+  /// Empties everything and follows a run.
   void clear();
   void append(const TraceSample& sample);
   /// Adds a pause that has become known; its start counts from the same origin as the samples.
   void addPause(const trace::Pause& pause);
-  /// Shows the control's own trace instead of the live samples. Times are shown from its first
-  /// sample on; the pauses are on the time line of the trace.
-  void showControlTrace(const std::shared_ptr<const trace::ControlTrace>& trace,
-                        const std::vector<trace::Pause>& pauses);
+
+  enum class Source { Nothing, Live, Control, Files };
+  /// Shows whole traces instead of what was shown, on one time axis. The same traces again, now
+  /// analysed, leave the view as it is. @param source  Control or Files
+  void showTraces(const ScopeCurves::Traces& traces, Source source);
+  /// Files are being read. `showTraces` or `showProblem` ends it.
+  void showReading(const QStringList& names);
+  /// One sentence; what was shown stays.
+  void showProblem(const QString& sentence);
   /// What is shown is a run that ended earlier. `clear` ends it.
   void setPastRun(const QString& start, const QString& program);
   /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
 
+  [[nodiscard]] ScopeView* view() const { return m_view; }
+  [[nodiscard]] TimeWindow* timeWindow() const { return m_window; }
+
+ Q_SIGNALS:
+  void openRequested(const QStringList& paths);
+
  protected:
   void retranslate() override;
   void restyle() override;
+  void resizeEvent(QResizeEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
-  enum class Source { Nothing, Live, Control };
-  static constexpr std::size_t kFeedPlot = base::kAxisCount;
-
+  QWidget* makeStopPanel();
+  void layOut();
+  void chooseFiles();
+  void arrange();
+  void setStops(std::vector<StopRow> stops);
+  void goToStop(int row);
   void showNote();
+  [[nodiscard]] QString liveText() const;
+  [[nodiscard]] QString tracesText() const;
   void showSummary();
   void showLegend();
+  void showPanel();
 
   Source m_source = Source::Nothing;
   QString m_pastStart;  ///< of a run that ended earlier; empty: the run is the last one
   QString m_pastProgram;
-  base::Duration m_cycle{};
-  bool m_truncated = false;
-  base::Duration m_pauseTotal{};
+  QStringList m_reading;
+  QString m_problem;
+  base::Duration m_stopTotal{};
+  std::optional<bool> m_wantsPanel;  ///< nothing: as there is room
 
   TimeWindow* m_window;
-  StatusLabel* m_sourceNote;
+  ScopeCurves* m_curves;
+  ScopeCursors* m_cursors;
+  StopModel* m_stops;
+  ScopeView* m_view;
+  StatusLabel* m_note;
+  QPushButton* m_open;
   QPushButton* m_live;
   QPushButton* m_all;
-  std::array<TimePlot*, base::kAxisCount + 1> m_plots{};
+  QPushButton* m_list;
   LegendStrip* m_legend;
-  QGroupBox* m_pausesGroup;
-  PauseModel* m_pauses;
+  QTabWidget* m_panel;
+  SignalPanel* m_signals;
+  CursorPanel* m_cursorPanel;
   QTableView* m_table;
   std::array<QLabel*, 3> m_summaryNames{};
   std::array<QLabel*, 3> m_summaryValues{};

@@ -21,6 +21,7 @@
 #include "hmi/preflight.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
+#include "hmi/traces.h"
 #include "hmi/users.h"
 
 class QToolButton;
@@ -48,6 +49,7 @@ struct Models {
   CreditCommissioning& credit;
   MachineProfiles& profiles;
   Machines& machines;
+  Traces& traces;
 };
 
 /// A page of the tab widget.

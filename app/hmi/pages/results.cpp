@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Pages that show what a run left behind: traces, alarms, messages; and the alarm line.
+/// Pages that show what a run left behind: alarms, messages; and the alarm line.
 
 #include "hmi/pages/pages.h"
-#include "hmi/past_runs.h"
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/alarms/alarm_page.h"
 #include "widgets/common/log_view.h"
-#include "widgets/runs/run_texts.h"
-#include "widgets/trace/trace_page.h"
 
 namespace rivulet::hmi {
 
@@ -21,54 +18,7 @@ void acknowledge(const Models& models, int number) {
   }
 }
 
-/// The control's own trace if the recording has it, else what was seen live.
-void showRecording(widgets::TracePage* page, const std::shared_ptr<const trace::Recording>& of,
-                   const report::FinishedRun& run) {
-  const trace::Recording& recording = *of;
-  page->clear();
-  if (recording.controlTrace && !recording.controlTrace->samples.empty()) {
-    std::vector<trace::Pause> pauses = run.report.pauses;
-    for (trace::Pause& pause : pauses) {
-      // The report counts from the first sample of the trace.
-      pause.start += recording.controlTrace->samples.front().at.time_since_epoch();
-    }
-    page->showControlTrace(std::shared_ptr<const trace::ControlTrace>(of, &*recording.controlTrace),
-                           pauses);
-  } else if (!recording.samples.empty()) {
-    const base::Instant origin = recording.samples.front().at;
-    for (const trace::LiveSample& sample : recording.samples) {
-      page->append({base::toSeconds(sample.at - origin), sample.positionMm, sample.feedMmPerS});
-    }
-    for (trace::Pause pause : recording.pauses) {
-      pause.start = base::Instant{pause.start - origin};
-      page->addPause(pause);
-    }
-  }
-  page->setPastRun(widgets::startText(run.summary),
-                   QString::fromStdString(run.summary.programName));
-}
-
 }  // namespace
-
-QWidget* makeTracePage(const Models& models, QWidget* parent) {
-  auto* page = new widgets::TracePage(parent);
-  QObject::connect(&models.runs, &RunController::started, page, &widgets::TracePage::clear);
-  QObject::connect(&models.runs, &RunController::sampled, page, &widgets::TracePage::append);
-  QObject::connect(&models.runs, &RunController::paused, page, &widgets::TracePage::addPause);
-  QObject::connect(&models.runs, &RunController::finished, page,
-                   [page](const std::shared_ptr<const streaming::RunReport>& report) {
-                     if (report->controlTrace) {
-                       page->showControlTrace(report->controlTrace, report->pauses);
-                     }
-                   });
-  QObject::connect(&models.pastRuns, &PastRuns::recordingRead, page,
-                   [page](const std::shared_ptr<const trace::Recording>& recording,
-                          const std::shared_ptr<const report::FinishedRun>& run) {
-                     showRecording(page, recording, *run);
-                     showPageOf(page);
-                   });
-  return page;
-}
 
 QWidget* makeAlarmPage(const Models& models, QWidget* parent) {
   auto* page = new widgets::AlarmPage(parent);

@@ -244,6 +244,16 @@ std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS) {
   return trace;
 }
 
+std::shared_ptr<const trace::ShownTrace> shownTrace(const trace::ControlTrace& trace,
+                                                    const std::string& name) {
+  trace::TraceSubject subject;
+  subject.controlTrace = &trace;
+  const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
+  trace::ShownTrace shown = trace::makeShownTrace(subject, analysis.motion, &analysis);
+  shown.name = name;
+  return std::make_shared<const trace::ShownTrace>(std::move(shown));
+}
+
 std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace) {
   std::vector<trace::Pause> pauses;
   bool stands = false;

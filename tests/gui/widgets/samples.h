@@ -16,6 +16,7 @@
 #include "streaming/machine_facts.h"
 #include "streaming/run.h"
 #include "trace/control_trace.h"
+#include "trace/signal_set.h"
 #include "widgets/connection/machine_view.h"
 #include "widgets/feasibility/region_chart.h"
 #include "widgets/program/program_view.h"
@@ -50,6 +51,9 @@ namespace rivulet::test {
                                                          double feedMmPerMin);
 /// 4 ms samples along the pocket at 500 mm/min, standing still every `pauseEveryS`.
 [[nodiscard]] std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS);
+/// A trace as the page shows it, analysed.
+[[nodiscard]] std::shared_ptr<const trace::ShownTrace> shownTrace(const trace::ControlTrace& trace,
+                                                                  const std::string& name = {});
 [[nodiscard]] std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace);
 [[nodiscard]] streaming::RunReport report();
 /// One of each state, the most important first.

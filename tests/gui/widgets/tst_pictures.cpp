@@ -242,7 +242,7 @@ std::unique_ptr<QWidget> tracePage(bool control) {
   auto page = std::make_unique<TracePage>();
   const auto trace = test::controlTrace(0.9);
   if (control) {
-    page->showControlTrace(trace, test::pausesOf(*trace));
+    page->showTraces({test::shownTrace(*trace)}, TracePage::Source::Control);
     return page;
   }
   for (std::size_t index = 0; index < trace->samples.size(); index += 12) {

@@ -2,25 +2,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTest>
+#include <QTreeWidget>
+#include <QUrl>
+#include <QWheelEvent>
 #include <cmath>
 
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/chart_style.h"
-#include "widgets/plots/envelope_series.h"
-#include "widgets/plots/time_plot.h"
 #include "widgets/plots/time_window.h"
-#include "widgets/trace/pause_model.h"
+#include "widgets/scope/path_pane.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/trace/stop_model.h"
 #include "widgets/trace/trace_page.h"
 
 using namespace rivulet;
 using namespace rivulet::widgets;
+
+namespace {
+
+QString note(const TracePage& page) {
+  return page.findChild<StatusLabel*>("traceNote")->text();
+}
+
+void drop(QWidget* on, const QMimeData& data) {
+  const QPoint place(100, 20);
+  QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(on, &enter);
+  QDropEvent event(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(on, &event);
+}
+
+}  // namespace
 
 class TestTracePage : public QObject {
   Q_OBJECT
@@ -29,25 +57,6 @@ class TestTracePage : public QObject {
   void init() {
     test::failOnWarnings();
     applyTheme(Theme::Light);
-  }
-
-  void seriesKeepTheExtremesAndTheGaps() {
-    EnvelopeSeries series;
-    QVERIFY(series.lines(0.0, 1.0, 10).empty());
-    for (int index = 0; index < 100'000; ++index) {
-      series.append(index * 0.001, index == 50'000 ? 99.0 : std::sin(index * 0.01));
-    }
-    const auto lines = series.lines(0.0, 100.0, 200);
-    QCOMPARE(lines.size(), std::size_t{1});
-    QVERIFY(lines[0].size() <= 2 * 200 + 2);
-    QVERIFY(std::any_of(lines[0].begin(), lines[0].end(),
-                        [](QPointF point) { return point.y() == 99.0; }));
-    series.append(100.0, std::nan(""));
-    series.append(101.0, 1.0);
-    QCOMPARE(series.lines(0.0, 102.0, 200).size(), std::size_t{2});
-    // A sample that comes late is put where the line stands, never before it.
-    series.append(50.0, 2.0);
-    QCOMPARE(series.lines(100.5, 102.0, 50).back().back().x(), 101.0);
   }
 
   void windowFollowsUntilTheOperatorLooksBack() {
@@ -71,7 +80,7 @@ class TestTracePage : public QObject {
     for (int step = 0; step < 100; ++step) {
       window.zoom(0.5, middle);
     }
-    QVERIFY(window.toS() - window.fromS() >= 0.0199);
+    QVERIFY(window.toS() - window.fromS() >= 0.00199);
     window.showAll();
     QCOMPARE(window.fromS(), 0.0);
     QCOMPARE(window.toS(), 110.0);
@@ -79,33 +88,44 @@ class TestTracePage : public QObject {
   }
 
   void manySamplesMakeFewRedraws() {
-    TimeWindow window;
-    TimePlot plot(&window);
-    static_cast<void>(test::picture(plot, {600, 200}));
-    QSignalSpy redraws(&plot, &TimePlot::redrawn);
+    TracePage page;
+    static_cast<void>(test::picture(page, {800, 500}));
+    ScopePane* pane = page.view()->panes().front();
+    QSignalSpy redraws(pane, &ScopePane::redrawn);
     for (int index = 0; index < 10'000; ++index) {
-      plot.append(index * 0.004, index);
-      window.setEnd(index * 0.004);
+      page.append({index * 0.004, base::Vec3{1.0 * index, 0.0, 0.0}, 8.0});
     }
     QCOMPARE(redraws.count(), 0);  // a redraw never happens inside an append
     QTRY_COMPARE(redraws.count(), 1);
-    QVERIFY(test::settle(plot));
+    QVERIFY(test::settle(page));
     QCOMPARE(redraws.count(), 1);
   }
 
-  void pausesAreListed() {
+  void stopsAreListed() {
     test::Language language;
-    PauseModel model;
+    StopModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    model.append({base::Instant{std::chrono::milliseconds{1500}}, std::chrono::milliseconds{41},
-                  trace::PauseOrigin::Inferred});
-    QCOMPARE(model.index(0, PauseModel::Start).data().toString(),
+    StopRow stop =
+        stopRow(trace::Pause{base::Instant{std::chrono::milliseconds{1500}},
+                             std::chrono::milliseconds{41}, trace::PauseOrigin::Inferred});
+    model.append(stop);
+    QCOMPARE(model.index(0, StopModel::Start).data().toString(),
              QString("1.500") + QChar(0x00A0) + "s");
-    QCOMPARE(model.index(0, PauseModel::Duration).data().toString(),
+    QCOMPARE(model.index(0, StopModel::Duration).data().toString(),
              QString("41") + QChar(0x00A0) + "ms");
-    QCOMPARE(model.index(0, PauseModel::Origin).data().toString(), QString("I (inferred)"));
+    QCOMPARE(model.index(0, StopModel::Cause).data().toString(), QString("I (inferred)"));
+    QCOMPARE(model.index(0, StopModel::Line).data().toString(), QString());
     language.german();
-    QCOMPARE(model.index(0, PauseModel::Origin).data().toString(), QString("A (abgeleitet)"));
+    QCOMPARE(model.index(0, StopModel::Cause).data().toString(), QString("A (abgeleitet)"));
+    language.english();
+    stop.cause = trace::StopCause::ExactStop;
+    stop.line = 20;
+    stop.evidence = "the path turns by 90 degrees";
+    model.setRows(std::vector<StopRow>{stop});
+    QCOMPARE(model.index(0, StopModel::Cause).data().toString(), QString("exact stop"));
+    QCOMPARE(model.index(0, StopModel::Cause).data(Qt::ToolTipRole).toString(),
+             QString("the path turns by 90 degrees"));
+    QCOMPARE(model.index(0, StopModel::Line).data().toString(), QString("20"));
     model.clear();
     QCOMPARE(model.rowCount(), 0);
   }
@@ -113,35 +133,332 @@ class TestTracePage : public QObject {
   void showsLiveSamplesThenTheControlsTrace() {
     test::Language language;
     TracePage page;
-    QVERIFY(test::visibleText(page).contains("No samples yet"));
+    QVERIFY(note(page).contains("No samples yet"));
     page.append({0.0, base::Vec3{1.0, 2.0, 3.0}, 8.0});
     page.append({0.1, std::nullopt, 8.0});
-    QVERIFY(test::visibleText(page).contains("Live samples"));
+    QVERIFY(note(page).contains("Live samples"));
     page.addPause({base::Instant{std::chrono::milliseconds{50}}, std::chrono::milliseconds{40},
                    trace::PauseOrigin::Inferred});
-    auto* table = page.findChild<QTableView*>();
+    auto* table = page.findChild<QTableView*>("stopTable");
     QCOMPARE(table->model()->rowCount(), 1);
     const auto trace = test::controlTrace(0.9);
+    const auto shown = test::shownTrace(*trace);
+    page.showTraces({shown}, TracePage::Source::Control);
+    QVERIFY(note(page).contains("The control's own trace"));
+    QVERIFY(note(page).contains(QString("every 4") + QChar(0x00A0) + "ms"));
+    // The same stops as those that the command line tells.
     const auto pauses = test::pausesOf(*trace);
-    page.showControlTrace(trace, pauses);
-    QVERIFY(test::visibleText(page).contains("The control's own trace"));
-    QVERIFY(test::visibleText(page).contains(QString("every 4") + QChar(0x00A0) + "ms"));
-    QCOMPARE(table->model()->rowCount(), static_cast<int>(pauses.size()));
-    // The trace's own clock began at 1 s: what is shown begins at 0.
-    const double first = base::toSeconds(pauses.front().start) - 1.0;
-    QCOMPARE(table->model()->index(0, PauseModel::Start).data().toString(),
-             QString::number(first, 'f', 3) + QChar(0x00A0) + "s");
+    QCOMPARE(table->model()->rowCount(), static_cast<int>(shown->stops.size()));
+    QVERIFY(shown->stops.size() >= pauses.size() - 1);
+    QVERIFY(!page.findChild<QPushButton*>("traceLive")->isEnabled());
     page.clear();
     QCOMPARE(table->model()->rowCount(), 0);
-    QVERIFY(test::visibleText(page).contains("No samples yet"));
+    QVERIFY(note(page).contains("No samples yet"));
+    QVERIFY(page.findChild<QPushButton*>("traceLive")->isEnabled());
   }
 
-  void aMissingTraceKeepsTheLiveSamples() {
+  void saysWhatCannotBeRead() {
     test::Language language;
     TracePage page;
-    page.append({0.0, base::Vec3{}, 8.0});
-    page.showControlTrace(nullptr, {});
-    QVERIFY(test::visibleText(page).contains("Live samples"));
+    page.showReading({"a.csv"});
+    QVERIFY(note(page).contains("Reading a.csv"));
+    page.showProblem("a.csv: no numbers.");
+    QVERIFY(note(page).startsWith("a.csv: no numbers."));
+    // What can be read is shown, beside what is wrong.
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9), "b.csv")},
+                    TracePage::Source::Files);
+    QVERIFY(note(page).startsWith("a.csv: no numbers."));
+    QVERIFY(note(page).contains("b.csv"));
+    page.showReading({"b.csv"});
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9), "b.csv")},
+                    TracePage::Source::Files);
+    QVERIFY(!note(page).contains("no numbers"));
+  }
+
+  void wheelKeysAndRubberBandZoom() {
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    TimeWindow& window = *page.timeWindow();
+    const double length = window.toS();
+    QVERIFY(std::abs(length - 19.996) < 1e-9);
+    auto* pane = page.findChild<ScopePane*>("scopePane0");
+    const QPoint middle = pane->rect().center();
+    QWheelEvent turn(middle, pane->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(pane, &turn);
+    QVERIFY(window.toS() - window.fromS() < 0.9 * length);
+    QTest::keyClick(pane, Qt::Key_Home);
+    QCOMPARE(window.toS() - window.fromS(), length);
+    QTest::keyClick(pane, Qt::Key_Plus);
+    const double span = window.toS() - window.fromS();
+    QVERIFY(span < length);
+    const double from = window.fromS();
+    QTest::keyClick(pane, Qt::Key_Right);
+    QVERIFY(window.fromS() > from);
+    QTest::keyClick(pane, Qt::Key_Left);
+    QVERIFY(std::abs(window.fromS() - from) < 1e-9);
+    QTest::keyClick(pane, Qt::Key_Minus);
+    QVERIFY(window.toS() - window.fromS() > span);
+    QTest::keyClick(pane, Qt::Key_Home);
+    // Half of what is seen.
+    const int left = static_cast<int>(kScopeLeftPx);
+    const int wide = pane->width() - left - static_cast<int>(kScopeRightPx);
+    QTest::mousePress(pane, Qt::LeftButton, Qt::ControlModifier, {left + wide / 4, middle.y()});
+    QTest::mouseMove(pane, {left + wide / 2, middle.y()});
+    QTest::mouseRelease(pane, Qt::LeftButton, Qt::ControlModifier,
+                        {left + 3 * wide / 4, middle.y()});
+    QVERIFY(std::abs(window.fromS() - length / 4.0) < 0.1);
+    QVERIFY(std::abs(window.toS() - 3.0 * length / 4.0) < 0.1);
+    QTest::mousePress(pane, Qt::LeftButton, {}, {left + wide / 2, middle.y()});
+    QTest::mouseMove(pane, {left + wide / 2 + 100, middle.y()});
+    QTest::mouseRelease(pane, Qt::LeftButton, {}, {left + wide / 2 + 100, middle.y()});
+    QVERIFY(window.fromS() < length / 4.0 - 0.5);
+    QVERIFY(!page.findChild<QTableWidget*>("cursorTable")->item(0, 0)->text().contains("1"));
+  }
+
+  void cursorsMeasure() {
+    test::Language language;
+    TracePage page;
+    trace::ControlTrace straight;
+    for (int i = 0; i <= 1000; ++i) {
+      trace::ControlSample sample;
+      sample.at = base::Instant{std::chrono::milliseconds{4 * i}};
+      sample.actualMm.x = 0.02 * i;
+      sample.feedMmPerS = 5.0;
+      straight.samples.push_back(sample);
+    }
+    page.showTraces({test::shownTrace(straight)}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    auto* pane = page.findChild<ScopePane*>("scopePane0");
+    const int left = static_cast<int>(kScopeLeftPx);
+    const int wide = pane->width() - left - static_cast<int>(kScopeRightPx);
+    const int y = pane->height() / 2;
+    QTest::mouseClick(pane, Qt::LeftButton, {}, {left + wide / 4, y});
+    QTest::mouseClick(pane, Qt::LeftButton, Qt::ShiftModifier, {left + wide / 2, y});
+    QVERIFY(test::settle(page));
+    auto* table = page.findChild<QTableWidget*>("cursorTable");
+    const auto figure = [table](const char* name) {
+      for (int row = 0; row < table->rowCount(); ++row) {
+        if (table->verticalHeaderItem(row)->text() == name) {
+          return QLocale().toDouble(table->item(row, 0)->text());
+        }
+      }
+      return std::nan("");
+    };
+    QVERIFY(std::abs(figure("B − A") - 5.0) < 0.1);
+    QVERIFY(std::abs(figure("Slope, 1/s") - 5.0) < 1e-6);
+    QVERIFY(std::abs(figure("Mean") - 7.5) < 0.1);
+    QVERIFY(std::abs(figure("Minimum") - figure("At A")) < 0.03);
+    QVERIFY(std::abs(figure("Maximum") - figure("At B")) < 0.03);
+    QVERIFY(std::abs(figure("Samples") - 250.0) <= 5.0);
+    // A cursor is dragged, and moved by keys.
+    const double before = figure("At A");
+    QTest::mousePress(pane, Qt::LeftButton, {}, {left + wide / 4, y});
+    QTest::mouseMove(pane, {left + wide / 8, y});
+    QTest::mouseRelease(pane, Qt::LeftButton, {}, {left + wide / 8, y});
+    QVERIFY(test::settle(page));
+    QVERIFY(figure("At A") < before - 2.0);
+    const double moved = figure("At A");
+    QTest::keyClick(pane, Qt::Key_Right, Qt::ShiftModifier);
+    QVERIFY(test::settle(page));
+    QVERIFY(figure("At A") > moved);
+    QTest::keyClick(pane, Qt::Key_C);
+    QVERIFY(test::settle(page));
+    QVERIFY(std::isnan(figure("At A")) || table->item(0, 0)->text() == noValue());
+  }
+
+  void pathAndCursorsLeadToEachOther() {
+    test::Language language;
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(2);
+    static_cast<void>(test::picture(page, {1000, 700}));
+    auto* path = page.findChild<PathPane*>("scopePath");
+    page.timeWindow()->showRange(0.0, 6.0);  // less than one turn: each place is passed once
+    page.redrawNow();
+    auto* cursors = page.findChild<ScopeCursors*>();
+    const auto place = path->placeOf(3.0);
+    QVERIFY(place);
+    QTest::mouseClick(path, Qt::LeftButton, {}, place->toPoint());
+    QVERIFY(cursors->atS(ScopeCursors::A));
+    QVERIFY(std::abs(*cursors->atS(ScopeCursors::A) - 3.0) < 0.2);
+    QTest::mouseClick(path, Qt::LeftButton, Qt::ShiftModifier, path->placeOf(5.0)->toPoint());
+    QVERIFY(std::abs(*cursors->atS(ScopeCursors::B) - 5.0) < 0.2);
+    QVERIFY(path->placeText().startsWith("X -"));
+    cursors->set(ScopeCursors::A, 0.0);
+    QVERIFY2(path->placeText().startsWith("X 10.000  Y 0.0"), qPrintable(path->placeText()));
+    // Beside the path, nothing happens.
+    QTest::mouseClick(path, Qt::LeftButton, {}, {2, path->height() - 2});
+    QCOMPARE(*cursors->atS(ScopeCursors::A), 0.0);
+  }
+
+  void goesToPlaces() {
+    test::Language language;
+    TracePage page;
+    trace::ControlTrace steps;
+    for (int i = 0; i <= 1000; ++i) {
+      trace::ControlSample sample;
+      sample.at = base::Instant{std::chrono::milliseconds{10 * i}};
+      sample.line = base::LineNumber{static_cast<std::uint32_t>(1 + i / 100)};
+      steps.samples.push_back(sample);
+    }
+    page.showTraces({test::shownTrace(steps)}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    TimeWindow& window = *page.timeWindow();
+    window.showRange(0.0, 1.0);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(2);
+    auto* where = page.findChild<QLineEdit*>("goToWhere");
+    auto* what = page.findChild<QComboBox*>("goToWhat");
+    auto* problem = page.findChild<QLabel*>("goToNote");
+    QTest::keyClicks(where, "7.5");
+    QTest::keyClick(where, Qt::Key_Return);
+    QVERIFY(window.fromS() < 7.5 && window.toS() > 7.5 && window.toS() < 9.0);
+    what->setCurrentIndex(1);
+    where->clear();
+    QTest::keyClicks(where, "4");
+    QTest::mouseClick(page.findChild<QPushButton*>("goTo"), Qt::LeftButton);
+    QVERIFY(window.fromS() < 3.0 && window.toS() > 3.0 && window.toS() < 4.5);
+    QVERIFY(problem->isHidden());
+    for (const char* text : {"99", "x", ""}) {
+      where->setText(text);
+      QTest::keyClick(where, Qt::Key_Return);
+      QVERIFY(!problem->isHidden());
+    }
+    QVERIFY(window.fromS() < 3.0 && window.toS() > 3.0);
+  }
+
+  void aRowLeadsToItsStop() {
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    page.timeWindow()->showRange(0.0, 0.5);
+    auto* table = page.findChild<QTableView*>("stopTable");
+    const QRect cell = table->visualRect(table->model()->index(3, 0));
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell.center());
+    const double at = base::toSeconds(static_cast<StopModel*>(table->model())->rows()[3].start);
+    QVERIFY(page.timeWindow()->fromS() < at && page.timeWindow()->toS() > at);
+    QVERIFY(std::abs(page.timeWindow()->toS() - page.timeWindow()->fromS() - 0.5) < 1e-9);
+    QTest::keyClick(table, Qt::Key_Down);
+    QTest::keyClick(table, Qt::Key_Return);
+  }
+
+  void signalsAreFoundAndShown() {
+    test::Language language;
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(1);
+    auto* search = page.findChild<QLineEdit*>("signalSearch");
+    auto* tree = page.findChild<QTreeWidget*>("signalTree");
+    QTest::keyClicks(search, "jerk");
+    QTreeWidgetItem* jerk = nullptr;
+    for (QTreeWidgetItemIterator it(tree); *it != nullptr; ++it) {
+      const bool isVisible = !(*it)->isHidden() && (*it)->parent() != nullptr;
+      if (isVisible && jerk == nullptr) {
+        jerk = *it;
+      }
+      QVERIFY(!isVisible || (*it)->text(0).contains("jerk"));
+    }
+    QVERIFY(jerk != nullptr);
+    const std::size_t panes = page.view()->panes().size();
+    tree->setCurrentItem(jerk);
+    QTest::keyClick(tree, Qt::Key_Return);
+    QCOMPARE(page.view()->panes().size(), panes + 1);
+    QVERIFY(page.view()->shows("d(d(d(x_act)))"));
+    QVERIFY(jerk->font(0).bold());
+    search->clear();
+    // Into the same pane, and out again.
+    tree->setCurrentItem(jerk->parent()->child(1));
+    QTest::keyClick(tree, Qt::Key_Return, Qt::ShiftModifier);
+    QCOMPARE(page.view()->panes().size(), panes + 1);
+    QVERIFY(page.view()->shows("d(d(d(y_act)))"));
+    QTest::mouseClick(page.findChild<QPushButton*>("signalRemove"), Qt::LeftButton);
+    QVERIFY(!page.view()->shows("d(d(d(y_act)))"));
+    tree->setCurrentItem(jerk);
+    QTest::keyClick(tree, Qt::Key_Delete);
+    QCOMPARE(page.view()->panes().size(), panes);
+    const QRect place = tree->visualItemRect(jerk);
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place.center());
+    QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, place.center());
+    QCOMPARE(page.view()->panes().size(), panes + 1);
+    QTest::keyClick(page.view()->panes().back(), Qt::Key_Delete);
+    QCOMPARE(page.view()->panes().size(), panes);
+  }
+
+  void signalsAreDropped() {
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    ScopePane* pane = page.view()->panes()[1];
+    QMimeData dragged;
+    dragged.setData(ScopePane::mimeType(), "x_set - x_act");
+    drop(pane, dragged);
+    QCOMPARE(pane->formulas(), QStringList({"y_act", "x_set - x_act"}));
+  }
+
+  void filesAreDropped() {
+    TracePage page;
+    QSignalSpy opened(&page, &TracePage::openRequested);
+    QMimeData dragged;
+    dragged.setUrls({QUrl::fromLocalFile("/data/a.rivulet"), QUrl::fromLocalFile("/data/b.CSV"),
+                     QUrl::fromLocalFile("/data/part.mpf")});
+    drop(&page, dragged);
+    QCOMPARE(opened.size(), 1);
+    QCOMPARE(opened[0][0].toStringList(), QStringList({"/data/a.rivulet", "/data/b.CSV"}));
+  }
+
+  void formulasAreShownOrRefused() {
+    test::Language language;
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(1);
+    auto* formula = page.findChild<QLineEdit*>("signalFormula");
+    auto* problem = page.findChild<QLabel*>("signalFormulaNote");
+    QTest::keyClicks(formula, "hypot(x_act, y_act)");
+    QTest::keyClick(formula, Qt::Key_Return);
+    QVERIFY(page.view()->shows("hypot(x_act, y_act)"));
+    QVERIFY(problem->isHidden());
+    formula->setText("hypot(x_act");
+    QTest::keyClick(formula, Qt::Key_Return);
+    QVERIFY(problem->text().contains("not complete"));
+    formula->setText("w_act * 2");
+    QTest::keyClick(formula, Qt::Key_Return);
+    page.redrawNow();
+    QVERIFY2(problem->text().contains("w_act"), qPrintable(problem->text()));
+  }
+
+  void severalTracesShareTheirTime() {
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9), "first.csv"),
+                     test::shownTrace(*test::controlTrace(1.3), "second.csv")},
+                    TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    QVERIFY(note(page).contains("first.csv, second.csv"));
+    auto* table = page.findChild<QTableWidget*>("cursorTable");
+    QVERIFY(test::settle(page));
+    QCOMPARE(table->columnCount(), 8);
+    QVERIFY(table->horizontalHeaderItem(1)->text().contains("second.csv"));
+  }
+
+  void analysisFollowsWithoutMovingTheView() {
+    TracePage page;
+    const auto trace = test::controlTrace(0.9);
+    trace::TraceSubject subject;
+    subject.controlTrace = trace.get();
+    auto early = trace::makeShownTrace(subject, trace::motionOf(subject), nullptr);
+    early.name = "a";
+    page.showTraces({std::make_shared<const trace::ShownTrace>(std::move(early))},
+                    TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    QVERIFY(note(page).contains("Looking for stops"));
+    page.timeWindow()->showRange(3.0, 5.0);
+    page.view()->addPane("d(x_act)");
+    page.showTraces({test::shownTrace(*trace, "a")}, TracePage::Source::Files);
+    QCOMPARE(page.timeWindow()->fromS(), 3.0);
+    QVERIFY(page.view()->shows("d(x_act)"));
+    QVERIFY(!note(page).contains("Looking for stops"));
   }
 
   void liveButtonTellsWhetherItIsLive() {
@@ -149,9 +466,9 @@ class TestTracePage : public QObject {
     for (int index = 0; index < 1000; ++index) {
       page.append({index * 0.1, base::Vec3{}, 8.0});
     }
-    auto* live = page.findChildren<QPushButton*>().first();
+    auto* live = page.findChild<QPushButton*>("traceLive");
     QVERIFY(live->isChecked());
-    auto* all = page.findChildren<QPushButton*>().at(1);
+    auto* all = page.findChild<QPushButton*>("traceAll");
     all->click();
     QVERIFY(!live->isChecked());
     live->click();

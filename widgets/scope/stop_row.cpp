@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "widgets/plots/pause_bands.h"
+#include "widgets/scope/stop_row.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -41,6 +41,28 @@ struct PauseTexts {
     }
     return {};
   }
+
+  static QString text(trace::StopCause cause) {
+    switch (cause) {
+      case trace::StopCause::Unknown:
+        return tr("unknown");
+      case trace::StopCause::ExactStop:
+        return tr("exact stop");
+      case trace::StopCause::Dwell:
+        return tr("dwell");
+      case trace::StopCause::ProgrammedStop:
+        return tr("programmed stop");
+      case trace::StopCause::ToolChange:
+        return tr("tool change");
+      case trace::StopCause::Hold:
+        return tr("hold: override 0");
+      case trace::StopCause::WaitingForData:
+        return tr("waiting for data");
+      case trace::StopCause::PreprocessorStop:
+        return tr("preprocessor stop");
+    }
+    return {};
+  }
 };
 
 }  // namespace
@@ -51,6 +73,19 @@ QString pauseOriginLetter(trace::PauseOrigin origin) {
 
 QString pauseOriginText(trace::PauseOrigin origin) {
   return PauseTexts::text(origin);
+}
+
+QString stopCauseText(trace::StopCause cause) {
+  return PauseTexts::text(cause);
+}
+
+StopRow stopRow(const trace::Pause& pause) {
+  return {pause.start, pause.duration, pause.origin};
+}
+
+StopRow stopRow(const trace::Standstill& stop) {
+  return {stop.start, stop.duration, trace::PauseOrigin::Measured,
+          stop.cause, stop.line,     stop.evidence};
 }
 
 QBrush pauseBrush(trace::PauseOrigin origin, const QPalette& palette) {
@@ -66,62 +101,37 @@ QBrush pauseBrush(trace::PauseOrigin origin, const QPalette& palette) {
   return {};
 }
 
-PauseBands::PauseBands(QGraphicsItem* parent) : QGraphicsItem(parent) {
-}
-
-void PauseBands::setPauses(const std::vector<trace::Pause>* pauses, bool labels) {
-  m_pauses = pauses;
-  m_labels = labels;
-  update();
-}
-
-void PauseBands::setPalette(const QPalette& palette) {
-  m_palette = palette;
-  update();
-}
-
-void PauseBands::setArea(const QRectF& area, double fromS, double toS) {
-  if (area != m_area) {
-    prepareGeometryChange();
-    m_area = area;
-  }
-  m_fromS = fromS;
-  m_toS = toS;
-  update();
-}
-
-void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*option*/,
-                       QWidget* /*widget*/) {
-  if (m_pauses == nullptr || m_pauses->empty() || !(m_toS > m_fromS)) {
+void paintStopBands(QPainter& painter, const TimeArea& area, const std::vector<StopRow>& stops,
+                    bool labels, const QPalette& palette) {
+  if (stops.empty() || !(area.toS > area.fromS)) {
     return;
   }
-  const double pixelsPerS = m_area.width() / (m_toS - m_fromS);
-  const auto xOf = [&](double seconds) { return m_area.left() + (seconds - m_fromS) * pixelsPerS; };
+  const double pixelsPerS = area.rect.width() / (area.toS - area.fromS);
   // Pauses are in time order and do not overlap: the visible ones are one range of the list.
   const auto first = std::lower_bound(
-      m_pauses->begin(), m_pauses->end(), m_fromS, [](const trace::Pause& pause, double fromS) {
+      stops.begin(), stops.end(), area.fromS, [](const StopRow& pause, double fromS) {
         return base::toSeconds(pause.start + pause.duration) < fromS;
       });
-  const QFontMetricsF metrics(painter->font());
+  const QFontMetricsF metrics(painter.font());
   const double lineHeight = metrics.height();
-  painter->setClipRect(m_area);
+  painter.setClipRect(area.rect);
   // Either all visible bands are labelled or none: labels on some of them would look like a
   // selection. Zooming in makes room; the table next to the plots always has every duration.
   bool hasRoom = true;
-  for (auto pause = first; pause != m_pauses->end(); ++pause) {
-    const double left = xOf(base::toSeconds(pause->start));
-    if (left > m_area.right()) {
+  for (auto pause = first; pause != stops.end(); ++pause) {
+    const double left = area.xOf(base::toSeconds(pause->start));
+    if (left > area.rect.right()) {
       break;
     }
     const bool isCrowded =
-        pause != first && left - xOf(base::toSeconds((pause - 1)->start)) < lineHeight + 2.0;
+        pause != first && left - area.xOf(base::toSeconds((pause - 1)->start)) < lineHeight + 2.0;
     hasRoom = hasRoom && !isCrowded;
   }
-  double lastBandRight = m_area.left() - 1.0;
-  double lastLabelRight = m_area.left() - 1.0;
-  for (auto pause = first; pause != m_pauses->end(); ++pause) {
-    const double left = xOf(base::toSeconds(pause->start));
-    if (left > m_area.right()) {
+  double lastBandRight = area.rect.left() - 1.0;
+  double lastLabelRight = area.rect.left() - 1.0;
+  for (auto pause = first; pause != stops.end(); ++pause) {
+    const double left = area.xOf(base::toSeconds(pause->start));
+    if (left > area.rect.right()) {
       break;
     }
     const double width = std::max(base::toSeconds(pause->duration) * pixelsPerS, 1.5);
@@ -129,28 +139,28 @@ void PauseBands::paint(QPainter* painter, const QStyleOptionGraphicsItem* /*opti
       continue;  // hidden behind the one before at this zoom
     }
     lastBandRight = left + width;
-    painter->fillRect(QRectF(left, m_area.top(), width, m_area.height()),
-                      pauseBrush(pause->origin, m_palette));
-    if (!m_labels || !hasRoom) {
+    painter.fillRect(QRectF(left, area.rect.top(), width, area.rect.height()),
+                     pauseBrush(pause->origin, palette));
+    if (!labels || !hasRoom) {
       continue;
     }
     const QString label =
         millisecondsText(pause->duration, 0) + QLatin1Char(' ') + pauseOriginLetter(pause->origin);
     const double middle = left + width / 2.0;
     const double textWidth = metrics.horizontalAdvance(label);
-    painter->setPen(themeColors(m_palette).text);
+    painter.setPen(themeColors(palette).text);
     if (width >= textWidth + 6.0 && middle - textWidth / 2.0 > lastLabelRight) {
-      painter->drawText(QPointF(middle - textWidth / 2.0, m_area.center().y()), label);
+      painter.drawText(QPointF(middle - textWidth / 2.0, area.rect.center().y()), label);
       lastLabelRight = middle + textWidth / 2.0 + 4.0;
     } else if (left - lineHeight - 1.0 > lastLabelRight - lineHeight &&
-               left - lineHeight > m_area.left()) {
+               left - lineHeight > area.rect.left()) {
       // Upright beside its band: narrow bands stand close together.
-      painter->save();
+      painter.save();
       // At half height, where there is neither the line of full feed nor that of standstill.
-      painter->translate(left - 3.0, m_area.center().y() + textWidth / 2.0);
-      painter->rotate(-90.0);
-      painter->drawText(QPointF(0.0, 0.0), label);
-      painter->restore();
+      painter.translate(left - 3.0, area.rect.center().y() + textWidth / 2.0);
+      painter.rotate(-90.0);
+      painter.drawText(QPointF(0.0, 0.0), label);
+      painter.restore();
       lastLabelRight = left + lineHeight;
     }
   }

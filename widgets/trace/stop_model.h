@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The pauses of a run as a table: start, duration, origin.
+/// The stops of a run as a table: start, duration, line, why or how it is known.
 /// @threadsafety GUI thread.
 #pragma once
 
-#include "trace/pause.h"
 #include "widgets/common/table_model.h"
+#include "widgets/scope/stop_row.h"
 
 namespace rivulet::widgets {
 
-class PauseModel final : public TableModel<trace::Pause> {
+class StopModel final : public TableModel<StopRow> {
   Q_OBJECT
 
  public:
-  enum Column { Start, Duration, Origin };
+  enum Column { Start, Duration, Line, Cause };
 
-  explicit PauseModel(QObject* parent = nullptr);
+  explicit StopModel(QObject* parent = nullptr);
 };
 
 }  // namespace rivulet::widgets

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The page Traces: the run in progress, the last run, runs of the past, and files.
+
+#include "hmi/pages/pages.h"
+#include "hmi/past_runs.h"
+#include "widgets/common/error_text.h"
+#include "widgets/runs/run_texts.h"
+#include "widgets/trace/trace_page.h"
+
+namespace rivulet::hmi {
+
+namespace {
+
+struct TracesPage {
+  Q_DECLARE_TR_FUNCTIONS(TracesPage)
+
+ public:
+  static QString inProgress() { return tr("A run is in progress. Open files after it has ended."); }
+};
+
+void connectRuns(const Models& models, widgets::TracePage* page) {
+  Traces* traces = &models.traces;
+  QObject::connect(&models.runs, &RunController::started, page, [page, traces] {
+    traces->cancel();
+    page->clear();
+  });
+  QObject::connect(&models.runs, &RunController::sampled, page, &widgets::TracePage::append);
+  QObject::connect(&models.runs, &RunController::paused, page, &widgets::TracePage::addPause);
+  QObject::connect(&models.runs, &RunController::finished, page,
+                   [traces](const std::shared_ptr<const streaming::RunReport>& report) {
+                     // Without a trace of the control, the live samples stay.
+                     traces->show(report->controlTrace);
+                   });
+  QObject::connect(&models.pastRuns, &PastRuns::recordingRead, page,
+                   [page, traces](const std::shared_ptr<const trace::Recording>& recording,
+                                  const std::shared_ptr<const report::FinishedRun>& run) {
+                     page->clear();
+                     page->setPastRun(widgets::startText(run->summary),
+                                      QString::fromStdString(run->summary.programName));
+                     traces->show(recording);
+                     showPageOf(page);
+                   });
+}
+
+}  // namespace
+
+QWidget* makeTracePage(const Models& models, QWidget* parent) {
+  auto* page = new widgets::TracePage(parent);
+  page->setRunner(&runInBackground);
+  connectRuns(models, page);
+  Traces* traces = &models.traces;
+  QObject::connect(page, &widgets::TracePage::openRequested, traces,
+                   [page, traces, runs = &models.runs](const QStringList& paths) {
+                     if (runs->isRunning()) {
+                       page->showProblem(TracesPage::inProgress());
+                     } else {
+                       traces->open(paths);
+                     }
+                   });
+  QObject::connect(traces, &Traces::reading, page, [page](const QStringList& names) {
+    page->showReading(names);
+    showPageOf(page);
+  });
+  QObject::connect(traces, &Traces::filesShown, page, [page](const Traces::List& list) {
+    page->setPastRun({}, {});
+    page->showTraces(list, widgets::TracePage::Source::Files);
+  });
+  QObject::connect(traces, &Traces::runShown, page, [page](const Traces::List& list) {
+    page->showTraces(list, widgets::TracePage::Source::Control);
+  });
+  QObject::connect(traces, &Traces::failed, page,
+                   [page](const base::Error& error) {
+                     page->showProblem(widgets::errorText(error));
+                   });
+  return page;
+}
+
+}  // namespace rivulet::hmi

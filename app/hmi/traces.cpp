@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/traces.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QPointer>
+#include <QThreadPool>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "gcode/program.h"
+#include "report/trace_source.h"
+#include "trace/analysis/trace_analysis.h"
+
+namespace rivulet::hmi {
+
+namespace {
+
+/// Chords of arcs must not add to the contour error; as for the command line.
+constexpr double kChordToleranceMm = 0.0002;
+
+/// The program of the window, read as finely as an analysis needs it.
+struct ProgramToCompare {
+  std::filesystem::path file;
+  session::Reading reading;
+
+  [[nodiscard]] std::optional<gcode::Program> load() const {
+    if (file.empty()) {
+      return std::nullopt;
+    }
+    gcode::LoadOptions options;
+    options.dialect = reading.dialect;
+    options.accepted = reading.accepted;
+    options.centres = reading.centres;
+    options.chordToleranceMm = std::min(reading.chordToleranceMm, kChordToleranceMm);
+    auto program = gcode::loadProgram(file, options);
+    return program ? std::optional(std::move(*program)) : std::nullopt;
+  }
+};
+
+}  // namespace
+
+void runInBackground(std::function<std::function<void()>()> work) {
+  QThreadPool::globalInstance()->start(
+      [work = std::move(work)] { QMetaObject::invokeMethod(qApp, work(), Qt::QueuedConnection); });
+}
+
+/// One trace, in whatever form it came.
+struct Traces::Subject {
+  std::filesystem::path file;  ///< to be read; empty: what follows is there
+  std::string name;
+  std::shared_ptr<const trace::ControlTrace> controlTrace{};
+  std::shared_ptr<const trace::Recording> recording{};
+  std::shared_ptr<const report::TraceSource> source{};
+  std::optional<base::Error> error{};
+
+  void read() {
+    if (file.empty()) {
+      return;
+    }
+    auto opened = report::openTrace(file, {}, 0.0);
+    if (opened) {
+      source = std::make_shared<const report::TraceSource>(std::move(*opened));
+    } else {
+      error = opened.error();
+    }
+  }
+
+  [[nodiscard]] trace::TraceSubject subject() const {
+    trace::TraceSubject subject;
+    subject.controlTrace = controlTrace.get();
+    subject.recording = recording.get();
+    if (source) {
+      subject.recording = source->recording ? &*source->recording : nullptr;
+      subject.controlTrace = source->controlTrace ? &*source->controlTrace : nullptr;
+      subject.imported = source->imported ? &*source->imported : nullptr;
+    }
+    return subject;
+  }
+
+  [[nodiscard]] std::shared_ptr<const trace::ShownTrace> signalsOnly() const {
+    const trace::TraceSubject of = subject();
+    trace::ShownTrace shown = trace::makeShownTrace(of, trace::motionOf(of), nullptr);
+    shown.name = name;
+    return std::make_shared<const trace::ShownTrace>(std::move(shown));
+  }
+
+  [[nodiscard]] std::shared_ptr<const trace::ShownTrace> analysed(
+      const gcode::Program* program) const {
+    trace::TraceSubject of = subject();
+    of.program = program;
+    const trace::TraceAnalysis analysis = trace::analyseTrace(of);
+    trace::ShownTrace shown = trace::makeShownTrace(of, analysis.motion, &analysis);
+    shown.name = name;
+    return std::make_shared<const trace::ShownTrace>(std::move(shown));
+  }
+};
+
+void Traces::open(const QStringList& paths) {
+  std::vector<Subject> subjects;
+  QStringList names;
+  for (const QString& path : paths) {
+    names.append(QFileInfo(path).fileName());
+    subjects.push_back({path.toStdString(), names.back().toStdString()});
+  }
+  Q_EMIT reading(names);
+  begin(Kind::Files, std::move(subjects));
+}
+
+void Traces::show(const std::shared_ptr<const trace::ControlTrace>& trace) {
+  if (trace && !trace->samples.empty()) {
+    begin(Kind::Run, {{{}, {}, trace}});
+  }
+}
+
+void Traces::show(const std::shared_ptr<const trace::Recording>& recording) {
+  begin(Kind::Run, {{{}, recording->start.programName, nullptr, recording}});
+}
+
+void Traces::begin(Kind kind, std::vector<Subject> subjects) {
+  const int request = ++m_request;
+  const auto emitShown = [kind](Traces& self, const List& list) {
+    if (kind == Kind::Files) {
+      Q_EMIT self.filesShown(list);
+    } else {
+      Q_EMIT self.runShown(list);
+    }
+  };
+  ProgramToCompare program;
+  if (m_document.program()) {
+    program = {m_document.path().toStdString(), m_document.reading()};
+  }
+  const QPointer<Traces> guard(this);
+  runInBackground([=]() -> std::function<void()> {
+    auto read = std::make_shared<std::vector<Subject>>(subjects);
+    List list;
+    for (Subject& subject : *read) {
+      subject.read();
+      if (!subject.error) {
+        list.push_back(subject.signalsOnly());
+      }
+    }
+    return [=] {
+      if (!guard || guard->m_request != request) {
+        return;
+      }
+      for (const Subject& subject : *read) {
+        if (subject.error) {
+          Q_EMIT guard->failed(*subject.error);
+        }
+      }
+      if (list.empty()) {
+        return;
+      }
+      emitShown(*guard, list);
+      runInBackground([=]() -> std::function<void()> {
+        const std::optional<gcode::Program> compared = program.load();
+        List analysed;
+        for (const Subject& subject : *read) {
+          if (!subject.error) {
+            analysed.push_back(subject.analysed(compared ? &*compared : nullptr));
+          }
+        }
+        return [=] {
+          if (guard && guard->m_request == request) {
+            emitShown(*guard, analysed);
+          }
+        };
+      });
+    };
+  });
+}
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/scope/signal_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
+
+#include "widgets/common/error_text.h"
+#include "widgets/common/theme.h"
+#include "widgets/scope/scope_curves.h"
+#include "widgets/scope/scope_pane.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kFormulaRole = Qt::UserRole;
+
+/// Signals are dragged as their formula.
+class SignalTree final : public QTreeWidget {
+ public:
+  using QTreeWidget::QTreeWidget;
+
+ protected:
+  QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
+    auto* dragged = new QMimeData;
+    for (const QTreeWidgetItem* item : items) {
+      dragged->setData(ScopePane::mimeType(), item->data(0, kFormulaRole).toString().toUtf8());
+    }
+    return dragged;
+  }
+};
+
+}  // namespace
+
+SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* parent)
+    : Page(parent),
+      m_isShown(std::move(isShown)),
+      m_search(new QLineEdit(this)),
+      m_tree(new SignalTree(this)),
+      m_newPane(makeTouchButton(this)),
+      m_add(makeTouchButton(this)),
+      m_remove(makeTouchButton(this)),
+      m_formula(new QLineEdit(this)),
+      m_formulaNote(new QLabel(this)) {
+  m_search->setObjectName(QStringLiteral("signalSearch"));
+  m_search->setClearButtonEnabled(true);
+  m_search->setMinimumHeight(kTouchHeightPx);
+  m_tree->setObjectName(QStringLiteral("signalTree"));
+  m_tree->setColumnCount(2);
+  m_tree->setHeaderHidden(true);
+  m_tree->setDragEnabled(true);
+  m_tree->setUniformRowHeights(true);
+  m_tree->header()->setStretchLastSection(false);
+  m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  m_tree->setMinimumHeight(100);
+  m_tree->installEventFilter(this);
+  m_newPane->setObjectName(QStringLiteral("signalNewPane"));
+  m_add->setObjectName(QStringLiteral("signalAdd"));
+  m_remove->setObjectName(QStringLiteral("signalRemove"));
+  m_formula->setObjectName(QStringLiteral("signalFormula"));
+  m_formula->setMinimumHeight(kTouchHeightPx);
+  m_formulaNote->setObjectName(QStringLiteral("signalFormulaNote"));
+  m_formulaNote->setWordWrap(true);
+  m_formulaNote->setTextFormat(Qt::PlainText);
+  m_formulaNote->hide();
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(4);
+  for (QPushButton* button : {m_newPane, m_add, m_remove}) {
+    button->setAutoDefault(false);
+    buttons->addWidget(button, 1);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 6, 4, 4);
+  layout->addWidget(m_search);
+  layout->addWidget(m_tree, 1);
+  layout->addLayout(buttons);
+  layout->addWidget(m_formula);
+  layout->addWidget(m_formulaNote);
+
+  connect(m_search, &QLineEdit::textChanged, this, &SignalPanel::filter);
+  connect(m_tree, &QTreeWidget::itemDoubleClicked, this, [this] { activate(true); });
+  connect(m_tree, &QTreeWidget::currentItemChanged, this, &SignalPanel::showButtons);
+  connect(m_newPane, &QPushButton::clicked, this, [this] { activate(true); });
+  connect(m_add, &QPushButton::clicked, this, [this] { activate(false); });
+  connect(m_remove, &QPushButton::clicked, this, [this] {
+    if (!currentFormula().isEmpty()) {
+      Q_EMIT removeRequested(currentFormula());
+    }
+  });
+  connect(m_formula, &QLineEdit::returnPressed, this, &SignalPanel::addFormula);
+  connect(m_formula, &QLineEdit::textEdited, m_formulaNote, &QWidget::hide);
+  retranslate();
+  restyle();
+}
+
+void SignalPanel::setOffers(std::vector<trace::SignalOffer> offers) {
+  m_offers = std::move(offers);
+  fill();
+}
+
+void SignalPanel::fill() {
+  const QString current = currentFormula();
+  m_tree->clear();
+  QTreeWidgetItem* group = nullptr;
+  std::optional<trace::SignalGroup> of;
+  for (const trace::SignalOffer& offer : m_offers) {
+    if (!of || *of != offer.group) {
+      of = offer.group;
+      group = new QTreeWidgetItem(m_tree, {signalGroupTitle(offer.group)});
+      group->setFlags(Qt::ItemIsEnabled);
+      group->setFirstColumnSpanned(true);
+    }
+    auto* item =
+        new QTreeWidgetItem(group, {signalTitle(offer), QString::fromStdString(offer.unit)});
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
+    const QString formula = QString::fromStdString(offer.formula);
+    item->setData(0, kFormulaRole, formula);
+    item->setToolTip(0, formula);
+    if (formula == current) {
+      m_tree->setCurrentItem(item);
+    }
+  }
+  m_tree->expandAll();
+  refresh();
+  filter();
+}
+
+void SignalPanel::refresh() {
+  for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* group = m_tree->topLevelItem(i);
+    for (int j = 0; j < group->childCount(); ++j) {
+      QTreeWidgetItem* item = group->child(j);
+      const bool isShown = m_isShown(item->data(0, kFormulaRole).toString());
+      QFont font = m_tree->font();
+      font.setBold(isShown);
+      item->setFont(0, font);
+      item->setData(0, Qt::AccessibleDescriptionRole, isShown ? tr("shown") : QString());
+    }
+  }
+  showButtons();
+}
+
+void SignalPanel::filter() {
+  const QString wanted = m_search->text().trimmed();
+  for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* group = m_tree->topLevelItem(i);
+    const bool isGroup = group->text(0).contains(wanted, Qt::CaseInsensitive);
+    bool any = false;
+    for (int j = 0; j < group->childCount(); ++j) {
+      QTreeWidgetItem* item = group->child(j);
+      const bool fits = isGroup || item->text(0).contains(wanted, Qt::CaseInsensitive) ||
+                        item->toolTip(0).contains(wanted, Qt::CaseInsensitive);
+      item->setHidden(!fits);
+      any = any || fits;
+    }
+    group->setHidden(!any);
+  }
+}
+
+QString SignalPanel::currentFormula() const {
+  const QTreeWidgetItem* item = m_tree->currentItem();
+  return item == nullptr || item->isHidden() ? QString() : item->data(0, kFormulaRole).toString();
+}
+
+void SignalPanel::activate(bool inOwnPane) {
+  const QString formula = currentFormula();
+  if (formula.isEmpty()) {
+    return;
+  }
+  if (inOwnPane) {
+    Q_EMIT paneRequested(formula);
+  } else {
+    Q_EMIT addRequested(formula);
+  }
+}
+
+void SignalPanel::addFormula() {
+  const QString text = m_formula->text().trimmed();
+  if (text.isEmpty()) {
+    return;
+  }
+  if (const auto formula = trace::Formula::parse(text.toStdString()); !formula) {
+    showFormulaError(formula.error());
+    return;
+  }
+  m_formulaNote->hide();
+  Q_EMIT paneRequested(text);
+}
+
+void SignalPanel::showFormulaError(const base::Error& error) {
+  m_formulaNote->setText(errorText(error));
+  m_formulaNote->show();
+}
+
+void SignalPanel::showButtons() {
+  const QString formula = currentFormula();
+  m_newPane->setEnabled(!formula.isEmpty());
+  m_add->setEnabled(!formula.isEmpty());
+  m_remove->setEnabled(!formula.isEmpty() && m_isShown(formula));
+}
+
+bool SignalPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_tree && event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    switch (key->key()) {
+      case Qt::Key_Return:
+      case Qt::Key_Enter:
+        activate(!key->modifiers().testFlag(Qt::ShiftModifier));
+        return true;
+      case Qt::Key_Delete:
+        if (m_remove->isEnabled()) {
+          Q_EMIT removeRequested(currentFormula());
+        }
+        return true;
+      default:
+        break;
+    }
+  }
+  return Page::eventFilter(watched, event);
+}
+
+void SignalPanel::retranslate() {
+  m_search->setPlaceholderText(tr("Search"));
+  m_search->setAccessibleName(tr("Search the signals"));
+  m_tree->setAccessibleName(tr("Signals"));
+  m_newPane->setText(tr("Pane"));
+  m_newPane->setToolTip(tr("Show the signal in a pane of its own (Enter)"));
+  m_add->setText(tr("Add"));
+  m_add->setToolTip(tr("Show the signal in the current pane (Shift+Enter)"));
+  m_remove->setText(tr("Remove"));
+  m_remove->setToolTip(tr("Show the signal no longer (Delete)"));
+  m_formula->setPlaceholderText(QStringLiteral("hypot(x_act-x_set, y_act-y_set)"));
+  m_formula->setAccessibleName(tr("Formula"));
+  m_formula->setToolTip(
+      tr("A formula of signals, then Enter. Their names are in their tool tips."));
+  fill();
+}
+
+void SignalPanel::restyle() {
+  QPalette fault = m_formulaNote->palette();
+  fault.setColor(QPalette::WindowText, themeColors(palette()).fault);
+  m_formulaNote->setPalette(fault);
+}
+
+}  // namespace rivulet::widgets
