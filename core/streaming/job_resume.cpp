@@ -153,15 +153,16 @@ class Search {
   /// The control was executing the native blocks after a stretch. @param block  see `blockCell`
   /// @param owner  number of the run; the client's, in the same cell, until the loop has returned
   Result<JobRest> afterStretch(std::size_t part, double block, int owner) {
-    const bool isClients = block == owner && block > static_cast<double>(m_plan.nativeCount());
-    if (block == 0.0 || isClients) {
+    if (block == 0.0) {
       return rest(part + 1, {});
     }
+    // The number of a run could be that of a block: no block is taken for known then.
+    const double sought = block == owner ? 0.0 : std::abs(block);
     double number = 0.0;
     for (std::size_t at = 0; at < m_plan.parts.size(); ++at) {
       const auto* const native = std::get_if<job::NativeBlock>(&m_plan.parts[at]);
       number += native != nullptr ? 1.0 : 0.0;
-      if (native == nullptr || number != std::abs(block)) {
+      if (native == nullptr || number != sought) {
         continue;
       }
       if (block < 0.0) {
