@@ -31,9 +31,6 @@ using nlohmann::ordered_json;
 using streaming::Outcome;
 using streaming::RunFinding;
 
-/// Chords of arcs must not add to the contour error.
-constexpr double kChordToleranceMm = 0.0002;
-
 /// The analysis of one file.
 struct Analysed {
   ordered_json json;
@@ -367,7 +364,7 @@ Exit analyse(const AnalyseOptions& options) {
   std::optional<gcode::Program> program;
   if (!options.program.empty()) {
     gcode::LoadOptions loading = options.loading.loadOptions();
-    loading.chordToleranceMm = std::min(loading.chordToleranceMm, kChordToleranceMm);
+    loading.chordToleranceMm = std::min(loading.chordToleranceMm, report::kComparedChordMm);
     auto loaded = gcode::loadProgram(options.program, loading);
     if (!loaded) {
       return reportError(loaded.error(), options.json);

@@ -125,7 +125,7 @@ std::vector<PreflightItem> Preflight::items() const {
   }
   items.push_back(programItem());
   items.push_back(machineItem());
-  if (m_document.outline() != nullptr && !(isForChosenLine())) {
+  if (m_document.outline() != nullptr && !isForChosenLine()) {
     items.push_back(jobItem());
   }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());

@@ -19,9 +19,6 @@ namespace rivulet::hmi {
 
 namespace {
 
-/// Chords of arcs must not add to the contour error; as for the command line.
-constexpr double kChordToleranceMm = 0.0002;
-
 /// The program of the window, read as finely as an analysis needs it.
 struct ProgramToCompare {
   std::filesystem::path file;
@@ -35,7 +32,7 @@ struct ProgramToCompare {
     options.dialect = reading.dialect;
     options.accepted = reading.accepted;
     options.centres = reading.centres;
-    options.chordToleranceMm = std::min(reading.chordToleranceMm, kChordToleranceMm);
+    options.chordToleranceMm = std::min(reading.chordToleranceMm, report::kComparedChordMm);
     auto program = gcode::loadProgram(file, options);
     return program ? std::optional(std::move(*program)) : std::nullopt;
   }

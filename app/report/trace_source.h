@@ -17,6 +17,10 @@
 
 namespace rivulet::report {
 
+/// A program is read at least this finely to be compared with a trace: chords of arcs must not add
+/// to the contour error.
+inline constexpr double kComparedChordMm = 0.0002;
+
 /// Exactly one of these.
 struct TraceSource {
   std::optional<trace::Recording> recording;
