@@ -71,6 +71,15 @@ base::Result<void> checkRun(const TrainingRun& run) {
     if (auto finite = requireFinite(run, track.axis, track.observed, "Position"); !finite) {
       return finite;
     }
+    if (!track.observedMmPerS.empty() && track.observedMmPerS.size() != run.observedAt.size()) {
+      return base::fail(EmulatorError::BadTimes,
+                        fmt::format("Axis {} has {} speeds at {} times: each time needs one.",
+                                    track.axis, track.observedMmPerS.size(), run.observedAt.size()),
+                        run.name);
+    }
+    if (auto finite = requireFinite(run, track.axis, track.observedMmPerS, "Speed"); !finite) {
+      return finite;
+    }
   }
   return {};
 }

@@ -18,6 +18,7 @@ struct AxisTrack {
   char axis = 'X';                ///< letter: 'X', 'Y', 'Z'
   std::vector<double> reference;  ///< set points, mm, one each TrainingRun::period, from time 0
   std::vector<double> observed;   ///< actual positions, mm, one each entry of observedAt
+  std::vector<double> observedMmPerS = {};  ///< actual speeds, likewise; empty: none were seen
 };
 
 /// A program that ran on the machine.

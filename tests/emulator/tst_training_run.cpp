@@ -46,6 +46,16 @@ class TestTrainingRun : public QObject {
                          "file."));
   }
 
+  void takesSpeedsOrNone() {
+    TrainingRun run = smallRun();
+    run.axes[0].observedMmPerS = {0.0, 450.0};
+    QVERIFY(checkRun(run));
+    run.axes[0].observedMmPerS.pop_back();
+    const auto checked = checkRun(run);
+    QVERIFY(!checked);
+    QVERIFY(checked.error().code == EmulatorError::BadTimes);
+  }
+
   void refusesLengthsThatDiffer() {
     TrainingRun run = smallRun();
     run.axes[0].observed.pop_back();
