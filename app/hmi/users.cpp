@@ -204,15 +204,21 @@ void Users::logIn(const QString& name, const QString& pin) {
     return;
   }
   m_isChecking = true;
+  hashPin(pin, user->salt, [this, name, right = user->hash](const QByteArray& hash) {
+    m_isChecking = false;
+    takeAnswer(name, hash == right);
+  });
+}
+
+void Users::hashPin(const QString& pin, const QByteArray& salt,
+                    std::function<void(const QByteArray& hash)> then) {
   QThreadPool::globalInstance()->start(
-      [users = QPointer<Users>(this), name, pin, salt = user->salt, hash = user->hash] {
-        const bool isRight = pinHash(pin, salt) == hash;
+      [users = QPointer<Users>(this), pin, salt, then = std::move(then)] {
         QMetaObject::invokeMethod(
             QCoreApplication::instance(),
-            [users, name, isRight] {
+            [users, hash = pinHash(pin, salt), then] {
               if (users) {
-                users->m_isChecking = false;
-                users->takeAnswer(name, isRight);
+                then(hash);
               }
             },
             Qt::QueuedConnection);
@@ -258,23 +264,37 @@ void Users::noticeInput() {
   }
 }
 
-base::Result<void> Users::put(const QString& typedName, Role role, const QString& pin) {
+void Users::put(const QString& typedName, Role role, const QString& pin, PutAnswer answer) {
   const QString name = typedName.trimmed();
   if (name.isEmpty()) {
-    return refused(QT_TRANSLATE_NOOP("UserTexts", "Give a name."));
+    answer(refused(QT_TRANSLATE_NOOP("UserTexts", "Give a name.")));
+    return;
   }
   if (pin.size() < kPinLengthMin && !(pin.isEmpty() && name == m_systemUser)) {
-    return refused(QT_TRANSLATE_NOOP("UserTexts", "The PIN needs at least 4 characters."));
+    answer(refused(QT_TRANSLATE_NOOP("UserTexts", "The PIN needs at least 4 characters.")));
+    return;
   }
+  User user{name, role, {}, {}};
+  if (pin.isEmpty()) {
+    answer(keep(user));
+    return;
+  }
+  user.salt = newSalt();
+  hashPin(pin, user.salt, [this, user, answer = std::move(answer)](const QByteArray& hash) mutable {
+    user.hash = hash;
+    answer(keep(user));
+  });
+}
+
+base::Result<void> Users::keep(const User& user) {
   std::vector<User> users = m_users;
-  auto user = std::find_if(users.begin(), users.end(),
-                           [&name](const User& one) { return one.name == name; });
-  if (user == users.end()) {
-    user = users.insert(users.end(), User{name, role, {}, {}});
+  const auto known = std::find_if(users.begin(), users.end(),
+                                  [&user](const User& one) { return one.name == user.name; });
+  if (known == users.end()) {
+    users.push_back(user);
+  } else {
+    *known = user;
   }
-  user->role = role;
-  user->salt = pin.isEmpty() ? QByteArray() : newSalt();
-  user->hash = pin.isEmpty() ? QByteArray() : pinHash(pin, user->salt);
   if (!hasEngineer(users)) {
     return refused(kNoEngineer);
   }
@@ -284,7 +304,7 @@ base::Result<void> Users::put(const QString& typedName, Role role, const QString
   }
   m_users = std::move(users);
   if (isFirst) {
-    m_current = name;  // who sets the window up stays in it
+    m_current = user.name;  // who sets the window up stays in it
   }
   Q_EMIT changed();
   return {};

@@ -13,6 +13,7 @@
 #include <QString>
 #include <QTimer>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -69,12 +70,14 @@ class Users final : public QObject {
   /// Somebody has touched the window.
   void noticeInput();
 
+  using PutAnswer = std::function<void(const base::Result<void>&)>;
+
   /// Adds a user, or changes role and PIN of the one of this name. The first one must be an
-  /// engineer, and the last engineer stays one.
+  /// engineer, and the last engineer stays one. The PIN is hashed on another thread.
   /// @param pin  empty: without PIN (the user of this computer)
-  /// @return an error says what is missing
-  [[nodiscard]] base::Result<void> put(const QString& name, permission::Role role,
-                                       const QString& pin);
+  /// @param answer  called once on the GUI thread, at once for an entry that is refused; an error
+  /// says what is missing
+  void put(const QString& name, permission::Role role, const QString& pin, PutAnswer answer);
   [[nodiscard]] base::Result<void> remove(const QString& name);
 
  Q_SIGNALS:
@@ -89,6 +92,11 @@ class Users final : public QObject {
   void load();
   [[nodiscard]] base::Result<void> save(const std::vector<User>& users, int idleMinutes);
   void takeAnswer(const QString& name, bool isRight);
+  /// Puts a user into the file and the list.
+  [[nodiscard]] base::Result<void> keep(const User& user);
+  /// `pinHash` on another thread; `then` runs on this one, unless this object is gone.
+  void hashPin(const QString& pin, const QByteArray& salt,
+               std::function<void(const QByteArray& hash)> then);
   [[nodiscard]] const User* find(const QString& name) const;
 
   std::filesystem::path m_file;

@@ -86,6 +86,13 @@ struct Cell {
   }
 };
 
+/// Waits until a user is kept or refused.
+bool put(Users& users, const QString& name, Role role, const QString& pin) {
+  std::optional<bool> isKept;
+  users.put(name, role, pin, [&isKept](const auto& done) { isKept = done.has_value(); });
+  return QTest::qWaitFor([&isKept] { return isKept.has_value(); }) && *isKept;
+}
+
 }  // namespace
 
 class TestOperator : public QObject {
@@ -109,12 +116,12 @@ class TestOperator : public QObject {
     {
       Users users(file, QStringLiteral("cell"));
       // The first one must be an engineer, and a PIN has four characters.
-      QVERIFY(!users.put(QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
-      QVERIFY(!users.put(QStringLiteral("anna"), Role::Engineer, QStringLiteral("123")));
-      QVERIFY(users.put(QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
-      QVERIFY(users.put(QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
+      QVERIFY(!put(users, QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
+      QVERIFY(!put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("123")));
+      QVERIFY(put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
+      QVERIFY(put(users, QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
       QCOMPARE(users.name(), QString("anna"));
-      QVERIFY(!users.put(QStringLiteral("anna"), Role::Operator, QStringLiteral("4711")));
+      QVERIFY(!put(users, QStringLiteral("anna"), Role::Operator, QStringLiteral("4711")));
       QVERIFY(!users.remove(QStringLiteral("anna")));
     }
     QCOMPARE(QFileInfo(QString::fromStdString(file.string())).permissions() &
@@ -139,10 +146,19 @@ class TestOperator : public QObject {
     QVERIFY(!users.refusal(Act::ChangeSettings));
   }
 
+  void aPinIsHashedBesideTheWindow() {
+    Users users({}, QStringLiteral("cell"));
+    bool isKept = false;
+    users.put(QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711"),
+              [&isKept](const auto& done) { isKept = done.has_value(); });
+    QVERIFY(!isKept && !users.isSetUp());
+    QTRY_VERIFY(isKept && users.isSetUp());
+  }
+
   void wrongPinsHaveToWait() {
     const QTemporaryDir folder;
     Users users(in(folder, "users.json"), QStringLiteral("cell"));
-    QVERIFY(users.put(QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
+    QVERIFY(put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
     users.lock();
     for (int i = 0; i < Users::kTriesMax; ++i) {
       QVERIFY(!logIn(users, "anna", "0000"));
@@ -156,8 +172,8 @@ class TestOperator : public QObject {
     const auto file = in(folder, "users.json");
     {
       Users users(file, QStringLiteral("anna"));
-      QVERIFY(users.put(QStringLiteral("anna"), Role::Engineer, {}));
-      QVERIFY(!users.put(QStringLiteral("otto"), Role::Operator, {}));
+      QVERIFY(put(users, QStringLiteral("anna"), Role::Engineer, {}));
+      QVERIFY(!put(users, QStringLiteral("otto"), Role::Operator, {}));
     }
     QVERIFY(!Users(file, QStringLiteral("anna")).isLocked());
     Users other(file, QStringLiteral("otto"));
@@ -176,7 +192,7 @@ class TestOperator : public QObject {
     Cell cell;
     {
       Users users(in(cell.folder, "users.json"), QStringLiteral("x"));
-      QVERIFY(users.put(QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
+      QVERIFY(put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
     }
     cell.open();
     hmi::MainWindow& window = *cell.window;
@@ -213,8 +229,8 @@ class TestOperator : public QObject {
     Cell cell;
     {
       Users users(in(cell.folder, "users.json"), QStringLiteral("x"));
-      QVERIFY(users.put(QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
-      QVERIFY(users.put(QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
+      QVERIFY(put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
+      QVERIFY(put(users, QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
     }
     cell.open();
     hmi::MainWindow* window = cell.window.get();

@@ -3,6 +3,8 @@
 
 /// Who works at the window and what they did: users, the lock, the audit trail.
 
+#include <QPointer>
+
 #include "hmi/pages/pages.h"
 #include "widgets/audit/audit_page.h"
 #include "widgets/common/error_text.h"
@@ -88,9 +90,12 @@ QWidget* makeUsersPage(const Models& models, QWidget* parent) {
   };
   show();
   QObject::connect(users, &Users::changed, page, show);
-  const auto answer = [page, models](const base::Result<void>& done, const QString& name,
-                                     const std::string& what) {
-    page->showAnswer(done ? QString() : userErrorText(done.error()));
+  const auto answer = [shown = QPointer<widgets::UsersPage>(page), models](
+                          const base::Result<void>& done, const QString& name,
+                          const std::string& what) {
+    if (shown) {
+      shown->showAnswer(done ? QString() : userErrorText(done.error()));
+    }
     if (done) {
       models.messages.didAct(Act::SetUpUsers, {{"user", name.toStdString()}, {"change", what}});
     }
@@ -99,7 +104,9 @@ QWidget* makeUsersPage(const Models& models, QWidget* parent) {
       page, &widgets::UsersPage::putRequested, page,
       [models, answer](const QString& name, permission::Role role, const QString& pin) {
         if (!models.users.refusal(Act::SetUpUsers)) {
-          answer(models.users.put(name, role, pin), name, std::string(permission::roleName(role)));
+          models.users.put(name, role, pin, [answer, name, role](const base::Result<void>& done) {
+            answer(done, name, std::string(permission::roleName(role)));
+          });
         }
       });
   QObject::connect(page, &widgets::UsersPage::removeRequested, page,
