@@ -77,8 +77,8 @@
         <translation>Adresse, Netzwerk und Steuerung prüfen, dann neu verbinden.</translation>
     </message>
     <message>
-        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
-        <translation>Falsche Bewegung in %1: %2 Punkte wiederholt, %3 ausgelassen. Das Werkstück kann verdorben sein.</translation>
+        <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
+        <translation>Falsche Bewegung in %1 (Punkte wiederholt: %2, ausgelassen: %3). Das Werkstück kann verdorben sein.</translation>
     </message>
     <message>
         <source>Points came too late for this feed with these settings.</source>

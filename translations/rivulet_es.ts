@@ -77,8 +77,8 @@
         <translation>Comprobar dirección, red y control, y volver a conectar.</translation>
     </message>
     <message>
-        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
-        <translation>Movimiento erróneo en %1: %2 puntos repetidos, %3 omitidos. La pieza puede estar dañada.</translation>
+        <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
+        <translation>Movimiento erróneo en %1 (puntos repetidos: %2, omitidos: %3). La pieza puede estar dañada.</translation>
     </message>
     <message>
         <source>Points came too late for this feed with these settings.</source>

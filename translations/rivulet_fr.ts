@@ -77,8 +77,8 @@
         <translation>Vérifier l’adresse, le réseau et la commande, puis se reconnecter.</translation>
     </message>
     <message>
-        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
-        <translation>Mouvement erroné dans %1&#xa0;: %2 points répétés, %3 sautés. La pièce est peut-être abîmée.</translation>
+        <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
+        <translation>Mouvement erroné dans %1 (points répétés&#xa0;: %2, sautés&#xa0;: %3). La pièce est peut-être abîmée.</translation>
     </message>
     <message>
         <source>Points came too late for this feed with these settings.</source>

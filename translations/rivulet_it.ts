@@ -77,8 +77,8 @@
         <translation>Controllare indirizzo, rete e controllo, poi riconnettersi.</translation>
     </message>
     <message>
-        <source>Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be spoilt.</source>
-        <translation>Movimento errato in %1: %2 punti ripetuti, %3 saltati. Il pezzo potrebbe essere rovinato.</translation>
+        <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
+        <translation>Movimento errato in %1 (punti ripetuti: %2, saltati: %3). Il pezzo potrebbe essere rovinato.</translation>
     </message>
     <message>
         <source>Points came too late for this feed with these settings.</source>

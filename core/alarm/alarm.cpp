@@ -32,7 +32,7 @@ constexpr std::array<Facts, 16> kFacts{{
      RIVULET_SENTENCE("AlarmTexts", "Check address, network and control, then connect again.")},
     {Code::WrongMotion, "wrong-motion", Priority::High, Source::Run,
      RIVULET_SENTENCE("AlarmTexts",
-                      "Wrong motion in %1: %2 points repeated, %3 skipped. The workpiece may be "
+                      "Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be "
                       "spoilt."),
      RIVULET_SENTENCE("AlarmTexts", "Points came too late for this feed with these settings."),
      RIVULET_SENTENCE("AlarmTexts",

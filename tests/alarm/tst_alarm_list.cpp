@@ -149,7 +149,7 @@ class TestAlarmList : public QObject {
     Alarm alarm;
     alarm.code = Code::WrongMotion;
     alarm.arguments = {"a.nc", "3", "1"};
-    QVERIFY(describe(alarm).starts_with("Wrong motion in a.nc: 3 points repeated, 1 skipped."));
+    QVERIFY(describe(alarm).starts_with("Wrong motion in a.nc (points repeated: 3, skipped: 1)."));
   }
 };
 
