@@ -987,6 +987,18 @@
         <source>The table has no such column.</source>
         <translation>Die Tabelle hat keine solche Spalte.</translation>
     </message>
+    <message>
+        <source>The trace has no positions: compare it by time.</source>
+        <translation>Der Verlauf hat keine Positionen: nach der Zeit vergleichen.</translation>
+    </message>
+    <message>
+        <source>To compare by points, open the NC program that the traces show.</source>
+        <translation>Zum Vergleich nach Punkten das NC-Programm öffnen, das die Verläufe zeigen.</translation>
+    </message>
+    <message>
+        <source>The runs are of different programs: compare them by time or path.</source>
+        <translation>Die Läufe gehören zu verschiedenen Programmen: nach Zeit oder Weg vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2382,6 +2394,14 @@
     <message>
         <source>Duration of reads</source>
         <translation>Dauer der Lesezugriffe</translation>
+    </message>
+    <message>
+        <source>Length along the program</source>
+        <translation>Weg entlang des Programms</translation>
+    </message>
+    <message>
+        <source>Time since the first sample</source>
+        <translation>Zeit seit dem ersten Abtastwert</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4197,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>95 % below</source>
-        <translation>95 % darunter</translation>
+        <translation>95&#xa0;% darunter</translation>
     </message>
     <message>
         <source>99 % below</source>
-        <translation>99 % darunter</translation>
+        <translation>99&#xa0;% darunter</translation>
     </message>
     <message>
         <source>Samples</source>

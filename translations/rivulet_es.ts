@@ -987,6 +987,18 @@
         <source>The table has no such column.</source>
         <translation>La tabla no tiene esa columna.</translation>
     </message>
+    <message>
+        <source>The trace has no positions: compare it by time.</source>
+        <translation>El registro no tiene posiciones: compararlo en el tiempo.</translation>
+    </message>
+    <message>
+        <source>To compare by points, open the NC program that the traces show.</source>
+        <translation>Para comparar por puntos, abrir el programa NC que muestran los registros.</translation>
+    </message>
+    <message>
+        <source>The runs are of different programs: compare them by time or path.</source>
+        <translation>Las ejecuciones son de programas distintos: compararlas por tiempo o por recorrido.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2382,6 +2394,14 @@
     <message>
         <source>Duration of reads</source>
         <translation>Duración de las lecturas</translation>
+    </message>
+    <message>
+        <source>Length along the program</source>
+        <translation>Longitud a lo largo del programa</translation>
+    </message>
+    <message>
+        <source>Time since the first sample</source>
+        <translation>Tiempo desde la primera muestra</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4197,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>95 % below</source>
-        <translation>95 % debajo</translation>
+        <translation>95&#xa0;% debajo</translation>
     </message>
     <message>
         <source>99 % below</source>
-        <translation>99 % debajo</translation>
+        <translation>99&#xa0;% debajo</translation>
     </message>
     <message>
         <source>Samples</source>

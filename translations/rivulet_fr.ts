@@ -987,6 +987,18 @@
         <source>The table has no such column.</source>
         <translation>Le tableau n’a pas cette colonne.</translation>
     </message>
+    <message>
+        <source>The trace has no positions: compare it by time.</source>
+        <translation>Le tracé n’a pas de positions : le comparer selon le temps.</translation>
+    </message>
+    <message>
+        <source>To compare by points, open the NC program that the traces show.</source>
+        <translation>Pour comparer par points, ouvrir le programme CN que montrent les tracés.</translation>
+    </message>
+    <message>
+        <source>The runs are of different programs: compare them by time or path.</source>
+        <translation>Les exécutions sont de programmes différents : les comparer selon le temps ou le trajet.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2382,6 +2394,14 @@
     <message>
         <source>Duration of reads</source>
         <translation>Durée des lectures</translation>
+    </message>
+    <message>
+        <source>Length along the program</source>
+        <translation>Longueur le long du programme</translation>
+    </message>
+    <message>
+        <source>Time since the first sample</source>
+        <translation>Temps depuis le premier échantillon</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4197,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>95 % below</source>
-        <translation>95 % dessous</translation>
+        <translation>95&#xa0;% dessous</translation>
     </message>
     <message>
         <source>99 % below</source>
-        <translation>99 % dessous</translation>
+        <translation>99&#xa0;% dessous</translation>
     </message>
     <message>
         <source>Samples</source>

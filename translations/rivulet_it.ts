@@ -987,6 +987,18 @@
         <source>The table has no such column.</source>
         <translation>La tabella non ha questa colonna.</translation>
     </message>
+    <message>
+        <source>The trace has no positions: compare it by time.</source>
+        <translation>La traccia non ha posizioni: confrontarla nel tempo.</translation>
+    </message>
+    <message>
+        <source>To compare by points, open the NC program that the traces show.</source>
+        <translation>Per confrontare per punti, aprire il programma NC mostrato dalle tracce.</translation>
+    </message>
+    <message>
+        <source>The runs are of different programs: compare them by time or path.</source>
+        <translation>Le esecuzioni sono di programmi diversi: confrontarle per tempo o per percorso.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2382,6 +2394,14 @@
     <message>
         <source>Duration of reads</source>
         <translation>Durata delle letture</translation>
+    </message>
+    <message>
+        <source>Length along the program</source>
+        <translation>Lunghezza lungo il programma</translation>
+    </message>
+    <message>
+        <source>Time since the first sample</source>
+        <translation>Tempo dal primo campione</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4197,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>95 % below</source>
-        <translation>95 % sotto</translation>
+        <translation>95&#xa0;% sotto</translation>
     </message>
     <message>
         <source>99 % below</source>
-        <translation>99 % sotto</translation>
+        <translation>99&#xa0;% sotto</translation>
     </message>
     <message>
         <source>Samples</source>

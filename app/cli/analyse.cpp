@@ -294,10 +294,7 @@ base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions
   if (!source) {
     return base::fail(source.error());
   }
-  trace::TraceSubject subject;
-  subject.recording = source->recording ? &*source->recording : nullptr;
-  subject.controlTrace = source->controlTrace ? &*source->controlTrace : nullptr;
-  subject.imported = source->imported ? &*source->imported : nullptr;
+  trace::TraceSubject subject = source->subject();
   subject.program = program;
   subject.toleranceMm = options.toleranceMm > 0.0 ? options.toleranceMm : subject.toleranceMm;
   const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
@@ -361,22 +358,16 @@ Exit analyse(const AnalyseOptions& options) {
     }
     rule = std::move(*parsed);
   }
-  std::optional<gcode::Program> program;
-  if (!options.program.empty()) {
-    gcode::LoadOptions loading = options.loading.loadOptions();
-    loading.chordToleranceMm = std::min(loading.chordToleranceMm, report::kComparedChordMm);
-    auto loaded = gcode::loadProgram(options.program, loading);
-    if (!loaded) {
-      return reportError(loaded.error(), options.json);
-    }
-    program = std::move(*loaded);
+  const auto program = report::loadComparedProgram(options.program, options.loading.loadOptions());
+  if (!program) {
+    return reportError(program.error(), options.json);
   }
   const bool isBatch = options.files.size() > 1 || options.summary;
   std::vector<ordered_json> results;
   Exit exit = Exit::Done;
   bool applies = false;
   for (const std::string& file : options.files) {
-    auto analysed = analyseFile(file, options, program ? &*program : nullptr);
+    auto analysed = analyseFile(file, options, *program ? &**program : nullptr);
     if (!analysed) {
       // One file that cannot be read does not end a batch.
       if (!isBatch) {

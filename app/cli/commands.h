@@ -168,19 +168,23 @@ struct AnalyseOptions {
   std::vector<std::string> files;  ///< recordings, traces of the control, or of other tools
   std::string program;             ///< what should have been executed; empty: not known
   LoadingOptions loading;
-  std::string columns;          ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
-  double rateHz = 0.0;          ///< of a table without time; 0: not said
-  double toleranceMm = 0.0;     ///< of the path; 0: the usual one
-  bool overview = false;        ///< only what the index of a recording says
-  bool summary = false;         ///< one table of all files
-  bool csv = false;             ///< the summary as CSV
-  std::string failIf;           ///< rule; empty: none
-  std::string report;           ///< PDF or HTML file for a page on one trace; empty: none
-  std::string language = "en";  ///< of the report
+  std::string columns;       ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
+  double rateHz = 0.0;       ///< of a table without time; 0: not said
+  double toleranceMm = 0.0;  ///< of the path; 0: the usual one
+  bool overview = false;     ///< only what the index of a recording says
+  bool summary = false;      ///< one table of all files
+  bool csv = false;          ///< the summary as CSV
+  std::string compare;       ///< "time", "path", "point"; empty: files are not compared
+  std::vector<std::string> signalList;  ///< formulas to compare; empty: the usual ones
+  std::string failIf;                   ///< rule; empty: none
+  std::string report;                   ///< PDF or HTML file for a page on one trace; empty: none
+  std::string language = "en";          ///< of the report
   bool json = false;
 };
 /// What recordings hold, without reading them as a whole.
 [[nodiscard]] Exit overview(const AnalyseOptions& options);
+/// Says how the other files differ from the first one.
+[[nodiscard]] Exit compare(const AnalyseOptions& options);
 /// Judges what a recording or trace shows.
 [[nodiscard]] Exit analyse(const AnalyseOptions& options);
 

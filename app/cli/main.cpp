@@ -473,6 +473,16 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
       ->check(CLI::IsMember({"de", "en", "es", "fr", "it"}))
       ->capture_default_str()
       ->needs(page);
+  auto* compare =
+      command
+          ->add_option("--compare", options->compare,
+                       "Say how the other files differ from the first: at the same time, the same "
+                       "length of path, or the same point of the program")
+          ->check(CLI::IsMember({"time", "path", "point"}));
+  command
+      ->add_option("--signal", options->signalList,
+                   "Formula of a signal to compare, such as x_act; may be given several times")
+      ->needs(compare);
   command->add_option("--fail-if", options->failIf,
                       "Exit with 4 if the rule applies to a file, such as \"skipped>0 or "
                       "contour_error.max>0.05\"");
@@ -481,7 +491,12 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
     if (!options->report.empty() && options->files.size() > 1) {
       throw CLI::ValidationError("--report", "makes a page of one file");
     }
-    exit = options->overview ? rivulet::cli::overview(*options) : rivulet::cli::analyse(*options);
+    if (!options->compare.empty() && options->files.size() < 2) {
+      throw CLI::ValidationError("--compare", "needs two files or more");
+    }
+    exit = !options->compare.empty() ? rivulet::cli::compare(*options)
+           : options->overview       ? rivulet::cli::overview(*options)
+                                     : rivulet::cli::analyse(*options);
   });
 }
 

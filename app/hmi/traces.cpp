@@ -25,16 +25,13 @@ struct ProgramToCompare {
   session::Reading reading;
 
   [[nodiscard]] std::optional<gcode::Program> load() const {
-    if (file.empty()) {
-      return std::nullopt;
-    }
     gcode::LoadOptions options;
     options.dialect = reading.dialect;
     options.accepted = reading.accepted;
     options.centres = reading.centres;
-    options.chordToleranceMm = std::min(reading.chordToleranceMm, report::kComparedChordMm);
-    auto program = gcode::loadProgram(file, options);
-    return program ? std::optional(std::move(*program)) : std::nullopt;
+    options.chordToleranceMm = reading.chordToleranceMm;
+    auto program = report::loadComparedProgram(file, std::move(options));
+    return program ? std::move(*program) : std::nullopt;
   }
 };
 
@@ -70,12 +67,7 @@ struct Traces::Subject {
     trace::TraceSubject subject;
     subject.controlTrace = controlTrace.get();
     subject.recording = recording.get();
-    if (source) {
-      subject.recording = source->recording ? &*source->recording : nullptr;
-      subject.controlTrace = source->controlTrace ? &*source->controlTrace : nullptr;
-      subject.imported = source->imported ? &*source->imported : nullptr;
-    }
-    return subject;
+    return source ? source->subject() : subject;
   }
 
   [[nodiscard]] std::shared_ptr<const trace::ShownTrace> signalsOnly() const {

@@ -79,6 +79,27 @@ base::Result<trace::ImportedTrace> import(const std::string& bytes, const std::s
 
 }  // namespace
 
+trace::TraceSubject TraceSource::subject() const {
+  trace::TraceSubject subject;
+  subject.recording = recording ? &*recording : nullptr;
+  subject.controlTrace = controlTrace ? &*controlTrace : nullptr;
+  subject.imported = imported ? &*imported : nullptr;
+  return subject;
+}
+
+base::Result<std::optional<gcode::Program>> loadComparedProgram(const std::filesystem::path& file,
+                                                                gcode::LoadOptions loading) {
+  if (file.empty()) {
+    return std::nullopt;
+  }
+  loading.chordToleranceMm = std::min(loading.chordToleranceMm, kComparedChordMm);
+  auto program = gcode::loadProgram(file, loading);
+  if (!program) {
+    return base::fail(program.error());
+  }
+  return std::move(*program);
+}
+
 base::Result<TraceSource> openTrace(const std::filesystem::path& file, const std::string& columns,
                                     double rateHz) {
   const auto bytes = base::readFile(file);

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "base/result.h"
+#include "gcode/program.h"
+#include "trace/analysis/trace_analysis.h"
 #include "trace/control_trace.h"
 #include "trace/import/import.h"
 #include "trace/recording.h"
@@ -26,11 +28,18 @@ struct TraceSource {
   std::optional<trace::Recording> recording;
   std::optional<trace::ControlTrace> controlTrace;
   std::optional<trace::ImportedTrace> imported;
+
+  /// Borrows what is there.
+  [[nodiscard]] trace::TraceSubject subject() const;
 };
 
 /// @param columns  as `trace::parseColumnRoles`; empty: as remembered for this layout, or guessed
 /// @param rateHz   of a table without time; 0: not said
 [[nodiscard]] base::Result<TraceSource> openTrace(const std::filesystem::path& file,
                                                   const std::string& columns, double rateHz);
+
+/// The program that traces are compared with. @param file  empty: none
+[[nodiscard]] base::Result<std::optional<gcode::Program>> loadComparedProgram(
+    const std::filesystem::path& file, gcode::LoadOptions loading);
 
 }  // namespace rivulet::report

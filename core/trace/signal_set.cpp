@@ -129,14 +129,17 @@ void addContour(SignalSet& signalSet, const TraceAnalysis& analysis, Instant ori
   add("contour_error_set", analysis.motion.hasSet, &ContourDistance::setMm);
   auto points = std::make_shared<Envelope>();
   auto lines = std::make_shared<Envelope>();
+  auto lengths = std::make_shared<Envelope>();
   for (const ContourDistance& one : distances) {
     const Instant at{analysis.motion.samples[one.sample].at - origin};
     points->append(at, static_cast<double>(one.segment));
     lines->append(at, static_cast<double>(analysis.programPath->points()[one.segment].line.value));
+    lengths->append(at, one.lengthMm);
   }
   if (!points->empty()) {
     signalSet.add({"program_point", "", std::move(points)});
     signalSet.add({"program_line", "", std::move(lines)});
+    signalSet.add({"program_length", "mm", std::move(lengths)});
   }
 }
 
@@ -235,6 +238,11 @@ std::vector<SignalOffer> SignalSet::offers() const {
   for (const char* name : {"line", "program_line", "program_point"}) {
     offer(SignalGroup::Program, name, name, "", name);
   }
+  offer(SignalGroup::Program, "program_length", "program_length", "mm", "program_length");
+  if (!m_channels.empty() && find(kTimeSignal) == nullptr) {
+    offers.push_back(
+        {SignalGroup::Program, std::string(kTimeSignal), std::string(kTimeSignal), "s"});
+  }
   offer(SignalGroup::Program, "programmed_feed", "per_min(programmed_feed)", "mm/min",
         "programmed_feed");
   offer(SignalGroup::Program, "override", "override", "%", "override");
@@ -257,9 +265,14 @@ base::Result<std::shared_ptr<const Envelope>> SignalSet::calculate(std::string_v
   if (!formula) {
     return base::fail(formula.error());
   }
-  std::vector<const Envelope*> inputs;
+  std::vector<const Envelope*> inputs;  // null: the time
+  const Envelope* first = nullptr;
   for (const std::string& name : formula->names()) {
     const Channel* channel = find(name);
+    if (channel == nullptr && name == kTimeSignal) {
+      inputs.push_back(nullptr);
+      continue;
+    }
     if (channel == nullptr) {
       return base::fail(
           FormulaError::UnknownSignal,
@@ -269,21 +282,28 @@ base::Result<std::shared_ptr<const Envelope>> SignalSet::calculate(std::string_v
       return channel->samples;
     }
     inputs.push_back(channel->samples.get());
+    first = first != nullptr ? first : inputs.back();
   }
   if (inputs.empty()) {
     return base::fail(FormulaError::NotUnderstood, "The formula names no signal.",
                       std::string(text));
   }
-  const std::size_t count = inputs.front()->size();
+  if (first == nullptr && m_channels.empty()) {
+    return std::make_shared<const Envelope>();
+  }
+  first = first != nullptr ? first : m_channels.front().samples.get();
+  const std::size_t count = first->size();
   std::vector<Instant> at(count);
   std::vector<std::vector<double>> values(inputs.size(), std::vector<double>(count));
   for (std::size_t i = 0; i < count; ++i) {
-    const SeriesPoint point = (*inputs.front())[i];
-    at[i] = point.at;
-    values.front()[i] = point.value;
+    at[i] = first->timeAt(i);
   }
-  for (std::size_t input = 1; input < inputs.size(); ++input) {
+  for (std::size_t input = 0; input < inputs.size(); ++input) {
     for (std::size_t i = 0; i < count; ++i) {
+      if (inputs[input] == nullptr) {
+        values[input][i] = base::toSeconds(at[i]);
+        continue;
+      }
       // Nearly always both have the same samples.
       const Envelope& samples = *inputs[input];
       const bool isSame = i < samples.size() && samples.timeAt(i) == at[i];
@@ -315,6 +335,7 @@ ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
   }
   if (analysis != nullptr) {
     addContour(shown.signalSet, *analysis, origin);
+    shown.programPath = analysis->path.judged ? analysis->programPath : nullptr;
     shown.stops = analysis->stops;
     for (Standstill& stop : shown.stops) {
       stop.start = Instant{stop.start - origin};

@@ -51,6 +51,9 @@ struct SignalOffer {
   std::string unit;
 };
 
+/// Seconds since the first sample, as formulas know them.
+inline constexpr std::string_view kTimeSignal = "time";
+
 class SignalSet {
  public:
   void add(Channel channel) { m_channels.push_back(std::move(channel)); }
@@ -61,6 +64,7 @@ class SignalSet {
   /// In the order of the groups.
   [[nodiscard]] std::vector<SignalOffer> offers() const;
   /// The samples are those of the first signal in the formula; others are interpolated there.
+  /// `kTimeSignal` has those of the first channel.
   /// O(samples). @return error UnknownSignal; as `Formula::parse`
   [[nodiscard]] base::Result<std::shared_ptr<const Envelope>> calculate(
       std::string_view formula) const;
@@ -78,6 +82,7 @@ struct ShownTrace {
   base::Duration length{};
   base::Duration step{};          ///< median time between two samples of the position
   std::vector<Standstill> stops;  ///< with their causes
+  std::shared_ptr<const ProgramPath> programPath;  ///< null: not compared with a program
   /// Nothing but what the client read during the run; then `pauses` are those it noticed.
   bool isObserved = false;
   std::vector<Pause> pauses;

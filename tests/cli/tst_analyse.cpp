@@ -122,6 +122,53 @@ class TestAnalyse : public QObject {
     QCOMPARE(some.parsed().size(), std::size_t{2});
   }
 
+  /// The second run goes 0.02 mm beside the first one and a quarter slower.
+  void comparesRuns() {
+    const auto table = [](double beside, double slower) {
+      QByteArray text("t_s;x_cmd;y_cmd\n");
+      for (int i = 0; i <= 1000; ++i) {
+        text += QByteArray::fromStdString(
+            fmt::format("{:.4f};{:.5f};{:.5f}\n", 0.01 * i * slower, 0.01 * i, beside));
+      }
+      return text;
+    };
+    const QString a = file("first.csv", table(0.0, 1.0));
+    const QString b = file("second.csv", table(0.02, 1.25));
+    const Outcome byPath =
+        run({a, b, QStringLiteral("--compare"), QStringLiteral("path"), QStringLiteral("--json")});
+    QCOMPARE(byPath.exit, 0);
+    const json shown = byPath.parsed();
+    QCOMPARE(shown["of_program"].get<bool>(), false);
+    QCOMPARE(shown["runs"].size(), std::size_t{1});
+    bool hasY = false;
+    for (const json& one : shown["runs"][0]["differences"]) {
+      const double max = one["max"].get<double>();
+      if (one["signal"] == "x_set") {
+        QVERIFY(std::abs(max) < 1e-6);
+      } else if (one["signal"] == "y_set") {
+        hasY = true;
+        QVERIFY(std::abs(max - 0.02) < 1e-9 && std::abs(one["rms"].get<double>() - 0.02) < 1e-9);
+      } else if (one["signal"] == "time") {
+        QVERIFY(std::abs(max - 2.5) < 1e-6 && std::abs(one["at_mm"].get<double>() - 10.0) < 1e-6);
+      }
+    }
+    QVERIFY(hasY);
+    const Outcome byTime = run({a, b, QStringLiteral("--compare"), QStringLiteral("time"),
+                                QStringLiteral("--signal"), QStringLiteral("x_set")});
+    QCOMPARE(byTime.exit, 0);
+    QVERIFY2(byTime.output.find("x_set, mm") != std::string::npos, byTime.output.c_str());
+    QVERIFY(byTime.output.find("y_set") == std::string::npos);
+    const QString program = file("line.mpf", "G90 G94\nG1 X5 F600\nG1 X10\nM30\n");
+    const Outcome byPoint = run({a, b, QStringLiteral("--compare"), QStringLiteral("point"),
+                                 QStringLiteral("--program"), program, QStringLiteral("--json")});
+    QCOMPARE(byPoint.exit, 0);
+    QCOMPARE(byPoint.parsed()["of_program"].get<bool>(), true);
+    const Outcome unknown = run({a, b, QStringLiteral("--compare"), QStringLiteral("point")});
+    QCOMPARE(unknown.exit, 2);
+    QVERIFY2(unknown.errors.find("which NC program") != std::string::npos, unknown.errors.c_str());
+    QVERIFY(run({a, QStringLiteral("--compare"), QStringLiteral("time")}).exit != 0);
+  }
+
   /// The overview of a recording is that of the whole file, also if it was cut off.
   void showsAnOverview() {
     trace::FrameWriter frames;

@@ -14,6 +14,7 @@
 #include "streaming/machine_facts.h"
 #include "streaming/run.h"
 #include "templates/cells.h"
+#include "trace/comparison.h"
 #include "trace/control_trace.h"
 #include "trace/formula.h"
 #include "trace/import/import_error.h"
@@ -119,6 +120,19 @@ struct ErrorTexts {
         return tr("There is no such function. Press F1 for those there are.");
       case FormulaError::UnknownSignal:
         return tr("The trace has no such signal. The tool tips of the signals have their names.");
+    }
+    return {};
+  }
+
+  static QString text(trace::ComparisonError code) {
+    using trace::ComparisonError;
+    switch (code) {
+      case ComparisonError::NoPositions:
+        return tr("The trace has no positions: compare it by time.");
+      case ComparisonError::NoProgram:
+        return tr("To compare by points, open the NC program that the traces show.");
+      case ComparisonError::DifferentPrograms:
+        return tr("The runs are of different programs: compare them by time or path.");
     }
     return {};
   }
@@ -324,6 +338,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<trace::FormulaError>(code)) {
     return ErrorTexts::text(static_cast<trace::FormulaError>(code.value()));
+  }
+  if (belongsTo<trace::ComparisonError>(code)) {
+    return ErrorTexts::text(static_cast<trace::ComparisonError>(code.value()));
   }
   if (belongsTo<trace::ImportError>(code)) {
     return ErrorTexts::text(static_cast<trace::ImportError>(code.value()));

@@ -84,6 +84,12 @@ struct SignalTexts {
     if (formula == "program_point") {
       return tr("Point of the program");
     }
+    if (formula == "program_length") {
+      return tr("Length along the program");
+    }
+    if (formula == trace::kTimeSignal) {
+      return tr("Time since the first sample");
+    }
     if (formula == "per_min(programmed_feed)") {
       return tr("Programmed feed");
     }

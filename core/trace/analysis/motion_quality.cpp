@@ -383,7 +383,8 @@ std::vector<ContourDistance> contourDistances(const Motion& motion, const Progra
   std::vector<ContourDistance> distances;
   for (const MatchedSample& matched : match.samples) {
     if (std::isfinite(matched.place.distanceMm)) {
-      distances.push_back({matched.sample, matched.place.segment, matched.place.distanceMm,
+      distances.push_back({matched.sample, matched.place.segment, matched.place.lengthMm,
+                           matched.place.distanceMm,
                            placeOfActual(motion, path, matched).distanceMm});
     }
   }

@@ -92,6 +92,7 @@ struct MotionQuality {
 struct ContourDistance {
   std::size_t sample = 0;   ///< of the motion
   std::size_t segment = 0;  ///< of the path
+  double lengthMm = 0.0;    ///< of the path up to there
   double setMm = 0.0;       ///< of the set point, if there is one
   double actualMm = 0.0;    ///< of the actual position, if there is one
 };
