@@ -8,6 +8,10 @@
 /// [P1]  S. Menetrey, H. Schlegel, M. Dix: Trajectory Control of Computerized Numerical Control
 ///       Machines from External Python Program Using OPC UA. Chemnitz University of Technology.
 ///
+/// [P2]  A. Tiwari, Y. Wang, K. Saleeby, A. L. N. Reddy, S. Bukkapatnam: Learning digital emulators
+///       for closed architecture machine tool controllers. Journal of Manufacturing Systems, 2023.
+///       Its symbols are in emulator/paper.
+///
 /// | [P1]      | here                            | unit  | meaning                                    |
 /// |-----------|---------------------------------|-------|--------------------------------------------|
 /// | F         | feedMmPerS                      | mm/s  | path feed (mm/min in the paper)            |
