@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
+
+#include "trace/spectrum.h"
 
 namespace rivulet::trace {
 
@@ -271,59 +272,6 @@ void judgeFeed(MotionQuality& quality, const Motion& motion, const std::vector<S
   feed.slowS = feed.known ? std::max(0.0, feed.motionS - standing - feed.programmedS) : 0.0;
 }
 
-/// In place, of a power of two values. @source J. W. Cooley, J. W. Tukey: An algorithm for the
-/// machine calculation of complex Fourier series (1965)
-void fourier(std::vector<std::complex<double>>& values) {
-  const std::size_t n = values.size();
-  for (std::size_t i = 1, j = 0; i < n; ++i) {
-    std::size_t bit = n >> 1U;
-    for (; (j & bit) != 0; bit >>= 1U) {
-      j ^= bit;
-    }
-    j ^= bit;
-    if (i < j) {
-      std::swap(values[i], values[j]);
-    }
-  }
-  for (std::size_t length = 2; length <= n; length *= 2) {
-    const double angle = -2.0 * std::numbers::pi / static_cast<double>(length);
-    const std::complex<double> root(std::cos(angle), std::sin(angle));
-    for (std::size_t begin = 0; begin < n; begin += length) {
-      std::complex<double> factor(1.0);
-      for (std::size_t i = begin; i < begin + length / 2; ++i) {
-        const std::complex<double> odd = factor * values[i + length / 2];
-        values[i + length / 2] = values[i] - odd;
-        values[i] += odd;
-        factor *= root;
-      }
-    }
-  }
-}
-
-/// Mean amplitudes per frequency of a signal, with a Hann window over halves that overlap.
-std::vector<double> spectrumOf(const std::vector<double>& signal, std::size_t size) {
-  std::vector<double> mean(size / 2, 0.0);
-  std::size_t windows = 0;
-  for (std::size_t begin = 0; begin + size <= signal.size(); begin += size / 2) {
-    std::vector<std::complex<double>> values(size);
-    for (std::size_t i = 0; i < size; ++i) {
-      const double hann = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) /
-                                               static_cast<double>(size));
-      values[i] = hann * signal[begin + i];
-    }
-    fourier(values);
-    for (std::size_t k = 0; k < mean.size(); ++k) {
-      // A sine of amplitude 1 gives n / 4 through this window.
-      mean[k] += std::abs(values[k]) * 4.0 / static_cast<double>(size);
-    }
-    ++windows;
-  }
-  for (double& amplitude : mean) {
-    amplitude /= static_cast<double>(std::max<std::size_t>(windows, 1));
-  }
-  return mean;
-}
-
 void addPeaks(Vibration& vibration, const std::vector<double>& spectrum, std::size_t axis,
               double stepHz) {
   for (std::size_t k = 2; k + 1 < spectrum.size(); ++k) {
@@ -366,7 +314,7 @@ void judgeVibration(MotionQuality& quality, const Motion& motion) {
     }
     vibration.jerkRmsMmPerS3[axis] =
         std::sqrt(squares / static_cast<double>(acceleration.size() - 1));
-    addPeaks(vibration, spectrumOf(acceleration, size), axis,
+    addPeaks(vibration, meanAmplitudes(acceleration, size, size), axis,
              1.0 / (stepS * static_cast<double>(size)));
   }
   std::sort(vibration.peaks.begin(), vibration.peaks.end(),
