@@ -999,6 +999,10 @@
         <source>The runs are of different programs: compare them by time or path.</source>
         <translation>Die Läufe gehören zu verschiedenen Programmen: nach Zeit oder Weg vergleichen.</translation>
     </message>
+    <message>
+        <source>A spectrum needs 16 samples or more between the cursors.</source>
+        <translation>Ein Spektrum braucht mindestens 16 Abtastwerte zwischen den Cursorn.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3988,6 +3992,79 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ComparePanel</name>
+    <message>
+        <source>Open two traces or more to compare them.</source>
+        <translation>Zum Vergleichen zwei oder mehr Verläufe öffnen.</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>Vergleicht …</translation>
+    </message>
+    <message>
+        <source>Each run has the length that it moved itself. With their NC program open, the runs are compared at the same places of the program.</source>
+        <translation>Jeder Lauf hat die Weglänge, die er selbst gefahren ist. Ist das NC-Programm geöffnet, werden die Läufe an denselben Stellen des Programms verglichen.</translation>
+    </message>
+    <message>
+        <source>Differences from %1</source>
+        <translation>Unterschiede zu %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2 minus %3: largest %4 at %5, mean %6, RMS %7</source>
+        <translation>%1
+%2 minus %3: größter %4 bei %5, Mittel %6, Effektivwert %7</translation>
+    </message>
+    <message>
+        <source>Compare at the same</source>
+        <translation>Vergleichen bei gleicher</translation>
+    </message>
+    <message>
+        <source>Axis of the comparison</source>
+        <translation>Achse des Vergleichs</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>length of path</source>
+        <translation>Weglänge</translation>
+    </message>
+    <message>
+        <source>point of the program</source>
+        <translation>Programmstelle (Punkt)</translation>
+    </message>
+    <message>
+        <source>Show the differences as curves</source>
+        <translation>Unterschiede als Kurven zeigen</translation>
+    </message>
+    <message>
+        <source>Each pane shows what the other traces have more than the first</source>
+        <translation>Jedes Feld zeigt, was die anderen Verläufe mehr haben als der erste</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektivwert</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -4212,10 +4289,6 @@ GPL-3.0-or-later</translation>
         <translation>Gehe zu</translation>
     </message>
     <message>
-        <source>Time, s</source>
-        <translation>Zeit, s</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Zeile</translation>
     </message>
@@ -4230,6 +4303,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Go</source>
         <translation>Los</translation>
+    </message>
+    <message>
+        <source>Slope, 1/mm</source>
+        <translation>Steigung, 1/mm</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
     </message>
 </context>
 <context>
@@ -6495,6 +6576,25 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopeCurves</name>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Path, mm</source>
+        <translation>Weg, mm</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ScopePane</name>
     <message>
         <source>Remove %1</source>
@@ -6613,6 +6713,57 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
         <translation>Eine Formel aus Signalen, dann Eingabe. Ihre Namen stehen in ihren Kurzhinweisen.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SpectrumPanel</name>
+    <message>
+        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <translation>Frequenzen brauchen die Zeitachse: unter Vergleich wählen.</translation>
+    </message>
+    <message>
+        <source>No curve is shown.</source>
+        <translation>Keine Kurve wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Amplitude, %1</source>
+        <translation>Amplitude, %1</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>Peak, Hz</source>
+        <translation>Spitze, Hz</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1 samples, %2 Hz</source>
+        <translation>Zwischen den Cursorn: %1 Abtastwerte, %2 Hz</translation>
+    </message>
+    <message>
+        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <translation>In der sichtbaren Zeit: %1 Abtastwerte, %2 Hz</translation>
+    </message>
+    <message>
+        <source>The samples are not regular: lines between them were sampled again.</source>
+        <translation>Die Abtastwerte sind nicht gleichmäßig: Geraden zwischen ihnen wurden neu abgetastet.</translation>
+    </message>
+    <message>
+        <source>Curve whose frequencies are shown</source>
+        <translation>Kurve, deren Frequenzen gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum</source>
+        <translation>Spitzen des Spektrums</translation>
     </message>
 </context>
 <context>
@@ -6735,10 +6886,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
 <context>
     <name>rivulet::widgets::TimeStrip</name>
     <message>
-        <source>Time, s</source>
-        <translation>Zeit, s</translation>
-    </message>
-    <message>
         <source>Overview of the whole trace</source>
         <translation>Übersicht des ganzen Verlaufs</translation>
     </message>
@@ -6844,6 +6991,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Reading %1 …</source>
         <translation>Liest %1 …</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
     </message>
 </context>
 <context>

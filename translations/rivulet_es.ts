@@ -999,6 +999,10 @@
         <source>The runs are of different programs: compare them by time or path.</source>
         <translation>Las ejecuciones son de programas distintos: compararlas por tiempo o por recorrido.</translation>
     </message>
+    <message>
+        <source>A spectrum needs 16 samples or more between the cursors.</source>
+        <translation>Un espectro necesita al menos 16 muestras entre los cursores.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3988,6 +3992,79 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ComparePanel</name>
+    <message>
+        <source>Open two traces or more to compare them.</source>
+        <translation>Abrir dos registros o más para compararlos.</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>Comparando …</translation>
+    </message>
+    <message>
+        <source>Each run has the length that it moved itself. With their NC program open, the runs are compared at the same places of the program.</source>
+        <translation>Cada ejecución tiene la longitud que ella misma recorrió. Con el programa NC abierto, las ejecuciones se comparan en los mismos lugares del programa.</translation>
+    </message>
+    <message>
+        <source>Differences from %1</source>
+        <translation>Diferencias respecto a %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2 minus %3: largest %4 at %5, mean %6, RMS %7</source>
+        <translation>%1
+%2 menos %3: máxima %4 en %5, media %6, RMS %7</translation>
+    </message>
+    <message>
+        <source>Compare at the same</source>
+        <translation>Comparar por</translation>
+    </message>
+    <message>
+        <source>Axis of the comparison</source>
+        <translation>Eje de la comparación</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>length of path</source>
+        <translation>longitud del recorrido</translation>
+    </message>
+    <message>
+        <source>point of the program</source>
+        <translation>punto del programa</translation>
+    </message>
+    <message>
+        <source>Show the differences as curves</source>
+        <translation>Mostrar las diferencias como curvas</translation>
+    </message>
+    <message>
+        <source>Each pane shows what the other traces have more than the first</source>
+        <translation>Cada panel muestra lo que los otros registros tienen de más que el primero</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Diferencias</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Máxima</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -4212,10 +4289,6 @@ GPL-3.0-or-later</translation>
         <translation>Ir a</translation>
     </message>
     <message>
-        <source>Time, s</source>
-        <translation>Tiempo, s</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Línea</translation>
     </message>
@@ -4230,6 +4303,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Go</source>
         <translation>Ir</translation>
+    </message>
+    <message>
+        <source>Slope, 1/mm</source>
+        <translation>Pendiente, 1/mm</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Pendiente</translation>
     </message>
 </context>
 <context>
@@ -6495,6 +6576,25 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopeCurves</name>
+    <message>
+        <source>Time, s</source>
+        <translation>Tiempo, s</translation>
+    </message>
+    <message>
+        <source>Path, mm</source>
+        <translation>Recorrido, mm</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>punto %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ScopePane</name>
     <message>
         <source>Remove %1</source>
@@ -6613,6 +6713,57 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
         <translation>Una fórmula de señales, luego Intro. Sus nombres están en sus ayudas.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SpectrumPanel</name>
+    <message>
+        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <translation>Las frecuencias requieren el eje de tiempo: elegirlo en Comparar.</translation>
+    </message>
+    <message>
+        <source>No curve is shown.</source>
+        <translation>No se muestra ninguna curva.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitud</translation>
+    </message>
+    <message>
+        <source>Amplitude, %1</source>
+        <translation>Amplitud, %1</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frecuencia, Hz</translation>
+    </message>
+    <message>
+        <source>Peak, Hz</source>
+        <translation>Pico, Hz</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1 samples, %2 Hz</source>
+        <translation>Entre los cursores: %1 muestras, %2 Hz</translation>
+    </message>
+    <message>
+        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <translation>En el tiempo visible: %1 muestras, %2 Hz</translation>
+    </message>
+    <message>
+        <source>The samples are not regular: lines between them were sampled again.</source>
+        <translation>Las muestras no son regulares: se han muestreado de nuevo las rectas entre ellas.</translation>
+    </message>
+    <message>
+        <source>Curve whose frequencies are shown</source>
+        <translation>Curva cuyas frecuencias se muestran</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Espectro</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum</source>
+        <translation>Picos del espectro</translation>
     </message>
 </context>
 <context>
@@ -6735,10 +6886,6 @@ Is it certain that %1 does not change the path of the tool?</source>
 <context>
     <name>rivulet::widgets::TimeStrip</name>
     <message>
-        <source>Time, s</source>
-        <translation>Tiempo, s</translation>
-    </message>
-    <message>
         <source>Overview of the whole trace</source>
         <translation>Vista general del registro</translation>
     </message>
@@ -6844,6 +6991,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Reading %1 …</source>
         <translation>Leyendo %1…</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Espectro</translation>
     </message>
 </context>
 <context>

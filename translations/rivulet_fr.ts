@@ -999,6 +999,10 @@
         <source>The runs are of different programs: compare them by time or path.</source>
         <translation>Les exécutions sont de programmes différents : les comparer selon le temps ou le trajet.</translation>
     </message>
+    <message>
+        <source>A spectrum needs 16 samples or more between the cursors.</source>
+        <translation>Un spectre demande au moins 16 échantillons entre les curseurs.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3988,6 +3992,79 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ComparePanel</name>
+    <message>
+        <source>Open two traces or more to compare them.</source>
+        <translation>Ouvrir deux tracés ou plus pour les comparer.</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>Comparaison …</translation>
+    </message>
+    <message>
+        <source>Each run has the length that it moved itself. With their NC program open, the runs are compared at the same places of the program.</source>
+        <translation>Chaque exécution a la longueur qu’elle a parcourue elle-même. Avec le programme CN ouvert, les exécutions sont comparées aux mêmes endroits du programme.</translation>
+    </message>
+    <message>
+        <source>Differences from %1</source>
+        <translation>Écarts par rapport à %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2 minus %3: largest %4 at %5, mean %6, RMS %7</source>
+        <translation>%1
+%2 moins %3 : maximum %4 à %5, moyenne %6, valeur efficace %7</translation>
+    </message>
+    <message>
+        <source>Compare at the same</source>
+        <translation>Comparer selon</translation>
+    </message>
+    <message>
+        <source>Axis of the comparison</source>
+        <translation>Axe de la comparaison</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>le temps</translation>
+    </message>
+    <message>
+        <source>length of path</source>
+        <translation>la longueur du trajet</translation>
+    </message>
+    <message>
+        <source>point of the program</source>
+        <translation>le point du programme</translation>
+    </message>
+    <message>
+        <source>Show the differences as curves</source>
+        <translation>Montrer les écarts en courbes</translation>
+    </message>
+    <message>
+        <source>Each pane shows what the other traces have more than the first</source>
+        <translation>Chaque zone montre ce que les autres tracés ont de plus que le premier</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Efficace</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -4212,10 +4289,6 @@ GPL-3.0-or-later</translation>
         <translation>Aller à</translation>
     </message>
     <message>
-        <source>Time, s</source>
-        <translation>Temps, s</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Ligne</translation>
     </message>
@@ -4230,6 +4303,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Go</source>
         <translation>Aller</translation>
+    </message>
+    <message>
+        <source>Slope, 1/mm</source>
+        <translation>Pente, 1/mm</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Pente</translation>
     </message>
 </context>
 <context>
@@ -6495,6 +6576,25 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopeCurves</name>
+    <message>
+        <source>Time, s</source>
+        <translation>Temps, s</translation>
+    </message>
+    <message>
+        <source>Path, mm</source>
+        <translation>Trajet, mm</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>point %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ScopePane</name>
     <message>
         <source>Remove %1</source>
@@ -6613,6 +6713,57 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
         <translation>Une formule de signaux, puis Entrée. Leurs noms sont dans leurs infobulles.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SpectrumPanel</name>
+    <message>
+        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <translation>Les fréquences demandent l’axe du temps : le choisir sous Comparer.</translation>
+    </message>
+    <message>
+        <source>No curve is shown.</source>
+        <translation>Aucune courbe n’est affichée.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Amplitude, %1</source>
+        <translation>Amplitude, %1</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Fréquence, Hz</translation>
+    </message>
+    <message>
+        <source>Peak, Hz</source>
+        <translation>Pic, Hz</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1 samples, %2 Hz</source>
+        <translation>Entre les curseurs : %1 échantillons, %2 Hz</translation>
+    </message>
+    <message>
+        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <translation>Dans le temps visible : %1 échantillons, %2 Hz</translation>
+    </message>
+    <message>
+        <source>The samples are not regular: lines between them were sampled again.</source>
+        <translation>Les échantillons ne sont pas réguliers : les droites entre eux ont été échantillonnées de nouveau.</translation>
+    </message>
+    <message>
+        <source>Curve whose frequencies are shown</source>
+        <translation>Courbe dont les fréquences sont affichées</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum</source>
+        <translation>Pics du spectre</translation>
     </message>
 </context>
 <context>
@@ -6735,10 +6886,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
 <context>
     <name>rivulet::widgets::TimeStrip</name>
     <message>
-        <source>Time, s</source>
-        <translation>Temps, s</translation>
-    </message>
-    <message>
         <source>Overview of the whole trace</source>
         <translation>Vue d’ensemble du tracé</translation>
     </message>
@@ -6844,6 +6991,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Reading %1 …</source>
         <translation>Lecture de %1…</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
     </message>
 </context>
 <context>

@@ -999,6 +999,10 @@
         <source>The runs are of different programs: compare them by time or path.</source>
         <translation>Le esecuzioni sono di programmi diversi: confrontarle per tempo o per percorso.</translation>
     </message>
+    <message>
+        <source>A spectrum needs 16 samples or more between the cursors.</source>
+        <translation>Uno spettro richiede almeno 16 campioni tra i cursori.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3988,6 +3992,79 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ComparePanel</name>
+    <message>
+        <source>Open two traces or more to compare them.</source>
+        <translation>Aprire due o più tracce per confrontarle.</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>Confronto …</translation>
+    </message>
+    <message>
+        <source>Each run has the length that it moved itself. With their NC program open, the runs are compared at the same places of the program.</source>
+        <translation>Ogni esecuzione ha la lunghezza che ha percorso. Con il programma NC aperto, le esecuzioni sono confrontate negli stessi punti del programma.</translation>
+    </message>
+    <message>
+        <source>Differences from %1</source>
+        <translation>Differenze rispetto a %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2 minus %3: largest %4 at %5, mean %6, RMS %7</source>
+        <translation>%1
+%2 meno %3: massima %4 a %5, media %6, RMS %7</translation>
+    </message>
+    <message>
+        <source>Compare at the same</source>
+        <translation>Confronta per</translation>
+    </message>
+    <message>
+        <source>Axis of the comparison</source>
+        <translation>Asse del confronto</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tempo</translation>
+    </message>
+    <message>
+        <source>length of path</source>
+        <translation>lunghezza del percorso</translation>
+    </message>
+    <message>
+        <source>point of the program</source>
+        <translation>punto del programma</translation>
+    </message>
+    <message>
+        <source>Show the differences as curves</source>
+        <translation>Mostra le differenze come curve</translation>
+    </message>
+    <message>
+        <source>Each pane shows what the other traces have more than the first</source>
+        <translation>Ogni riquadro mostra quanto le altre tracce hanno in più della prima</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Differenze</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Segnale</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Massima</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ConnectionPanel</name>
     <message>
         <source>Connection</source>
@@ -4212,10 +4289,6 @@ GPL-3.0-or-later</translation>
         <translation>Vai a</translation>
     </message>
     <message>
-        <source>Time, s</source>
-        <translation>Tempo, s</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Riga</translation>
     </message>
@@ -4230,6 +4303,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Go</source>
         <translation>Vai</translation>
+    </message>
+    <message>
+        <source>Slope, 1/mm</source>
+        <translation>Pendenza, 1/mm</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Pendenza</translation>
     </message>
 </context>
 <context>
@@ -6495,6 +6576,25 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ScopeCurves</name>
+    <message>
+        <source>Time, s</source>
+        <translation>Tempo, s</translation>
+    </message>
+    <message>
+        <source>Path, mm</source>
+        <translation>Percorso, mm</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>punto %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ScopePane</name>
     <message>
         <source>Remove %1</source>
@@ -6613,6 +6713,57 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>A formula of signals, then Enter. Their names are in their tool tips.</source>
         <translation>Una formula di segnali, poi Invio. I nomi sono nei loro suggerimenti.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::SpectrumPanel</name>
+    <message>
+        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <translation>Le frequenze richiedono l’asse del tempo: sceglierlo in Confronto.</translation>
+    </message>
+    <message>
+        <source>No curve is shown.</source>
+        <translation>Nessuna curva è mostrata.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Ampiezza</translation>
+    </message>
+    <message>
+        <source>Amplitude, %1</source>
+        <translation>Ampiezza, %1</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenza, Hz</translation>
+    </message>
+    <message>
+        <source>Peak, Hz</source>
+        <translation>Picco, Hz</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1 samples, %2 Hz</source>
+        <translation>Tra i cursori: %1 campioni, %2 Hz</translation>
+    </message>
+    <message>
+        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <translation>Nel tempo visibile: %1 campioni, %2 Hz</translation>
+    </message>
+    <message>
+        <source>The samples are not regular: lines between them were sampled again.</source>
+        <translation>I campioni non sono regolari: le rette tra essi sono state ricampionate.</translation>
+    </message>
+    <message>
+        <source>Curve whose frequencies are shown</source>
+        <translation>Curva di cui si mostrano le frequenze</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spettro</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum</source>
+        <translation>Picchi dello spettro</translation>
     </message>
 </context>
 <context>
@@ -6735,10 +6886,6 @@ Is it certain that %1 does not change the path of the tool?</source>
 <context>
     <name>rivulet::widgets::TimeStrip</name>
     <message>
-        <source>Time, s</source>
-        <translation>Tempo, s</translation>
-    </message>
-    <message>
         <source>Overview of the whole trace</source>
         <translation>Panoramica dell’intera traccia</translation>
     </message>
@@ -6844,6 +6991,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Reading %1 …</source>
         <translation>Lettura di %1…</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Confronto</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spettro</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include "trace/control_trace.h"
 #include "trace/formula.h"
 #include "trace/import/import_error.h"
+#include "trace/spectrum.h"
 
 namespace rivulet::widgets {
 
@@ -135,6 +136,12 @@ struct ErrorTexts {
         return tr("The runs are of different programs: compare them by time or path.");
     }
     return {};
+  }
+
+  static QString text(trace::SpectrumError code) {
+    return code == trace::SpectrumError::TooFewSamples
+               ? tr("A spectrum needs 16 samples or more between the cursors.")
+               : QString();
   }
 
   static QString text(trace::ImportError code) {
@@ -341,6 +348,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<trace::ComparisonError>(code)) {
     return ErrorTexts::text(static_cast<trace::ComparisonError>(code.value()));
+  }
+  if (belongsTo<trace::SpectrumError>(code)) {
+    return ErrorTexts::text(static_cast<trace::SpectrumError>(code.value()));
   }
   if (belongsTo<trace::ImportError>(code)) {
     return ErrorTexts::text(static_cast<trace::ImportError>(code.value()));

@@ -86,6 +86,8 @@ CursorPanel::CursorPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* 
   connect(&m_delay, &QTimer::timeout, this, &CursorPanel::refresh);
   connect(m_cursors, &ScopeCursors::changed, this, &CursorPanel::schedule);
   connect(m_curves, &ScopeCurves::changed, this, &CursorPanel::schedule);
+  connect(m_curves, &ScopeCurves::axisChanged, this, &CursorPanel::retranslate);
+  connect(m_curves, &ScopeCurves::tracesChanged, this, &CursorPanel::retranslate);
   connect(m_view, &ScopeView::changed, this, &CursorPanel::schedule);
   connect(m_go, &QPushButton::clicked, this, &CursorPanel::go);
   connect(m_where, &QLineEdit::returnPressed, this, &CursorPanel::go);
@@ -119,22 +121,18 @@ void CursorPanel::setCell(int row, std::size_t column, const QString& text) {
 
 void CursorPanel::refresh() {
   m_columns.clear();
-  const std::size_t traces = m_curves->isLive() ? 1 : m_curves->traces().size();
   for (const QStringList& pane : m_view->arrangement()) {
     for (const QString& formula : pane) {
-      for (std::size_t trace = 0; trace < traces; ++trace) {
-        const auto samples = m_curves->samples(trace, formula);
-        if (!samples || samples->empty()) {
+      for (ScopeCurves::Curve& curve : m_curves->curves(formula)) {
+        if (!curve.samples || curve.samples->empty()) {
           continue;
         }
-        QString title = m_curves->title(formula);
+        QString title = curve.title.replace(QStringLiteral(" · "), QStringLiteral("\n"));
         if (const QString unit = m_curves->unit(formula); !unit.isEmpty()) {
-          title += QStringLiteral(", ") + unit;
+          const qsizetype end = title.indexOf(QLatin1Char('\n'));
+          title.insert(end < 0 ? title.size() : end, QStringLiteral(", ") + unit);
         }
-        if (traces > 1) {
-          title += QStringLiteral("\n") + QString::fromStdString(m_curves->traces()[trace]->name);
-        }
-        m_columns.push_back({title, samples});
+        m_columns.push_back({title, curve.samples});
       }
     }
   }
@@ -144,9 +142,10 @@ void CursorPanel::refresh() {
   if (a && b) {
     const double apart = *b - *a;
     m_times->setText(tr("A %1, B %2, B − A %3")
-                         .arg(secondsText(*a, 4), secondsText(*b, 4), secondsText(apart, 4)));
+                         .arg(m_curves->axisText(*a, 4), m_curves->axisText(*b, 4),
+                              m_curves->axisText(apart, 4)));
   } else if (a || b) {
-    m_times->setText((a ? tr("A %1") : tr("B %1")).arg(secondsText(a ? *a : *b, 4)));
+    m_times->setText((a ? tr("A %1") : tr("B %1")).arg(m_curves->axisText(a ? *a : *b, 4)));
   } else {
     m_times->setText(tr("A click on a curve sets cursor A, with Shift cursor B."));
   }
@@ -240,13 +239,25 @@ void CursorPanel::go() {
   m_cursors->set(ScopeCursors::A, *at);
 }
 
+QString CursorPanel::slopeTitle() const {
+  switch (m_curves->axis()) {
+    case trace::RunAxis::Time:
+      return tr("Slope, 1/s");
+    case trace::RunAxis::Path:
+      return tr("Slope, 1/mm");
+    case trace::RunAxis::Point:
+      return tr("Slope");
+  }
+  return {};
+}
+
 void CursorPanel::retranslate() {
   m_table->setAccessibleName(tr("At the cursors and between them"));
   m_table->setVerticalHeaderLabels(
-      {tr("At A"), tr("At B"), tr("B − A"), tr("Slope, 1/s"), tr("Minimum"), tr("Maximum"),
-       tr("Mean"), tr("RMS"), tr("Median"), tr("95 % below"), tr("99 % below"), tr("Samples")});
+      {tr("At A"), tr("At B"), tr("B − A"), slopeTitle(), tr("Minimum"), tr("Maximum"), tr("Mean"),
+       tr("RMS"), tr("Median"), tr("95 % below"), tr("99 % below"), tr("Samples")});
   m_what->setAccessibleName(tr("Go to"));
-  m_what->setItemText(Time, tr("Time, s"));
+  m_what->setItemText(Time, m_curves->axisTitle());
   m_what->setItemText(Line, tr("Line"));
   m_what->setItemText(Point, tr("Point"));
   m_where->setAccessibleName(tr("Number of the place to go to"));

@@ -52,6 +52,7 @@ class CursorPanel final : public Page {
   void showFigures(std::size_t column, const trace::SampleStatistics& figures);
   void setCell(int row, std::size_t column, const QString& text);
   void go();
+  [[nodiscard]] QString slopeTitle() const;
   /// First instant at which a signal has this value or a larger one.
   [[nodiscard]] std::optional<double> timeOf(const QString& formula, double value) const;
 

@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QPointer>
 
+#include "widgets/common/number_format.h"
+
 namespace rivulet::widgets {
 
 using trace::SignalGroup;
@@ -133,10 +135,20 @@ void ScopeCurves::setTraces(Traces traces) {
   m_isLive = false;
   m_live.clear();
   m_traces = std::move(traces);
+  ++m_axisRequest;
+  if (m_alignment.axis != trace::RunAxis::Time) {
+    m_calculated.clear();
+  }
+  // A difference may be that from another first trace.
   std::erase_if(m_calculated, [this](const auto& one) {
-    return std::none_of(m_traces.begin(), m_traces.end(),
-                        [&one](const auto& trace) { return trace.get() == one.first.first; });
+    return one.first.isDifference ||
+           std::none_of(m_traces.begin(), m_traces.end(),
+                        [&one](const auto& trace) { return trace.get() == one.first.trace; });
   });
+  m_alignment = {};
+  m_alignment.places.resize(m_traces.size());
+  m_showsDifferences = m_showsDifferences && m_traces.size() > 1;
+  ++m_generation;
   m_awaited.clear();
   m_offers.clear();
   for (const auto& trace : m_traces) {
@@ -151,7 +163,88 @@ void ScopeCurves::setTraces(Traces traces) {
   }
   std::stable_sort(m_offers.begin(), m_offers.end(),
                    [](const SignalOffer& a, const SignalOffer& b) { return a.group < b.group; });
+  Q_EMIT tracesChanged();
   Q_EMIT changed();
+}
+
+void ScopeCurves::setAxis(trace::RunAxis axis) {
+  run([self = QPointer(this), request = ++m_axisRequest, traces = m_traces,
+       axis]() -> std::function<void()> {
+    auto alignment = trace::alignRuns(traces, axis);
+    return [self, request, alignment = std::move(alignment)] {
+      if (!self || self->m_axisRequest != request) {
+        return;
+      }
+      if (alignment) {
+        self->setAlignment(*alignment);
+      } else {
+        Q_EMIT self->axisFailed(alignment.error());
+      }
+    };
+  });
+}
+
+void ScopeCurves::setAlignment(trace::RunAlignment alignment) {
+  m_alignment = std::move(alignment);
+  m_calculated.clear();
+  m_awaited.clear();
+  ++m_generation;
+  Q_EMIT axisChanged();
+  Q_EMIT changed();
+}
+
+double ScopeCurves::placeOnAxis(std::size_t trace, double atS) const {
+  if (trace >= m_alignment.places.size() || m_alignment.places[trace] == nullptr) {
+    return atS;
+  }
+  const trace::Envelope& places = *m_alignment.places[trace];
+  if (places.empty()) {
+    return 0.0;
+  }
+  const base::Instant at = instantOf(atS);
+  const std::size_t last = places.size() - 1;
+  return at <= places.timeAt(0)      ? places.valueAt(0)
+         : at >= places.timeAt(last) ? places.valueAt(last)
+                                     : trace::valueAt(places, at);
+}
+
+double ScopeCurves::axisEnd() const {
+  double end = 0.0;
+  for (std::size_t trace = 0; trace < m_traces.size(); ++trace) {
+    end = std::max(end, placeOnAxis(trace, base::toSeconds(m_traces[trace]->length)));
+  }
+  return end;
+}
+
+QString ScopeCurves::axisTitle() const {
+  switch (m_alignment.axis) {
+    case trace::RunAxis::Time:
+      return tr("Time, s");
+    case trace::RunAxis::Path:
+      return tr("Path, mm");
+    case trace::RunAxis::Point:
+      return tr("Point");
+  }
+  return {};
+}
+
+QString ScopeCurves::axisText(double at, int decimals) const {
+  switch (m_alignment.axis) {
+    case trace::RunAxis::Time:
+      return secondsText(at, decimals);
+    case trace::RunAxis::Path:
+      return lengthText(at, decimals);
+    case trace::RunAxis::Point:
+      return tr("point %1").arg(numberText(at, 2));
+  }
+  return {};
+}
+
+void ScopeCurves::showDifferences(bool wanted) {
+  if (m_showsDifferences != wanted) {
+    m_showsDifferences = wanted;
+    Q_EMIT changed();
+  }
 }
 
 void ScopeCurves::startLive() {
@@ -210,23 +303,61 @@ ScopeCurves::Samples ScopeCurves::samples(std::size_t trace, const QString& form
     const auto found = m_live.find(formula);
     return found == m_live.end() ? nullptr : found->second;
   }
+  return calculated(trace, formula, false);
+}
+
+std::vector<ScopeCurves::Curve> ScopeCurves::curves(const QString& formula) {
+  std::vector<Curve> curves;
+  if (m_isLive || m_traces.size() < 2) {
+    if (m_isLive || !m_traces.empty()) {
+      curves.push_back({formula, title(formula), samples(0, formula)});
+    }
+    return curves;
+  }
+  const auto nameOf = [this](std::size_t trace) {
+    return QString::fromStdString(m_traces[trace]->name);
+  };
+  for (std::size_t trace = m_showsDifferences ? 1 : 0; trace < m_traces.size(); ++trace) {
+    const QString of = m_showsDifferences ? QStringLiteral("%1 − %2").arg(nameOf(trace), nameOf(0))
+                                          : nameOf(trace);
+    curves.push_back({formula, title(formula) + QStringLiteral(" · ") + of,
+                      calculated(trace, formula, m_showsDifferences)});
+  }
+  return curves;
+}
+
+ScopeCurves::Samples ScopeCurves::calculated(std::size_t trace, const QString& formula,
+                                             bool isDifference) {
   if (trace >= m_traces.size()) {
     return nullptr;
   }
-  const Key key{m_traces[trace].get(), formula};
+  const Key key{m_traces[trace].get(), formula, isDifference};
   if (const auto found = m_calculated.find(key); found != m_calculated.end()) {
     return found->second;
   }
   // A recorded signal needs no calculation.
-  if (const trace::Channel* channel = m_traces[trace]->signalSet.find(formula.toStdString())) {
+  const trace::Channel* channel = m_traces[trace]->signalSet.find(formula.toStdString());
+  if (channel != nullptr && !isDifference && m_alignment.places[trace] == nullptr) {
     return channel->samples;
   }
   if (m_awaited.insert(key).second) {
-    run([self = QPointer(this), key, of = m_traces[trace], formula]() -> std::function<void()> {
-      // Where this runs, `self` is only carried.
-      auto samples = of->signalSet.calculate(formula.toStdString());
-      return [self, key, of, samples = std::move(samples)] {
-        if (self) {
+    // Where this runs, `self` is only carried.
+    run([self = QPointer(this), key, generation = m_generation, of = m_traces[trace],
+         places = m_alignment.places[trace], reference = isDifference ? m_traces[0] : nullptr,
+         referencePlaces = m_alignment.places[0],
+         text = formula.toStdString()]() -> std::function<void()> {
+      auto samples = of->signalSet.calculate(text);
+      if (samples) {
+        samples = trace::onAxis(*samples, places.get());
+      }
+      if (samples && reference) {
+        const auto first = reference->signalSet.calculate(text);
+        samples = first ? base::Result<Samples>(trace::differenceOf(
+                              *trace::onAxis(*first, referencePlaces.get()), **samples))
+                        : base::Result<Samples>(base::fail(first.error()));
+      }
+      return [self, key, of, generation, samples = std::move(samples)] {
+        if (self && self->m_generation == generation) {
           self->take(key, samples);
         }
       };
@@ -244,8 +375,12 @@ void ScopeCurves::take(const Key& key, const base::Result<Samples>& samples) {
     return;  // its trace is no longer shown
   }
   m_calculated[key] = samples ? *samples : nullptr;
-  if (!samples) {
-    Q_EMIT failed(key.second, samples.error());
+  // That one of several traces lacks a signal of another is nothing to complain about.
+  const std::string text = key.formula.toStdString();
+  const bool isOffered = std::any_of(m_offers.begin(), m_offers.end(),
+                                     [&](const auto& offer) { return offer.formula == text; });
+  if (!samples && !isOffered) {
+    Q_EMIT failed(key.formula, samples.error());
   }
   Q_EMIT changed();
 }

@@ -14,9 +14,11 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "trace/comparison.h"
 #include "trace/signal_set.h"
 
 namespace rivulet::widgets {
@@ -54,24 +56,69 @@ class ScopeCurves final : public QObject {
   /// A value that is older than the last one is shown at the time of that.
   void appendLive(const QString& formula, double atS, double value);
 
+  /// What all traces share along the axis of the panes. On another one than time, what is called
+  /// time elsewhere is a place: mm, or points of the program. `axisChanged` or `axisFailed` reports
+  /// it. New traces begin with time.
+  void setAxis(trace::RunAxis axis);
+  [[nodiscard]] trace::RunAxis axis() const { return m_alignment.axis; }
+  [[nodiscard]] const trace::RunAlignment& alignment() const { return m_alignment; }
+  /// Where a trace is on the axis at a time from its first sample, and where the axis ends.
+  [[nodiscard]] double placeOnAxis(std::size_t trace, double atS) const;
+  [[nodiscard]] double axisEnd() const;
+  /// "Time, s", and "1.234 s".
+  [[nodiscard]] QString axisTitle() const;
+  [[nodiscard]] QString axisText(double at, int decimals = 3) const;
+
+  /// Curves of all traces but the first show what they have more than that.
+  void showDifferences(bool wanted);
+  [[nodiscard]] bool showsDifferences() const { return m_showsDifferences; }
+
   /// Null: the trace has no such signal, or it is being calculated; `changed` reports it.
   [[nodiscard]] Samples samples(std::size_t trace, const QString& formula);
+
+  struct Curve {
+    QString formula;
+    QString title;  ///< with the name of the trace, if there are several
+    Samples samples;
+  };
+  /// What panes and tables show of a signal: one curve per trace, or the differences.
+  [[nodiscard]] std::vector<Curve> curves(const QString& formula);
 
  Q_SIGNALS:
   /// Traces or curves are there that were not.
   void changed();
+  /// Other traces.
+  void tracesChanged();
+  void axisChanged();
+  void axisFailed(const rivulet::base::Error& error);
   /// A formula is not possible.
   void failed(const QString& formula, const rivulet::base::Error& error);
 
  private:
-  using Key = std::pair<const trace::ShownTrace*, QString>;
+  /// A signal of a trace, or what it has more than the first trace.
+  struct Key {
+    const trace::ShownTrace* trace = nullptr;
+    QString formula;
+    bool isDifference = false;
 
+    friend bool operator<(const Key& a, const Key& b) {
+      return std::tie(a.trace, a.formula, a.isDifference) <
+             std::tie(b.trace, b.formula, b.isDifference);
+    }
+  };
+
+  void setAlignment(trace::RunAlignment alignment);
+  [[nodiscard]] Samples calculated(std::size_t trace, const QString& formula, bool isDifference);
   void take(const Key& key, const base::Result<Samples>& samples);
 
   WorkRunner m_runner;
   Traces m_traces;
   bool m_isLive = false;
   std::map<QString, std::shared_ptr<trace::Envelope>> m_live;
+  trace::RunAlignment m_alignment;
+  bool m_showsDifferences = false;
+  int m_axisRequest = 0;
+  int m_generation = 0;                 ///< of the axis that curves are calculated for
   std::map<Key, Samples> m_calculated;  ///< null: not possible
   std::set<Key> m_awaited;
   std::vector<trace::SignalOffer> m_offers;

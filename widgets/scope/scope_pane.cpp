@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "base/nice_step.h"
 #include "widgets/common/number_format.h"
@@ -114,15 +115,9 @@ TimeArea ScopePane::area() const {
 
 std::vector<ScopePane::Curve> ScopePane::curves() const {
   std::vector<Curve> curves;
-  const std::size_t traces = m_curves->isLive() ? 1 : m_curves->traces().size();
   for (const QString& formula : m_formulas) {
-    for (std::size_t trace = 0; trace < traces; ++trace) {
-      QString title = m_curves->title(formula);
-      if (traces > 1) {
-        title += QStringLiteral(" · ") + QString::fromStdString(m_curves->traces()[trace]->name);
-      }
-      curves.push_back({trace, formula, title, m_curves->samples(trace, formula)});
-    }
+    std::vector<Curve> of = m_curves->curves(formula);
+    std::move(of.begin(), of.end(), std::back_inserter(curves));
   }
   return curves;
 }
@@ -140,8 +135,8 @@ void ScopePane::fitValues(const std::vector<Curve>& curves) {
       }
     }
   }
-  const bool isFeed =
-      !m_formulas.isEmpty() && m_curves->unit(m_formulas.first()) == QLatin1String("mm/min");
+  const bool isFeed = !m_formulas.isEmpty() && !m_curves->showsDifferences() &&
+                      m_curves->unit(m_formulas.first()) == QLatin1String("mm/min");
   m_min = range ? range->min : 0.0;
   m_max = range ? range->max : 1.0;
   if (isFeed && m_min >= 0.0) {
@@ -521,8 +516,8 @@ void ScopePane::describe() {
   const int decimals = std::min(base::decimalsOfStep(m_step), 9);
   setAccessibleDescription(tr("%1 to %2, from %3 to %4")
                                .arg(numberText(m_min, decimals), numberText(m_max, decimals),
-                                    secondsText(m_window->fromS(), 3),
-                                    secondsText(m_window->toS(), 3)));
+                                    m_curves->axisText(m_window->fromS()),
+                                    m_curves->axisText(m_window->toS())));
 }
 
 void ScopePane::retranslate() {

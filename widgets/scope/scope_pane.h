@@ -98,12 +98,7 @@ class ScopePane final : public Page {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  struct Curve {
-    std::size_t trace = 0;
-    QString formula;
-    QString title;
-    ScopeCurves::Samples samples;
-  };
+  using Curve = ScopeCurves::Curve;
   enum class Drag { None, Pan, Band, CursorA, CursorB };
 
   [[nodiscard]] TimeArea area() const;

@@ -80,12 +80,21 @@ QString stopCauseText(trace::StopCause cause) {
 }
 
 StopRow stopRow(const trace::Pause& pause) {
-  return {pause.start, pause.duration, pause.origin};
+  StopRow row{pause.start, pause.duration, pause.origin};
+  row.fromAxis = base::toSeconds(pause.start);
+  row.toAxis = base::toSeconds(pause.start + pause.duration);
+  return row;
 }
 
 StopRow stopRow(const trace::Standstill& stop) {
-  return {stop.start, stop.duration, trace::PauseOrigin::Measured,
-          stop.cause, stop.line,     stop.evidence};
+  return {stop.start,
+          stop.duration,
+          trace::PauseOrigin::Measured,
+          stop.cause,
+          stop.line,
+          stop.evidence,
+          base::toSeconds(stop.start),
+          base::toSeconds(stop.start + stop.duration)};
 }
 
 QBrush pauseBrush(trace::PauseOrigin origin, const QPalette& palette) {
@@ -108,10 +117,9 @@ void paintStopBands(QPainter& painter, const TimeArea& area, const std::vector<S
   }
   const double pixelsPerS = area.rect.width() / (area.toS - area.fromS);
   // Pauses are in time order and do not overlap: the visible ones are one range of the list.
-  const auto first = std::lower_bound(
-      stops.begin(), stops.end(), area.fromS, [](const StopRow& pause, double fromS) {
-        return base::toSeconds(pause.start + pause.duration) < fromS;
-      });
+  const auto first =
+      std::lower_bound(stops.begin(), stops.end(), area.fromS,
+                       [](const StopRow& pause, double from) { return pause.toAxis < from; });
   const QFontMetricsF metrics(painter.font());
   const double lineHeight = metrics.height();
   painter.setClipRect(area.rect);
@@ -119,22 +127,22 @@ void paintStopBands(QPainter& painter, const TimeArea& area, const std::vector<S
   // selection. Zooming in makes room; the table next to the plots always has every duration.
   bool hasRoom = true;
   for (auto pause = first; pause != stops.end(); ++pause) {
-    const double left = area.xOf(base::toSeconds(pause->start));
+    const double left = area.xOf(pause->fromAxis);
     if (left > area.rect.right()) {
       break;
     }
     const bool isCrowded =
-        pause != first && left - area.xOf(base::toSeconds((pause - 1)->start)) < lineHeight + 2.0;
+        pause != first && left - area.xOf((pause - 1)->fromAxis) < lineHeight + 2.0;
     hasRoom = hasRoom && !isCrowded;
   }
   double lastBandRight = area.rect.left() - 1.0;
   double lastLabelRight = area.rect.left() - 1.0;
   for (auto pause = first; pause != stops.end(); ++pause) {
-    const double left = area.xOf(base::toSeconds(pause->start));
+    const double left = area.xOf(pause->fromAxis);
     if (left > area.rect.right()) {
       break;
     }
-    const double width = std::max(base::toSeconds(pause->duration) * pixelsPerS, 1.5);
+    const double width = std::max((pause->toAxis - pause->fromAxis) * pixelsPerS, 1.5);
     if (left + width <= lastBandRight) {
       continue;  // hidden behind the one before at this zoom
     }

@@ -28,6 +28,8 @@ struct StopRow {
   std::optional<trace::StopCause> cause{};  ///< nothing: not looked for
   std::uint32_t line = 0;                   ///< of the program on the control; 0: not known
   std::string evidence{};                   ///< of the cause, in English
+  double fromAxis = 0.0;                    ///< on the axis of the panes: s, mm or points
+  double toAxis = 0.0;
 };
 
 [[nodiscard]] StopRow stopRow(const trace::Pause& pause);

@@ -75,7 +75,7 @@ void TimeStrip::paintTimes(QPainter& painter) const {
   }
   painter.setPen(colors.mutedText);
   painter.drawText(QRectF(0.0, 1.0, kScopeLeftPx - 10.0, metrics.height()),
-                   Qt::AlignRight | Qt::AlignVCenter, tr("Time, s"));
+                   Qt::AlignRight | Qt::AlignVCenter, m_curves->axisTitle());
 }
 
 const QPolygonF& TimeStrip::overviewLine() {

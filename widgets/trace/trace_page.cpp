@@ -13,6 +13,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
 #include <QUrl>
@@ -28,9 +29,11 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/legend_strip.h"
 #include "widgets/plots/time_window.h"
+#include "widgets/scope/compare_panel.h"
 #include "widgets/scope/cursor_panel.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signal_panel.h"
+#include "widgets/scope/spectrum_panel.h"
 #include "widgets/trace/stop_model.h"
 
 namespace rivulet::widgets {
@@ -86,6 +89,8 @@ TracePage::TracePage(QWidget* parent)
       m_signals(
           new SignalPanel([this](const QString& formula) { return m_view->shows(formula); }, this)),
       m_cursorPanel(new CursorPanel(m_curves, m_window, m_cursors, m_view, this)),
+      m_comparePanel(new ComparePanel(m_curves, m_window, m_cursors, m_view, this)),
+      m_spectrumPanel(new SpectrumPanel(m_curves, m_window, m_cursors, m_view, this)),
       m_table(new QTableView(this)) {
   setAcceptDrops(true);
   m_note->setWordWrap(true);
@@ -101,6 +106,8 @@ TracePage::TracePage(QWidget* parent)
   m_panel->addTab(makeStopPanel(), QString());
   m_panel->addTab(m_signals, QString());
   m_panel->addTab(m_cursorPanel, QString());
+  m_panel->addTab(m_comparePanel, QString());
+  m_panel->addTab(m_spectrumPanel, QString());
   layOut();
 
   connect(m_open, &QPushButton::clicked, this, &TracePage::chooseFiles);
@@ -113,6 +120,7 @@ TracePage::TracePage(QWidget* parent)
   connect(m_window, &TimeWindow::changed, this, [this] { m_live->setChecked(m_window->isLive()); });
   connect(m_curves, &ScopeCurves::failed, this,
           [this](const QString&, const base::Error& error) { m_signals->showFormulaError(error); });
+  connect(m_curves, &ScopeCurves::axisChanged, this, &TracePage::followAxis);
   connect(m_view, &ScopeView::changed, m_signals, &SignalPanel::refresh);
   connect(m_signals, &SignalPanel::paneRequested, m_view, &ScopeView::addPane);
   connect(m_signals, &SignalPanel::addRequested, m_view, &ScopeView::addToPane);
@@ -162,13 +170,19 @@ void TracePage::layOut() {
   for (QPushButton* button : {m_open, m_live, m_all, m_list}) {
     top->addWidget(button);
   }
-  m_panel->setFixedWidth(kPanelPx);
-  auto* body = new QHBoxLayout;
-  body->addWidget(m_view, 1);
+  m_panel->setMinimumWidth(kPanelPx);
+  auto* body = new QSplitter(Qt::Horizontal, this);
+  body->setObjectName(QStringLiteral("traceBody"));
+  body->setChildrenCollapsible(false);
+  body->setHandleWidth(6);
+  body->addWidget(m_view);
   body->addWidget(m_panel);
+  body->setStretchFactor(0, 1);
+  body->setStretchFactor(1, 0);
+  body->setSizes({4 * kPanelPx, kPanelPx});
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(top);
-  layout->addLayout(body, 1);
+  layout->addWidget(body, 1);
 }
 
 void TracePage::setRunner(WorkRunner runner) {
@@ -229,6 +243,7 @@ void TracePage::showTraces(const ScopeCurves::Traces& traces, Source source) {
   }
   m_source = source;
   m_reading.clear();
+  const trace::RunAxis axis = isSame ? m_curves->axis() : trace::RunAxis::Time;
   m_curves->setTraces(traces);
   m_signals->setOffers(m_curves->offers());
   m_live->setEnabled(false);
@@ -255,7 +270,17 @@ void TracePage::showTraces(const ScopeCurves::Traces& traces, Source source) {
     arrange();
   }
   setStops(std::move(stops));
+  if (axis != trace::RunAxis::Time) {
+    m_curves->setAxis(axis);
+  }
   showNote();
+}
+
+void TracePage::followAxis() {
+  m_cursors->set(ScopeCursors::A, std::nullopt);
+  m_cursors->set(ScopeCursors::B, std::nullopt);
+  m_window->setLength(m_curves->axisEnd());
+  setStops(m_stops->rows());
 }
 
 /// The panes stay if each of them still has something to show.
@@ -296,20 +321,21 @@ void TracePage::arrange() {
 
 void TracePage::setStops(std::vector<StopRow> stops) {
   m_stopTotal = {};
-  for (const StopRow& stop : stops) {
+  for (StopRow& stop : stops) {
     m_stopTotal += stop.duration;
+    stop.fromAxis = m_curves->placeOnAxis(0, base::toSeconds(stop.start));
+    stop.toAxis = m_curves->placeOnAxis(0, base::toSeconds(stop.start + stop.duration));
   }
-  m_stops->setRows(stops);
+  m_stops->setRows(std::move(stops));
   m_view->scheduleRedraw();
   showSummary();
 }
 
 void TracePage::goToStop(int row) {
   const StopRow& stop = m_stops->row(row);
-  const double from = base::toSeconds(stop.start);
-  m_window->reveal(from);
-  m_cursors->set(ScopeCursors::A, from);
-  m_cursors->set(ScopeCursors::B, from + base::toSeconds(stop.duration));
+  m_window->reveal(stop.fromAxis);
+  m_cursors->set(ScopeCursors::A, stop.fromAxis);
+  m_cursors->set(ScopeCursors::B, stop.toAxis);
 }
 
 void TracePage::showReading(const QStringList& names) {
@@ -369,6 +395,8 @@ void TracePage::showPanel() {
 void TracePage::redrawNow() {
   m_view->redrawNow();
   m_cursorPanel->refreshNow();
+  m_comparePanel->refreshNow();
+  m_spectrumPanel->refreshNow();
 }
 
 void TracePage::retranslate() {
@@ -385,6 +413,8 @@ void TracePage::retranslate() {
   m_panel->setTabText(0, tr("Stops"));
   m_panel->setTabText(1, tr("Signals"));
   m_panel->setTabText(2, tr("Cursors"));
+  m_panel->setTabText(3, tr("Compare"));
+  m_panel->setTabText(4, tr("Spectrum"));
   m_table->setAccessibleName(tr("Stops"));
   m_summaryNames[0]->setText(tr("Number"));
   m_summaryNames[1]->setText(tr("Mean"));

@@ -27,11 +27,13 @@ class QTableView;
 
 namespace rivulet::widgets {
 
+class ComparePanel;
 class CursorPanel;
 class LegendStrip;
 class ScopeCursors;
 class ScopeView;
 class SignalPanel;
+class SpectrumPanel;
 class StatusLabel;
 class StopModel;
 class TimeWindow;
@@ -90,6 +92,8 @@ class TracePage final : public Page {
   void layOut();
   void chooseFiles();
   void arrange();
+  /// Bands and cursors of another axis.
+  void followAxis();
   void setStops(std::vector<StopRow> stops);
   void goToStop(int row);
   void showNote();
@@ -121,6 +125,8 @@ class TracePage final : public Page {
   QTabWidget* m_panel;
   SignalPanel* m_signals;
   CursorPanel* m_cursorPanel;
+  ComparePanel* m_comparePanel;
+  SpectrumPanel* m_spectrumPanel;
   QTableView* m_table;
   std::array<QLabel*, 3> m_summaryNames{};
   std::array<QLabel*, 3> m_summaryValues{};

@@ -442,6 +442,92 @@ class TestTracePage : public QObject {
     QVERIFY(table->horizontalHeaderItem(1)->text().contains("second.csv"));
   }
 
+  /// By path, the slower of two equal runs differs in its speed alone; a row leads to its place.
+  void runsAreCompared() {
+    test::Language language;
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9), "first.csv"),
+                     test::shownTrace(*test::controlTrace(1.3), "second.csv")},
+                    TracePage::Source::Files);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(3);
+    static_cast<void>(test::picture(page, {1000, 640}));
+    auto* axis = page.findChild<QComboBox*>("compareAxis");
+    auto* table = page.findChild<QTableWidget*>("compareTable");
+    auto* curves = page.findChild<ScopeCurves*>();
+    axis->setCurrentIndex(2);
+    Q_EMIT axis->activated(2);
+    QVERIFY(page.findChild<QLabel*>("compareNote")->text().contains("NC program"));
+    QCOMPARE(axis->currentIndex(), 0);
+    Q_EMIT axis->activated(1);
+    page.redrawNow();
+    QVERIFY(curves->axis() == trace::RunAxis::Path);
+    QCOMPARE(page.timeWindow()->toS(), curves->axisEnd());
+    QVERIFY(table->rowCount() > 4);
+    int speed = 0;
+    while (speed < table->rowCount() && !table->item(speed, 0)->text().startsWith("Path speed")) {
+      ++speed;
+    }
+    QVERIFY(speed < table->rowCount());
+    Q_EMIT table->cellClicked(speed, 0);
+    page.redrawNow();
+    auto* cursors = page.findChild<ScopeCursors*>();
+    QVERIFY(cursors->atS(ScopeCursors::A));
+    page.findChild<QAbstractButton*>("compareDifferences")->setChecked(true);
+    const auto shown = curves->curves("per_min(path_speed)");
+    QCOMPARE(shown.size(), std::size_t{1});
+    QVERIFY(shown.front().title.contains(QString::fromUtf8("second.csv − first.csv")));
+    QVERIFY(shown.front().samples);
+    // What the table says is what the curve shows; where a run stands, it has several values.
+    const double place = *cursors->atS(ScopeCursors::A);
+    const auto range =
+        shown.front().samples->range(instantOf(place - 1e-6), instantOf(place + 1e-6));
+    QVERIFY(range);
+    const double largest = QLocale().toDouble(table->item(speed, 1)->text());
+    const double there = largest > 0.0 ? range->max : range->min;
+    QVERIFY(std::abs(there - largest) < 1e-3 * std::abs(largest));
+    // Other files begin with time.
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9), "third.csv")},
+                    TracePage::Source::Files);
+    QVERIFY(curves->axis() == trace::RunAxis::Time);
+    QVERIFY(!axis->isEnabled());
+  }
+
+  /// A vibration of 12.5 Hz is named, and only between the cursors.
+  void showsASpectrum() {
+    test::Language language;
+    trace::ControlTrace trace;
+    trace.cycle = std::chrono::milliseconds{4};
+    for (int i = 0; i < 5000; ++i) {
+      trace::ControlSample sample;
+      const double seconds = 0.004 * i;
+      sample.at = instantOf(seconds);
+      sample.commandMm.x = seconds;
+      sample.actualMm.x =
+          seconds + (i > 2500 ? 0.01 * std::sin(2.0 * std::acos(-1.0) * 12.5 * seconds) : 0.0);
+      trace.samples.push_back(sample);
+    }
+    TracePage page;
+    page.showTraces({test::shownTrace(trace, "a.csv")}, TracePage::Source::Files);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(4);
+    static_cast<void>(test::picture(page, {1280, 800}));
+    page.view()->setArrangement({{"x_act"}});
+    auto* cursors = page.findChild<ScopeCursors*>();
+    cursors->set(ScopeCursors::A, 12.0);
+    cursors->set(ScopeCursors::B, 18.0);
+    page.redrawNow();
+    auto* table = page.findChild<QTableWidget*>("spectrumTable");
+    QCOMPARE(table->rowCount(), 1);
+    QVERIFY(std::abs(QLocale().toDouble(table->item(0, 0)->text()) - 12.5) < 0.02);
+    QVERIFY(std::abs(QLocale().toDouble(table->item(0, 1)->text()) - 10.0) < 0.2);
+    QVERIFY(table->horizontalHeaderItem(1)->text().contains(QString::fromUtf8("µm")));
+    auto* said = page.findChild<QLabel*>("spectrumNote");
+    QVERIFY2(said->text().startsWith("Between the cursors"), qPrintable(said->text()));
+    cursors->set(ScopeCursors::B, 12.01);
+    page.redrawNow();
+    QVERIFY2(said->text().contains("16 samples"), qPrintable(said->text()));
+    QCOMPARE(table->rowCount(), 0);
+  }
+
   void analysisFollowsWithoutMovingTheView() {
     TracePage page;
     const auto trace = test::controlTrace(0.9);
