@@ -23,7 +23,7 @@ constexpr double kTrembleMm = 0.01;
 /// Two programs of this many equal points and lengths are the same one.
 constexpr double kSameLengthMm = 1e-3;
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 3> kAxisNames{"time", "path", "point"};
 
 Instant axisInstant(double place) {
@@ -242,7 +242,7 @@ DifferenceFigures differenceFigures(const Envelope& difference, Instant from, In
   double length = 0.0;
   double sum = 0.0;
   double squares = 0.0;
-  SeriesPoint before{{}, kUnknown};
+  SeriesPoint before{{}, kNoValue};
   for (std::size_t i = difference.firstAt(from);
        i < difference.size() && difference.timeAt(i) <= to; ++i) {
     const SeriesPoint point = difference[i];
