@@ -17,6 +17,7 @@ enum class EmulatorError {
   BadUnits,      ///< set points and positions that differ by a factor
   WrongProgram,  ///< the trace departs from the path of the program
   Diverged,      ///< no model that is stable and follows the trace
+  Cancelled,     ///< the user did not want to wait
   BadFile,       ///< not an emulator's file, or one of a later version
 };
 
