@@ -104,12 +104,13 @@ void MachineModel::disconnectFrom() {
 }
 
 std::optional<base::Vec3> MachineModel::positionNowMm() const {
-  return widgets::isFresh(m_view.positionAgeS) ? m_view.positionMm : std::nullopt;
+  return m_view.positionFreshness() == widgets::Freshness::Live ? m_view.positionMm : std::nullopt;
 }
 
 void MachineModel::takeLink(const session::LinkChanged& change) {
   m_link = change;
   m_view.isVirtualMachine = change.isVirtualMachine;
+  m_view.isGone = !isConnected();
   if (!isConnected()) {
     // What the control does now is not known. Where the tool was is kept, with its age.
     m_view.channelStatus.reset();

@@ -153,6 +153,19 @@ class TestRunController : public QObject {
     QVERIFY(models.runs.resumeBlocked()->reason == BlockReason::NothingToResume);
   }
 
+  /// Without a connection nothing is live, also in the half second in which it still is young.
+  void aLostConnectionIsNotLive() {
+    using widgets::Freshness;
+    Models models;
+    hmi::MachineModel machine{models.session, models.store, models.messages, [] { return 100.0; }};
+    Q_EMIT models.session.linkChanged({session::LinkState::Connected, {}, true, {}});
+    machine.showSample({base::Instant{}, base::Vec3{1.0, 2.0, 3.0}, 5.0, {}}, std::nullopt);
+    QVERIFY(machine.view().positionFreshness() == Freshness::Live && machine.positionNowMm());
+    Q_EMIT models.session.linkChanged({session::LinkState::Lost, {}, true, {}});
+    QVERIFY(machine.view().positionFreshness() == Freshness::Old);
+    QVERIFY(machine.view().feedFreshness() == Freshness::Old && !machine.positionNowMm());
+  }
+
   /// A stream without slack reads the axes every 0.9 s: that is said once, not with each read.
   void readsThatComeRarelyAreSaidToBeRare() {
     using widgets::Freshness;

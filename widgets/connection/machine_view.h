@@ -56,6 +56,7 @@ struct MachineView {
   /// moves.
   std::optional<double> overrideFactor;
   bool isVirtualMachine = false;
+  bool isGone = false;  ///< not connected any more: what was read before is not live
 
   /// From the position to the end of the move in progress, axis by axis; as old as the position.
   struct ToGo {
@@ -94,7 +95,10 @@ struct MachineView {
   }
 
  private:
-  [[nodiscard]] static Freshness freshness(std::optional<double> ageS, bool isRare) {
+  [[nodiscard]] Freshness freshness(std::optional<double> ageS, bool isRare) const {
+    if (isGone) {
+      return Freshness::Old;
+    }
     if (isRare && ageS && *ageS <= kPlannedS) {
       return Freshness::Planned;
     }
