@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Finds the parameters of an axis from runs, by least squares (Levenberg-Marquardt from several
+/// starts) on the positions. Which parts the model has (feed-forward, lags, delay, viscous
+/// friction, resonance) is decided by the error on parts of the runs that were not used to fit it.
+///
+/// How it works. From each run stretches of a second are taken: those with most changes of speed,
+/// and others evenly spaced. Every third one is held out. Each structure is fitted to the others;
+/// the one with the least held-out error is kept, or a simpler one that is as good. It is then
+/// fitted to all runs as a whole. @threadsafety pure functions.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "emulator/axis_model.h"
+#include "emulator/training_run.h"
+
+namespace rivulet::emulator {
+
+/// A parameter and the interval it is in.
+struct ParameterEstimate {
+  AxisParameter parameter = AxisParameter::PositionGain;
+  double value = 0.0;
+  double low = 0.0;  ///< of the simultaneous interval, see LearnOptions::confidence
+  double high = 0.0;
+};
+
+/// An axis as it was learned.
+struct LearnedAxis {
+  char axis = 'X';
+  AxisParameters parameters;
+  std::vector<ParameterEstimate> estimates;  ///< of the parts that the model has
+  double fitRmsMm = 0.0;                     ///< on all the runs it was fitted to
+  double heldOutRmsMm = 0.0;  ///< of this structure, on stretches that it was not fitted to
+};
+
+/// How far the search has come: shown, and asked whether to go on.
+struct LearnProgress {
+  char axis = 'X';
+  int step = 0;
+  int steps = 0;
+  double heldOutRmsMm = std::numeric_limits<double>::infinity();  ///< best so far
+};
+
+struct LearnOptions {
+  /// Probability that all intervals of an axis together hold its true parameters, if the model has
+  /// the structure of the axis.
+  double confidence = 0.99;
+  /// Only this structure: every part whose parameter is not 0. The values are where the search
+  /// begins. Nullptr: the structure is chosen.
+  const AxisParameters* structure = nullptr;
+  /// False: the times of the observations are known up to a constant, which a delay of the axis
+  /// could not be told from. The model has no delay then.
+  bool knowsTime = true;
+  /// @return false to stop; what has been found is lost then
+  std::function<bool(const LearnProgress&)> progress{};
+};
+
+/// @return error EmulatorError::NoMotion, TooShort, BadUnits, BadTimes, BadNumbers, Diverged,
+///         Cancelled
+[[nodiscard]] base::Result<LearnedAxis> learnAxis(std::span<const TrainingRun> runs, char axis,
+                                                  const LearnOptions& options = {});
+
+/// All axes that move in any of the runs, in the order in which they are recorded.
+[[nodiscard]] base::Result<std::vector<LearnedAxis>> learnAxes(std::span<const TrainingRun> runs,
+                                                               const LearnOptions& options = {});
+
+/// The set points of a run on the grid on which axes are simulated: at most 1 ms apart.
+struct SetPointGrid {
+  double stepS = 0.0;
+  std::vector<double> mm;
+};
+[[nodiscard]] SetPointGrid setPointGrid(const AxisTrack& track, double periodS);
+
+/// What an axis would show at these times. @param atS  ascending, from the first set point
+[[nodiscard]] std::vector<AxisState> predict(const AxisParameters& parameters,
+                                             const SetPointGrid& grid, std::span<const double> atS);
+
+}  // namespace rivulet::emulator
