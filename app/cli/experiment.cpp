@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "experiments/catalogue.h"
+#include "experiments/emulation.h"
 #include "experiments/lookahead.h"
 #include "parallel/thread_executor.h"
 #include "report/experiment_report.h"
@@ -112,6 +114,10 @@ base::Result<experiments::Experiment> run(const std::string& name,
                                           Connection* connection) {
   if (name == "lookahead") {
     return experiments::runLookahead(options.recordings);
+  }
+  if (name == "emulator") {
+    return experiments::runEmulation(
+        options.recordings, [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; });
   }
   parallel::ThreadExecutor executor(options.threads);
   ProgressLine progress(name);
