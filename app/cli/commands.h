@@ -217,6 +217,20 @@ struct CommissionOptions {
 /// Tests whether method credit may run on this machine; the result is stored.
 [[nodiscard]] Exit commission(const CommissionOptions& options);
 
+struct EmulatorOptions {
+  std::vector<std::string> files;  ///< recordings, traces of the control, or of other tools
+  std::string columns;             ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
+  std::string emulator;            ///< file of one that was learned
+  std::string output;              ///< file for the emulator, or for what it answers
+  bool json = false;
+};
+/// Learns an emulator of a machine from set points and actual positions.
+[[nodiscard]] Exit learnEmulator(const EmulatorOptions& options);
+/// Says how far an emulator is off on other runs.
+[[nodiscard]] Exit testEmulator(const EmulatorOptions& options);
+/// Prints what an emulator answers to the set points of a run.
+[[nodiscard]] Exit simulateEmulator(const EmulatorOptions& options);
+
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"
   std::size_t seeds = 0;           ///< 0: the usual number

@@ -565,12 +565,40 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
   });
 }
 
+void addEmulatorCommand(CLI::App& app, Exit& exit) {
+  using rivulet::cli::EmulatorOptions;
+  CLI::App* emulator = app.add_subcommand(
+      "emulator", "Learn how a machine follows its set points, and predict it (docs/emulator.md)");
+  emulator->require_subcommand(1);
+  const auto add = [&](const char* name, const char* what, Exit (*run)(const EmulatorOptions&),
+                       bool isLearning) {
+    const auto options = std::make_shared<EmulatorOptions>();
+    CLI::App* command = emulator->add_subcommand(name, what);
+    command->add_option("FILE", options->files, "Traces with set points and actual positions")
+        ->required();
+    command->add_option("--columns", options->columns,
+                        "What the columns mean, as for analyse: x_set=NAME[:UNIT],...");
+    command->add_option("--output", options->output,
+                        isLearning ? "File for the emulator, .toml" : "File, .csv");
+    if (!isLearning) {
+      command->add_option("--emulator", options->emulator, "File of a learned emulator")
+          ->required();
+    }
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, run, &exit] { exit = run(*options); });
+  };
+  add("learn", "Find the parameters of each axis", rivulet::cli::learnEmulator, true);
+  add("test", "Say how far it is off on other runs", rivulet::cli::testEmulator, false);
+  add("simulate", "Print what it answers to the set points of a run",
+      rivulet::cli::simulateEmulator, false);
+}
+
 void addExperimentCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::ExperimentCommandOptions>();
   CLI::App* command = app.add_subcommand(
       "experiment", "Repeat the experiments of the paper and compare the figures");
   std::vector<std::string> experiments = rivulet::experiments::experimentNames();
-  experiments.insert(experiments.end(), {"lookahead", "all"});
+  experiments.insert(experiments.end(), {"lookahead", "emulator", "all"});
   command->add_option("NAME", options->names, "Experiments, or all")
       ->required()
       ->check(CLI::IsMember(experiments));
@@ -581,7 +609,7 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
   command->add_option("--endpoint", options->endpoint,
                       "OPC UA server instead of virtual time (table1, figure2)");
   command->add_option("--recordings", options->recordings,
-                      "Recordings of another motion planner, for lookahead");
+                      "Recordings of another motion controller, for lookahead and emulator");
   command->add_option("--threads", options->threads, "0: one per core")->check(CLI::Range(0, 1024));
   command->add_option("--json", options->json, "File for all figures");
   command->add_option("--csv", options->csv, "File for all figures");
@@ -589,7 +617,8 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
   command->add_option("--report", options->report, "Folder for fidelity.md and its pictures");
   command->callback([options, &exit] {
     if (options->recordings.empty() &&
-        std::count(options->names.begin(), options->names.end(), "lookahead") > 0) {
+        (std::count(options->names.begin(), options->names.end(), "lookahead") > 0 ||
+         std::count(options->names.begin(), options->names.end(), "emulator") > 0)) {
       throw CLI::RequiredError("--recordings");
     }
     exit = rivulet::cli::experiment(*options);
@@ -622,6 +651,7 @@ int main(int argc, char** argv) {
   addAnalyseCommand(app, exit);
   addCalibrateCommand(app, exit);
   addCommissionCommand(app, exit);
+  addEmulatorCommand(app, exit);
   addExperimentCommand(app, exit);
 
   try {
