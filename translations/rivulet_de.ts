@@ -1824,38 +1824,6 @@
         <source>predicted</source>
         <translation>vorhergesagt</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>exact stop</source>
-        <translation>Genauhalt</translation>
-    </message>
-    <message>
-        <source>dwell</source>
-        <translation>Verweilzeit</translation>
-    </message>
-    <message>
-        <source>programmed stop</source>
-        <translation>programmierter Halt</translation>
-    </message>
-    <message>
-        <source>tool change</source>
-        <translation>Werkzeugwechsel</translation>
-    </message>
-    <message>
-        <source>hold: override 0</source>
-        <translation>Halt: Override 0</translation>
-    </message>
-    <message>
-        <source>waiting for data</source>
-        <translation>wartet auf Daten</translation>
-    </message>
-    <message>
-        <source>preprocessor stop</source>
-        <translation>Vorlaufstopp</translation>
-    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2409,6 +2377,41 @@
     </message>
 </context>
 <context>
+    <name>StopCauseTexts</name>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Genauhalt</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Verweilzeit (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Programmierter Halt (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Werkzeugwechsel oder Hilfsfunktion</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Halt: Override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Warten auf Daten des Clients</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Vorlaufstopp</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2537,38 +2540,6 @@
     <message>
         <source>Cause</source>
         <translation>Ursache</translation>
-    </message>
-    <message>
-        <source>Exact stop</source>
-        <translation>Genauhalt</translation>
-    </message>
-    <message>
-        <source>Dwell (G4)</source>
-        <translation>Verweilzeit (G4)</translation>
-    </message>
-    <message>
-        <source>Programmed stop (M0, M1)</source>
-        <translation>Programmierter Halt (M0, M1)</translation>
-    </message>
-    <message>
-        <source>Tool change or auxiliary function</source>
-        <translation>Werkzeugwechsel oder Hilfsfunktion</translation>
-    </message>
-    <message>
-        <source>Hold: override 0</source>
-        <translation>Halt: Override 0</translation>
-    </message>
-    <message>
-        <source>Waiting for data of the client</source>
-        <translation>Warten auf Daten des Clients</translation>
-    </message>
-    <message>
-        <source>Preprocessor stop</source>
-        <translation>Vorlaufstopp</translation>
-    </message>
-    <message>
-        <source>Unknown</source>
-        <translation>Unbekannt</translation>
     </message>
     <message>
         <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
@@ -4631,6 +4602,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 beyond, the longest %2</source>
         <translation>%1 darüber, die längste %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LayoutMenu</name>
+    <message>
+        <source>No layout is kept yet</source>
+        <translation>Noch keine Anordnung abgelegt</translation>
+    </message>
+    <message>
+        <source>Keep the present panes as…</source>
+        <translation>Jetzige Felder ablegen als …</translation>
+    </message>
+    <message>
+        <source>New traces are shown in</source>
+        <translation>Neue Verläufe zeigen in</translation>
+    </message>
+    <message>
+        <source>the usual panes</source>
+        <translation>den üblichen Feldern</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Keep the panes</source>
+        <translation>Felder ablegen</translation>
+    </message>
+    <message>
+        <source>Name of the layout; one of the same name is replaced</source>
+        <translation>Name der Anordnung; eine gleichen Namens wird ersetzt</translation>
     </message>
 </context>
 <context>
@@ -6999,6 +7001,42 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Spectrum</source>
         <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Samples as a table</source>
+        <translation>Abtastwerte als Tabelle</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Save what the panes show</source>
+        <translation>Sichern, was die Felder zeigen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 kann nicht geschrieben werden. Einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Arrangements of panes that are kept by name</source>
+        <translation>Anordnungen der Felder, die unter einem Namen abgelegt sind</translation>
+    </message>
+    <message>
+        <source>Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)</source>
+        <translation>Sichern, was die Felder zeigen: die Abtastwerte als Tabelle (CSV) oder ein Bild (PNG, SVG, PDF)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gesichert: %1</translation>
     </message>
 </context>
 <context>

@@ -1824,38 +1824,6 @@
         <source>predicted</source>
         <translation>prevista</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>desconocida</translation>
-    </message>
-    <message>
-        <source>exact stop</source>
-        <translation>parada precisa</translation>
-    </message>
-    <message>
-        <source>dwell</source>
-        <translation>temporización</translation>
-    </message>
-    <message>
-        <source>programmed stop</source>
-        <translation>parada programada</translation>
-    </message>
-    <message>
-        <source>tool change</source>
-        <translation>cambio de herramienta</translation>
-    </message>
-    <message>
-        <source>hold: override 0</source>
-        <translation>parada: override 0</translation>
-    </message>
-    <message>
-        <source>waiting for data</source>
-        <translation>espera datos</translation>
-    </message>
-    <message>
-        <source>preprocessor stop</source>
-        <translation>parada de avance de bloques</translation>
-    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2409,6 +2377,41 @@
     </message>
 </context>
 <context>
+    <name>StopCauseTexts</name>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocida</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Parada precisa</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Espera (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Parada programada (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Cambio de herramienta o función auxiliar</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Suspensión: override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Espera de datos del cliente</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Parada de preprocesamiento</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2537,38 +2540,6 @@
     <message>
         <source>Cause</source>
         <translation>Causa</translation>
-    </message>
-    <message>
-        <source>Exact stop</source>
-        <translation>Parada precisa</translation>
-    </message>
-    <message>
-        <source>Dwell (G4)</source>
-        <translation>Espera (G4)</translation>
-    </message>
-    <message>
-        <source>Programmed stop (M0, M1)</source>
-        <translation>Parada programada (M0, M1)</translation>
-    </message>
-    <message>
-        <source>Tool change or auxiliary function</source>
-        <translation>Cambio de herramienta o función auxiliar</translation>
-    </message>
-    <message>
-        <source>Hold: override 0</source>
-        <translation>Suspensión: override 0</translation>
-    </message>
-    <message>
-        <source>Waiting for data of the client</source>
-        <translation>Espera de datos del cliente</translation>
-    </message>
-    <message>
-        <source>Preprocessor stop</source>
-        <translation>Parada de preprocesamiento</translation>
-    </message>
-    <message>
-        <source>Unknown</source>
-        <translation>Desconocida</translation>
     </message>
     <message>
         <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
@@ -4631,6 +4602,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 beyond, the longest %2</source>
         <translation>%1 por encima, la más larga %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LayoutMenu</name>
+    <message>
+        <source>No layout is kept yet</source>
+        <translation>Todavía no se guarda ninguna disposición</translation>
+    </message>
+    <message>
+        <source>Keep the present panes as…</source>
+        <translation>Guardar los paneles actuales como…</translation>
+    </message>
+    <message>
+        <source>New traces are shown in</source>
+        <translation>Los registros nuevos se muestran en</translation>
+    </message>
+    <message>
+        <source>the usual panes</source>
+        <translation>los paneles habituales</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Keep the panes</source>
+        <translation>Guardar los paneles</translation>
+    </message>
+    <message>
+        <source>Name of the layout; one of the same name is replaced</source>
+        <translation>Nombre de la disposición; una con el mismo nombre se reemplaza</translation>
     </message>
 </context>
 <context>
@@ -6999,6 +7001,42 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Spectrum</source>
         <translation>Espectro</translation>
+    </message>
+    <message>
+        <source>Samples as a table</source>
+        <translation>Muestras como tabla</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Save what the panes show</source>
+        <translation>Guardar lo que muestran los paneles</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>No se puede escribir %1. Elegir otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Arrangements of panes that are kept by name</source>
+        <translation>Disposiciones de paneles guardadas con un nombre</translation>
+    </message>
+    <message>
+        <source>Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)</source>
+        <translation>Guardar lo que muestran los paneles: las muestras como tabla (CSV) o una imagen (PNG, SVG, PDF)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Guardado: %1</translation>
     </message>
 </context>
 <context>

@@ -1824,38 +1824,6 @@
         <source>predicted</source>
         <translation>prévue</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>inconnue</translation>
-    </message>
-    <message>
-        <source>exact stop</source>
-        <translation>arrêt précis</translation>
-    </message>
-    <message>
-        <source>dwell</source>
-        <translation>temporisation</translation>
-    </message>
-    <message>
-        <source>programmed stop</source>
-        <translation>arrêt programmé</translation>
-    </message>
-    <message>
-        <source>tool change</source>
-        <translation>changement d’outil</translation>
-    </message>
-    <message>
-        <source>hold: override 0</source>
-        <translation>arrêt : override 0</translation>
-    </message>
-    <message>
-        <source>waiting for data</source>
-        <translation>attend des données</translation>
-    </message>
-    <message>
-        <source>preprocessor stop</source>
-        <translation>arrêt du prétraitement</translation>
-    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2409,6 +2377,41 @@
     </message>
 </context>
 <context>
+    <name>StopCauseTexts</name>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnue</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Arrêt précis</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Temporisation (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Arrêt programmé (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Changement d’outil ou fonction auxiliaire</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Suspension : override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Attente de données du client</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Arrêt du prétraitement</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2537,38 +2540,6 @@
     <message>
         <source>Cause</source>
         <translation>Cause</translation>
-    </message>
-    <message>
-        <source>Exact stop</source>
-        <translation>Arrêt précis</translation>
-    </message>
-    <message>
-        <source>Dwell (G4)</source>
-        <translation>Temporisation (G4)</translation>
-    </message>
-    <message>
-        <source>Programmed stop (M0, M1)</source>
-        <translation>Arrêt programmé (M0, M1)</translation>
-    </message>
-    <message>
-        <source>Tool change or auxiliary function</source>
-        <translation>Changement d’outil ou fonction auxiliaire</translation>
-    </message>
-    <message>
-        <source>Hold: override 0</source>
-        <translation>Suspension&#xa0;: override 0</translation>
-    </message>
-    <message>
-        <source>Waiting for data of the client</source>
-        <translation>Attente de données du client</translation>
-    </message>
-    <message>
-        <source>Preprocessor stop</source>
-        <translation>Arrêt du prétraitement</translation>
-    </message>
-    <message>
-        <source>Unknown</source>
-        <translation>Inconnue</translation>
     </message>
     <message>
         <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
@@ -4631,6 +4602,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 beyond, the longest %2</source>
         <translation>%1 au-delà, la plus longue %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LayoutMenu</name>
+    <message>
+        <source>No layout is kept yet</source>
+        <translation>Aucune disposition n’est encore gardée</translation>
+    </message>
+    <message>
+        <source>Keep the present panes as…</source>
+        <translation>Garder les zones actuelles sous…</translation>
+    </message>
+    <message>
+        <source>New traces are shown in</source>
+        <translation>Les nouveaux tracés s’affichent dans</translation>
+    </message>
+    <message>
+        <source>the usual panes</source>
+        <translation>les zones habituelles</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Keep the panes</source>
+        <translation>Garder les zones</translation>
+    </message>
+    <message>
+        <source>Name of the layout; one of the same name is replaced</source>
+        <translation>Nom de la disposition ; celle du même nom est remplacée</translation>
     </message>
 </context>
 <context>
@@ -6999,6 +7001,42 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Spectrum</source>
         <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>Samples as a table</source>
+        <translation>Échantillons en tableau</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Save what the panes show</source>
+        <translation>Enregistrer ce que montrent les zones</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 ne peut pas être écrit. Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Zones</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Arrangements of panes that are kept by name</source>
+        <translation>Dispositions de zones gardées sous un nom</translation>
+    </message>
+    <message>
+        <source>Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)</source>
+        <translation>Enregistrer ce que montrent les zones : les échantillons en tableau (CSV) ou une image (PNG, SVG, PDF)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré : %1</translation>
     </message>
 </context>
 <context>

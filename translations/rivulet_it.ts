@@ -1824,38 +1824,6 @@
         <source>predicted</source>
         <translation>prevista</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>sconosciuta</translation>
-    </message>
-    <message>
-        <source>exact stop</source>
-        <translation>arresto preciso</translation>
-    </message>
-    <message>
-        <source>dwell</source>
-        <translation>sosta</translation>
-    </message>
-    <message>
-        <source>programmed stop</source>
-        <translation>arresto programmato</translation>
-    </message>
-    <message>
-        <source>tool change</source>
-        <translation>cambio utensile</translation>
-    </message>
-    <message>
-        <source>hold: override 0</source>
-        <translation>arresto: override 0</translation>
-    </message>
-    <message>
-        <source>waiting for data</source>
-        <translation>attende dati</translation>
-    </message>
-    <message>
-        <source>preprocessor stop</source>
-        <translation>arresto avanzamento blocchi</translation>
-    </message>
 </context>
 <context>
     <name>ProfileTexts</name>
@@ -2409,6 +2377,41 @@
     </message>
 </context>
 <context>
+    <name>StopCauseTexts</name>
+    <message>
+        <source>Unknown</source>
+        <translation>Sconosciuta</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Arresto preciso</translation>
+    </message>
+    <message>
+        <source>Dwell (G4)</source>
+        <translation>Sosta (G4)</translation>
+    </message>
+    <message>
+        <source>Programmed stop (M0, M1)</source>
+        <translation>Arresto programmato (M0, M1)</translation>
+    </message>
+    <message>
+        <source>Tool change or auxiliary function</source>
+        <translation>Cambio utensile o funzione ausiliaria</translation>
+    </message>
+    <message>
+        <source>Hold: override 0</source>
+        <translation>Sospensione: override 0</translation>
+    </message>
+    <message>
+        <source>Waiting for data of the client</source>
+        <translation>Attesa di dati del client</translation>
+    </message>
+    <message>
+        <source>Preprocessor stop</source>
+        <translation>Arresto preelaborazione</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -2537,38 +2540,6 @@
     <message>
         <source>Cause</source>
         <translation>Causa</translation>
-    </message>
-    <message>
-        <source>Exact stop</source>
-        <translation>Arresto preciso</translation>
-    </message>
-    <message>
-        <source>Dwell (G4)</source>
-        <translation>Sosta (G4)</translation>
-    </message>
-    <message>
-        <source>Programmed stop (M0, M1)</source>
-        <translation>Arresto programmato (M0, M1)</translation>
-    </message>
-    <message>
-        <source>Tool change or auxiliary function</source>
-        <translation>Cambio utensile o funzione ausiliaria</translation>
-    </message>
-    <message>
-        <source>Hold: override 0</source>
-        <translation>Sospensione: override 0</translation>
-    </message>
-    <message>
-        <source>Waiting for data of the client</source>
-        <translation>Attesa di dati del client</translation>
-    </message>
-    <message>
-        <source>Preprocessor stop</source>
-        <translation>Arresto preelaborazione</translation>
-    </message>
-    <message>
-        <source>Unknown</source>
-        <translation>Sconosciuta</translation>
     </message>
     <message>
         <source>What limited the run: the client. The machine waited %1 times for its data, %2 in all.</source>
@@ -4631,6 +4602,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>%1 beyond, the longest %2</source>
         <translation>%1 oltre, la più lunga %2</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LayoutMenu</name>
+    <message>
+        <source>No layout is kept yet</source>
+        <translation>Nessuna disposizione ancora conservata</translation>
+    </message>
+    <message>
+        <source>Keep the present panes as…</source>
+        <translation>Conserva i riquadri attuali come…</translation>
+    </message>
+    <message>
+        <source>New traces are shown in</source>
+        <translation>Le nuove tracce si mostrano in</translation>
+    </message>
+    <message>
+        <source>the usual panes</source>
+        <translation>i riquadri abituali</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Keep the panes</source>
+        <translation>Conserva i riquadri</translation>
+    </message>
+    <message>
+        <source>Name of the layout; one of the same name is replaced</source>
+        <translation>Nome della disposizione; una con lo stesso nome è sostituita</translation>
     </message>
 </context>
 <context>
@@ -6999,6 +7001,42 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Spectrum</source>
         <translation>Spettro</translation>
+    </message>
+    <message>
+        <source>Samples as a table</source>
+        <translation>Campioni come tabella</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Immagine</translation>
+    </message>
+    <message>
+        <source>Save what the panes show</source>
+        <translation>Salva ciò che mostrano i riquadri</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 non può essere scritto. Scegliere un’altra cartella.</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Riquadri</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Arrangements of panes that are kept by name</source>
+        <translation>Disposizioni dei riquadri conservate con un nome</translation>
+    </message>
+    <message>
+        <source>Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)</source>
+        <translation>Salva ciò che mostrano i riquadri: i campioni come tabella (CSV) o un’immagine (PNG, SVG, PDF)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Salvato: %1</translation>
     </message>
 </context>
 <context>

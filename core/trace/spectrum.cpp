@@ -21,7 +21,7 @@ constexpr std::size_t kSamplesMin = 16;
 constexpr std::size_t kWindowMax = 65536;
 /// Samples between which lines are sampled again: this bounds the memory.
 constexpr std::size_t kResampledMax = 4'000'000;
-constexpr std::size_t kPeaksMax = 5;
+constexpr std::size_t kNamedPeaksMax = 5;
 /// Side lobes of the window are smaller.
 constexpr double kPeakShareMin = 0.05;
 
@@ -121,7 +121,7 @@ void findPeaks(Spectrum& spectrum, std::size_t first) {
   std::sort(
       spectrum.peaks.begin(), spectrum.peaks.end(),
       [](const FrequencyPeak& a, const FrequencyPeak& b) { return a.amplitude > b.amplitude; });
-  spectrum.peaks.resize(std::min(spectrum.peaks.size(), kPeaksMax));
+  spectrum.peaks.resize(std::min(spectrum.peaks.size(), kNamedPeaksMax));
 }
 
 }  // namespace

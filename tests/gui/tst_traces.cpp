@@ -12,6 +12,7 @@
 
 #include "base/file.h"
 #include "hmi/main_window.h"
+#include "hmi/trace_layouts.h"
 #include "report/trace_source.h"
 #include "support/test_program.h"
 #include "trace/analysis/trace_analysis.h"
@@ -172,6 +173,29 @@ class TestTraces : public QObject {
     const std::string whole = trace::printControlTrace(square());
     open({write("cut.trace", whole.substr(0, whole.size() / 2))});
     QVERIFY2(note().contains("cut.trace"), qPrintable(note()));
+  }
+
+  /// In the next window they are there again.
+  void keepsLayouts() {
+    open({m_folder.filePath("square.trace")});
+    auto* page = m_window->tracePage();
+    page->view()->setArrangement({{"x_act"}, {"hypot(x_act, y_act)", "y_act"}});
+    page->keepLayout(QString::fromUtf8("Ablage ä"));
+    const auto kept = hmi::loadTraceLayouts(hmi::traceLayoutsFile());
+    QVERIFY(kept == page->layouts());
+    QCOMPARE(kept.list.size(), std::size_t{1});
+    const MainWindow another(hmi::Settings{}, false);
+    QVERIFY(another.tracePage()->layouts() == kept);
+    // What is damaged is left out, and the rest is kept.
+    const auto file = m_folder.filePath("panes.json").toStdString();
+    QVERIFY(base::writeFile(file, R"({"standard": "no", "layouts": [3, {"name": "a"},
+        {"name": "b", "panes": [["x_act", 4], [], "x"]}]})"));
+    const auto damaged = hmi::loadTraceLayouts(file);
+    QCOMPARE(damaged.list.size(), std::size_t{1});
+    QCOMPARE(damaged.list[0].panes, (std::vector<QStringList>{{"x_act"}, {"x"}}));
+    QVERIFY(damaged.standard.isEmpty());
+    QVERIFY(base::writeFile(file, "{"));
+    QVERIFY(hmi::loadTraceLayouts(file).list.empty());
   }
 
   void takesDroppedFilesButNoPrograms() {

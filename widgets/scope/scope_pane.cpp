@@ -221,6 +221,30 @@ void ScopePane::paintCurve(QPainter& painter, const Curve& curve, const QColor& 
   finish();
 }
 
+void ScopePane::paintContent(QPainter& painter, const std::vector<Curve>& shown) const {
+  paintGrid(painter);
+  const TimeArea seen = area();
+  painter.save();
+  paintStopBands(painter, seen, *m_stops, m_stopLabels, palette());
+  painter.restore();
+  painter.save();
+  painter.setClipRect(seen.rect);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    paintCurve(painter, shown[i], curveColor(i, palette()));
+  }
+  painter.restore();
+}
+
+void ScopePane::paintOn(QPainter& painter) {
+  const std::vector<Curve> shown = curves();
+  fitValues(shown);
+  painter.fillRect(rect(), themeColors(palette()).surface);
+  painter.setFont(font());
+  paintContent(painter, shown);
+  paintLegend(painter, shown);
+  paintCursors(painter);
+}
+
 void ScopePane::drawCurves() {
   const qreal ratio = devicePixelRatioF();
   const QSize pixels(std::max(1, static_cast<int>(width() * ratio)),
@@ -234,15 +258,7 @@ void ScopePane::drawCurves() {
   fitValues(shown);
   QPainter painter(&m_picture);
   painter.setFont(font());
-  paintGrid(painter);
-  const TimeArea seen = area();
-  painter.save();
-  paintStopBands(painter, seen, *m_stops, m_stopLabels, palette());
-  painter.restore();
-  painter.setClipRect(seen.rect);
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    paintCurve(painter, shown[i], curveColor(i, palette()));
-  }
+  paintContent(painter, shown);
   painter.end();
   describe();
   update();
@@ -254,7 +270,8 @@ void ScopePane::paintLegend(QPainter& painter, const std::vector<Curve>& shown) 
   const QFontMetricsF metrics(font());
   const QRectF rect = area().rect;
   double x = rect.left() + 6.0;
-  const double y = rect.top() + 3.0;
+  double y = rect.top() + 3.0;
+  const double lineHeight = metrics.height() + 3.0;
   const auto& at = m_cursors->atS(ScopeCursors::A);
   for (std::size_t i = 0; i < shown.size() && x < rect.right() - 30.0; ++i) {
     QString text = shown[i].title;
@@ -265,7 +282,14 @@ void ScopePane::paintLegend(QPainter& painter, const std::vector<Curve>& shown) 
       text += QStringLiteral(": ") + numberText(value, decimals);
     }
     text += unit.isEmpty() ? QString() : (at ? QStringLiteral(" ") : QStringLiteral(", ")) + unit;
-    const double room = std::min(metrics.horizontalAdvance(text) + 28.0, rect.right() - x - 2.0);
+    const double wide = metrics.horizontalAdvance(text) + 28.0;
+    // A title that finds no room starts a line of its own, if that leaves half of the curves.
+    const bool isCut = x + wide > rect.right() - 2.0;
+    if (isCut && i > 0 && y + 2.0 * lineHeight < rect.center().y()) {
+      x = rect.left() + 6.0;
+      y += lineHeight;
+    }
+    const double room = std::min(wide, rect.right() - x - 2.0);
     QColor ground = colors.surface;
     ground.setAlpha(215);
     painter.fillRect(QRectF(x - 3.0, y, room, metrics.height() + 2.0), ground);

@@ -64,6 +64,8 @@ class ScopePane final : public Page {
   void scheduleRedraw();
   /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
+  /// Draws everything anew, as lines and texts: for pictures in files.
+  void paintOn(QPainter& painter);
   /// The picture of the curves, drawn anew: for measurements.
   void drawCurves();
   /// Colour of a curve: the one after another by signal, and by trace if there are several.
@@ -104,6 +106,7 @@ class ScopePane final : public Page {
   [[nodiscard]] TimeArea area() const;
   [[nodiscard]] std::vector<Curve> curves() const;
   void fitValues(const std::vector<Curve>& curves);
+  void paintContent(QPainter& painter, const std::vector<Curve>& curves) const;
   void paintGrid(QPainter& painter) const;
   void paintCurve(QPainter& painter, const Curve& curve, const QColor& color) const;
   void paintLegend(QPainter& painter, const std::vector<Curve>& curves) const;

@@ -3,13 +3,30 @@
 
 #include "widgets/scope/scope_view.h"
 
+#include <QBuffer>
+#include <QImage>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
 #include <QSplitter>
+#include <QSvgGenerator>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/theme.h"
 #include "widgets/scope/time_strip.h"
 
 namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kCaptionPx = 26;
+constexpr int kScreenDpi = 96;
+constexpr double kPointsPerPx = 72.0 / kScreenDpi;
+constexpr double kSharpness = 2.0;  // pixels of a picture per pixel of the screen
+
+}  // namespace
 
 ScopeView::ScopeView(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursors,
                      const std::vector<StopRow>* stops, QWidget* parent)
@@ -150,6 +167,87 @@ void ScopeView::redrawNow() {
   for (ScopePane* pane : m_panes) {
     pane->redrawNow();
   }
+}
+
+QList<int> ScopeView::heights() const {
+  QList<int> heights;
+  for (ScopePane* pane : m_panes) {
+    heights.append(m_splitter->sizes().value(m_splitter->indexOf(pane)));
+  }
+  return heights;
+}
+
+void ScopeView::setHeights(const QList<int>& heights) {
+  if (heights.size() != static_cast<qsizetype>(m_panes.size())) {
+    return;
+  }
+  // Panes that were taken out are still in the splitter, hidden.
+  QList<int> sizes(m_splitter->count(), 0);
+  for (std::size_t i = 0; i < m_panes.size(); ++i) {
+    m_panes[i]->show();
+    sizes[m_splitter->indexOf(m_panes[i])] = heights[static_cast<qsizetype>(i)];
+  }
+  m_splitter->setSizes(sizes);
+}
+
+void ScopeView::paintOn(QPainter& painter, const QString& caption) {
+  painter.fillRect(QRect(0, 0, width(), height() + kCaptionPx), themeColors(palette()).surface);
+  painter.setPen(themeColors(palette()).text);
+  const QRectF line(kScopeLeftPx, 0.0, width() - kScopeLeftPx - kScopeRightPx, kCaptionPx);
+  painter.drawText(
+      line, Qt::AlignLeft | Qt::AlignVCenter,
+      painter.fontMetrics().elidedText(caption, Qt::ElideRight, static_cast<int>(line.width())));
+  for (ScopePane* pane : m_panes) {
+    painter.save();
+    painter.translate(pane->mapTo(this, QPoint(0, kCaptionPx)));
+    pane->paintOn(painter);
+    painter.restore();
+  }
+  painter.save();
+  painter.translate(m_strip->pos() + QPoint(0, kCaptionPx));
+  m_strip->paintOn(painter);
+  painter.restore();
+}
+
+bool ScopeView::savePicture(const QString& path, const QString& caption) {
+  const QSize size(width(), height() + kCaptionPx);
+  if (path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
+    QImage image(size * kSharpness, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kSharpness);
+    QPainter painter(&image);
+    painter.setFont(font());
+    paintOn(painter, caption);
+    painter.end();
+    return image.save(path);
+  }
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  const auto paint = [&](QPaintDevice& device) {
+    setPalette(themePalette(Theme::Light));
+    QPainter painter(&device);
+    painter.setFont(font());
+    paintOn(painter, caption);
+    painter.end();
+    setPalette(QPalette());
+  };
+  if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
+    QSvgGenerator svg;
+    svg.setOutputDevice(&buffer);
+    svg.setSize(size);
+    svg.setViewBox(QRect(QPoint(0, 0), size));
+    svg.setTitle(caption);
+    paint(svg);
+  } else {
+    QPdfWriter pdf(&buffer);
+    pdf.setResolution(kScreenDpi);
+    pdf.setPageSize(QPageSize(QSizeF(size) * kPointsPerPx, QPageSize::Point));
+    pdf.setPageMargins(QMarginsF());
+    pdf.setTitle(caption);
+    paint(pdf);
+  }
+  QSaveFile file(path);
+  return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
 }
 
 }  // namespace rivulet::widgets

@@ -41,6 +41,13 @@ class ScopeView final : public Page {
   [[nodiscard]] const std::vector<ScopePane*>& panes() const { return m_panes; }
   void scheduleRedraw();
   void redrawNow();
+  /// Heights of the panes, in relation to each other.
+  [[nodiscard]] QList<int> heights() const;
+  void setHeights(const QList<int>& heights);
+
+  /// Writes all panes as they are into a file: .png as on the screen, .svg and .pdf for paper, in
+  /// light colours. @param caption  one line above  @return false: it cannot be written
+  [[nodiscard]] bool savePicture(const QString& path, const QString& caption);
 
  Q_SIGNALS:
   /// Another arrangement.
@@ -50,6 +57,7 @@ class ScopeView final : public Page {
   void retranslate() override {}
 
  private:
+  void paintOn(QPainter& painter, const QString& caption);
   ScopePane* makePane(int at);
   void removePane(ScopePane* pane);
   void finishChange();

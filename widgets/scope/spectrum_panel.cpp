@@ -37,6 +37,7 @@ constexpr int kPeakDigits = 4;
 /// Lengths below are shown in micrometres.
 constexpr double kSmallMm = 0.05;
 constexpr int kTicksAcross = 4;
+constexpr double kHzAroundPeaks = 3.0;
 constexpr int kTicksUp = 5;
 
 }  // namespace
@@ -68,6 +69,8 @@ SpectrumPanel::SpectrumPanel(ScopeCurves* curves, TimeWindow* window, ScopeCurso
   m_chart->setMinimumHeight(160);
   QChart* chart = m_chart->chart();
   chart->setAnimationOptions(QChart::NoAnimation);
+  // Its own least size would make the page higher than a small screen.
+  chart->setMinimumSize(120.0, 120.0);
   chart->addAxis(m_hz, Qt::AlignBottom);
   chart->addAxis(m_amplitude, Qt::AlignLeft);
   for (QXYSeries* series : {static_cast<QXYSeries*>(m_line), static_cast<QXYSeries*>(m_marks)}) {
@@ -204,17 +207,31 @@ QString SpectrumPanel::amplitudeTitle() const {
   return unit.isEmpty() ? tr("Amplitude") : tr("Amplitude, %1").arg(unit);
 }
 
+/// The peaks and what is around them: above, there is mostly nothing to be seen.
+double SpectrumPanel::shownHz() const {
+  double highest = 0.0;
+  for (const trace::FrequencyPeak& peak : m_spectrum.peaks) {
+    highest = std::max(highest, peak.hz);
+  }
+  const double all = m_spectrum.rateHz / 2.0;
+  return all <= 0.0 ? 1.0 : (highest > 0.0 ? std::min(all, kHzAroundPeaks * highest) : all);
+}
+
 void SpectrumPanel::draw() {
   const std::vector<double>& amplitudes = m_spectrum.amplitudes;
   const double factor = scale();
   // The highest of neighbours: no peak is lost.
-  const std::size_t group = amplitudes.size() / kLinePoints + 1;
+  const std::size_t end =
+      std::min(amplitudes.size(), m_spectrum.stepHz > 0.0
+                                      ? static_cast<std::size_t>(shownHz() / m_spectrum.stepHz) + 2
+                                      : std::size_t{0});
+  const std::size_t group = end / kLinePoints + 1;
   QList<QPointF> points;
   double most = 0.0;
-  for (std::size_t begin = 0; begin < amplitudes.size(); begin += group) {
+  for (std::size_t begin = 0; begin < end; begin += group) {
     const auto first = amplitudes.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = amplitudes.begin() +
-                      static_cast<std::ptrdiff_t>(std::min(amplitudes.size(), begin + group));
+    const auto last =
+        amplitudes.begin() + static_cast<std::ptrdiff_t>(std::min(end, begin + group));
     const auto highest = std::max_element(first, last);
     points.append(
         {m_spectrum.stepHz * static_cast<double>(highest - amplitudes.begin()), factor * *highest});
@@ -227,7 +244,7 @@ void SpectrumPanel::draw() {
   }
   m_line->replace(points);
   m_marks->replace(marks);
-  divideAxis(m_hz, 0.0, m_spectrum.rateHz > 0.0 ? m_spectrum.rateHz / 2.0 : 1.0, kTicksAcross);
+  divideAxis(m_hz, 0.0, shownHz(), kTicksAcross);
   divideAxis(m_amplitude, 0.0, most > 0.0 ? most * kRoomAbovePeak : 1.0, kTicksUp);
   m_hz->setTitleText(tr("Frequency, Hz"));
   m_amplitude->setTitleText(amplitudeTitle());

@@ -53,6 +53,7 @@ class SpectrumPanel final : public Page {
   /// Small lengths are shown in micrometres.
   [[nodiscard]] double scale() const;
   [[nodiscard]] QString amplitudeTitle() const;
+  [[nodiscard]] double shownHz() const;
 
   ScopeCurves* m_curves;
   TimeWindow* m_window;

@@ -139,6 +139,10 @@ void TimeStrip::paintOverview(QPainter& painter) {
 
 void TimeStrip::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
+  paintOn(painter);
+}
+
+void TimeStrip::paintOn(QPainter& painter) {
   painter.fillRect(rect(), themeColors(palette()).surface);
   painter.setFont(font());
   paintTimes(painter);

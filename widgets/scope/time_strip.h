@@ -28,6 +28,9 @@ class TimeStrip final : public Page {
   /// The curve in the small picture.
   void setFormula(const QString& formula);
 
+  /// Everything, as lines and texts: for pictures in files.
+  void paintOn(QPainter& painter);
+
   [[nodiscard]] QSize minimumSizeHint() const override;
   [[nodiscard]] QSize sizeHint() const override;
 

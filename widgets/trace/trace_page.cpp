@@ -11,9 +11,11 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QUrl>
@@ -21,7 +23,10 @@
 #include <iterator>
 
 #include "base/axes.h"
+#include "base/file.h"
 #include "base/units.h"
+#include "trace/export.h"
+#include "trace/formula.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -34,17 +39,19 @@
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signal_panel.h"
 #include "widgets/scope/spectrum_panel.h"
+#include "widgets/trace/layout_menu.h"
 #include "widgets/trace/stop_model.h"
 
 namespace rivulet::widgets {
 
 namespace {
 
-constexpr int kPanelPx = 330;
+constexpr int kPanelPx = 350;
+constexpr double kTabPt = 9.5;
 /// Narrower, panel and panes take turns.
 constexpr int kBothPx = 660;
 /// Narrower, the buttons show their icons alone.
-constexpr int kTextPx = 560;
+constexpr int kTextPx = 820;
 constexpr int kColumnPanes = 4;
 
 QString pathFeed() {
@@ -84,6 +91,9 @@ TracePage::TracePage(QWidget* parent)
       m_live(makeTouchButton(this)),
       m_all(makeTouchButton(this)),
       m_list(makeTouchButton(this)),
+      m_layout(makeTouchButton(this)),
+      m_layoutMenu(new LayoutMenu(this)),
+      m_save(makeTouchButton(this)),
       m_legend(new LegendStrip(this)),
       m_panel(new QTabWidget(this)),
       m_signals(
@@ -99,6 +109,9 @@ TracePage::TracePage(QWidget* parent)
   m_live->setObjectName(QStringLiteral("traceLive"));
   m_all->setObjectName(QStringLiteral("traceAll"));
   m_list->setObjectName(QStringLiteral("traceList"));
+  m_layout->setObjectName(QStringLiteral("traceLayout"));
+  m_layout->setMenu(m_layoutMenu);
+  m_save->setObjectName(QStringLiteral("traceSave"));
   m_panel->setObjectName(QStringLiteral("tracePanel"));
   m_live->setCheckable(true);
   m_live->setChecked(true);
@@ -113,6 +126,20 @@ TracePage::TracePage(QWidget* parent)
   connect(m_open, &QPushButton::clicked, this, &TracePage::chooseFiles);
   connect(m_live, &QPushButton::clicked, m_window, &TimeWindow::goLive);
   connect(m_all, &QPushButton::clicked, m_window, &TimeWindow::showAll);
+  connect(m_save, &QPushButton::clicked, this, &TracePage::chooseFileToSave);
+  connect(m_layoutMenu, &LayoutMenu::showRequested, this, &TracePage::showLayout);
+  connect(m_layoutMenu, &LayoutMenu::keepRequested, this, &TracePage::keepLayout);
+  connect(m_layoutMenu, &LayoutMenu::deleteRequested, this, [this](const QString& name) {
+    ScopeLayouts layouts = m_layoutMenu->layouts();
+    layouts.remove(name);
+    layouts.standard = layouts.standard == name ? QString() : layouts.standard;
+    changeLayouts(std::move(layouts));
+  });
+  connect(m_layoutMenu, &LayoutMenu::standardRequested, this, [this](const QString& name) {
+    ScopeLayouts layouts = m_layoutMenu->layouts();
+    layouts.standard = name;
+    changeLayouts(std::move(layouts));
+  });
   connect(m_list, &QPushButton::clicked, this, [this](bool wanted) {
     m_wantsPanel = wanted;
     showPanel();
@@ -167,10 +194,14 @@ QWidget* TracePage::makeStopPanel() {
 void TracePage::layOut() {
   auto* top = new QHBoxLayout;
   top->addWidget(m_note, 1, Qt::AlignVCenter);
-  for (QPushButton* button : {m_open, m_live, m_all, m_list}) {
+  for (QPushButton* button : {m_open, m_save, m_layout, m_live, m_all, m_list}) {
     top->addWidget(button);
   }
   m_panel->setMinimumWidth(kPanelPx);
+  // All five tabs are seen at once.
+  QFont small = m_panel->tabBar()->font();
+  small.setPointSizeF(kTabPt);
+  m_panel->tabBar()->setFont(small);
   auto* body = new QSplitter(Qt::Horizontal, this);
   body->setObjectName(QStringLiteral("traceBody"));
   body->setChildrenCollapsible(false);
@@ -199,6 +230,7 @@ void TracePage::clear() {
   m_pastStart.clear();
   m_reading.clear();
   m_problem.clear();
+  m_saved.clear();
   m_live->setEnabled(true);
   m_window->clear();
   arrange();
@@ -283,7 +315,7 @@ void TracePage::followAxis() {
   setStops(m_stops->rows());
 }
 
-/// The panes stay if each of them still has something to show.
+/// The operator's layout of new traces, or the present panes if each still has something to show.
 void TracePage::arrange() {
   std::vector<QString> known;
   for (const trace::SignalOffer& offer : m_curves->offers()) {
@@ -292,11 +324,19 @@ void TracePage::arrange() {
   const auto isKnown = [&known](const QString& formula) {
     return std::find(known.begin(), known.end(), formula) != known.end();
   };
-  const std::vector<QStringList> present = m_view->arrangement();
-  const bool fits = std::all_of(present.begin(), present.end(), [&](const QStringList& pane) {
-    return std::any_of(pane.begin(), pane.end(), isKnown);
-  });
-  if (!present.empty() && fits) {
+  const auto fits = [this](const std::vector<QStringList>& panes) {
+    return !panes.empty() && std::all_of(panes.begin(), panes.end(), [this](const auto& pane) {
+      return std::any_of(pane.begin(), pane.end(),
+                         [this](const QString& formula) { return canShow(formula); });
+    });
+  };
+  const ScopeLayouts& kept = m_layoutMenu->layouts();
+  const ScopeLayout* standard = kept.find(kept.standard);
+  if (standard != nullptr && fits(standard->panes)) {
+    showLayout(standard->name);
+    return;
+  }
+  if (fits(m_view->arrangement())) {
     m_view->scheduleRedraw();
     return;
   }
@@ -338,7 +378,137 @@ void TracePage::goToStop(int row) {
   m_cursors->set(ScopeCursors::B, stop.toAxis);
 }
 
+QStringList TracePage::traceNames() const {
+  QStringList names;
+  for (const auto& trace : m_curves->traces()) {
+    names.append(QString::fromStdString(trace->name));
+  }
+  return names;
+}
+
+bool TracePage::canShow(const QString& formula) const {
+  const std::string text = formula.toStdString();
+  const auto offers = m_curves->offers();
+  if (std::any_of(offers.begin(), offers.end(),
+                  [&text](const auto& offer) { return offer.formula == text; })) {
+    return true;
+  }
+  const auto parsed = trace::Formula::parse(text);
+  const ScopeCurves::Traces& traces = m_curves->traces();
+  return parsed && std::any_of(traces.begin(), traces.end(), [&parsed](const auto& trace) {
+           return std::all_of(parsed->names().begin(), parsed->names().end(),
+                              [&trace](const std::string& name) {
+                                return trace->signalSet.find(name) != nullptr;
+                              });
+         });
+}
+
+void TracePage::setLayouts(ScopeLayouts layouts) {
+  m_layoutMenu->setLayouts(std::move(layouts));
+  arrange();
+}
+
+const ScopeLayouts& TracePage::layouts() const {
+  return m_layoutMenu->layouts();
+}
+
+void TracePage::changeLayouts(ScopeLayouts layouts) {
+  m_layoutMenu->setLayouts(std::move(layouts));
+  Q_EMIT layoutsChanged(m_layoutMenu->layouts());
+}
+
+void TracePage::showLayout(const QString& name) {
+  if (const ScopeLayout* layout = m_layoutMenu->layouts().find(name)) {
+    const QList<int> heights = layout->heights;
+    m_view->setArrangement(layout->panes);
+    m_view->setHeights(heights);
+  }
+}
+
+void TracePage::keepLayout(const QString& name) {
+  ScopeLayouts layouts = m_layoutMenu->layouts();
+  layouts.keep({name, m_view->arrangement(), m_view->heights()});
+  changeLayouts(std::move(layouts));
+}
+
+void TracePage::chooseFileToSave() {
+  const QStringList suffixes{QStringLiteral("csv"), QStringLiteral("png"), QStringLiteral("svg"),
+                             QStringLiteral("pdf")};
+  QStringList filters{tr("Samples as a table") + QStringLiteral(" (*.csv)")};
+  for (const QString& suffix : suffixes.mid(1)) {
+    filters.append(tr("Picture") + QStringLiteral(" (*.%1)").arg(suffix));
+  }
+  QString chosen;
+  QString path = QFileDialog::getSaveFileName(this, tr("Save what the panes show"), QString(),
+                                              filters.join(QStringLiteral(";;")), &chosen);
+  if (path.isEmpty()) {
+    return;
+  }
+  if (!suffixes.contains(QFileInfo(path).suffix().toLower())) {
+    path += QLatin1Char('.') + suffixes.value(filters.indexOf(chosen), suffixes.first());
+  }
+  save(path);
+}
+
+void TracePage::save(const QString& path) {
+  if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+    saveSignals(path);
+  } else {
+    showSaved(path, m_view->savePicture(path, traceNames().join(QStringLiteral(", "))));
+  }
+}
+
+void TracePage::saveSignals(const QString& path) {
+  std::vector<trace::ExportedSignal> exported;
+  for (const QStringList& pane : m_view->arrangement()) {
+    for (const QString& formula : pane) {
+      std::size_t index = m_curves->showsDifferences() ? 1 : 0;
+      for (const ScopeCurves::Curve& curve : m_curves->curves(formula)) {
+        // The formula instead of a title: whoever reads the table next need not know the language.
+        QString name = formula;
+        if (m_curves->traces().size() > 1) {
+          name += QLatin1Char(' ') + traceNames().value(static_cast<qsizetype>(index));
+          name += m_curves->showsDifferences() ? QStringLiteral(" - ") + traceNames().first()
+                                               : QString();
+        }
+        ++index;
+        if (curve.samples && !curve.samples->empty()) {
+          exported.push_back(
+              {name.toStdString(), m_curves->unit(formula).toStdString(), curve.samples});
+        }
+      }
+    }
+  }
+  const auto write = [exported = std::move(exported), from = instantOf(m_window->fromS()),
+                      to = instantOf(m_window->toS()), axis = m_curves->axis(),
+                      file = path.toStdString()] {
+    const std::string_view name = axis == trace::RunAxis::Time ? "t" : trace::runAxisName(axis);
+    const std::string text =
+        trace::printSignals(exported, from, to, name, trace::runAxisUnit(axis));
+    return base::writeFile(file, text).has_value();
+  };
+  if (m_curves->isLive()) {
+    showSaved(path, write());  // samples are appended meanwhile
+    return;
+  }
+  m_curves->run([self = QPointer(this), path, write]() -> std::function<void()> {
+    const bool isSaved = write();
+    return [self, path, isSaved] {
+      if (self) {
+        self->showSaved(path, isSaved);
+      }
+    };
+  });
+}
+
+void TracePage::showSaved(const QString& path, bool isSaved) {
+  m_saved = isSaved ? QFileInfo(path).fileName() : QString();
+  m_problem = isSaved ? QString() : tr("%1 cannot be written. Choose another folder.").arg(path);
+  showNote();
+}
+
 void TracePage::showReading(const QStringList& names) {
+  m_saved.clear();
   m_reading = names;
   m_problem.clear();
   showNote();
@@ -390,6 +560,8 @@ void TracePage::showPanel() {
   m_live->setText(hasTexts ? tr("Live") : QString());
   m_all->setText(hasTexts ? tr("Show all") : QString());
   m_list->setText(hasTexts ? tr("List") : QString());
+  m_layout->setText(hasTexts ? tr("Panes") : QString());
+  m_save->setText(hasTexts ? tr("Save…") : QString());
 }
 
 void TracePage::redrawNow() {
@@ -410,6 +582,11 @@ void TracePage::retranslate() {
          "A. Shift and click: cursor B. Home: show all."));
   m_list->setAccessibleName(tr("List"));
   m_list->setToolTip(tr("Stops, signals and cursors beside the curves"));
+  m_layout->setAccessibleName(tr("Panes"));
+  m_layout->setToolTip(tr("Arrangements of panes that are kept by name"));
+  m_save->setAccessibleName(tr("Save…"));
+  m_save->setToolTip(
+      tr("Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)"));
   m_panel->setTabText(0, tr("Stops"));
   m_panel->setTabText(1, tr("Signals"));
   m_panel->setTabText(2, tr("Cursors"));
@@ -433,6 +610,8 @@ void TracePage::restyle() {
   m_live->setIcon(themedIcon(QStringLiteral("live"), color));
   m_all->setIcon(themedIcon(QStringLiteral("fit"), color));
   m_list->setIcon(themedIcon(QStringLiteral("list"), color));
+  m_layout->setIcon(themedIcon(QStringLiteral("panes"), color));
+  m_save->setIcon(themedIcon(QStringLiteral("save"), color));
   for (QLabel* label : m_summaryNames) {
     setMuted(label, palette());
   }
@@ -463,11 +642,7 @@ QString TracePage::tracesText() const {
     text = tr("The control's own trace: one sample every %1")
                .arg(millisecondsText(traces.front()->step, 0));
   } else {
-    QStringList names;
-    for (const auto& trace : traces) {
-      names.append(QString::fromStdString(trace->name));
-    }
-    text = names.join(QStringLiteral(", "));
+    text = traceNames().join(QStringLiteral(", "));
     if (traces.size() == 1 && traces.front()->step.count() > 0) {
       text = tr("%1: one sample every %2").arg(text, millisecondsText(traces.front()->step));
     }
@@ -501,6 +676,11 @@ void TracePage::showNote() {
     const QString shown = tracesText();
     m_note->setStatus(Status::Attention,
                       shown.isEmpty() ? m_problem : m_problem + QStringLiteral(" · ") + shown);
+    return;
+  }
+  if (!m_saved.isEmpty()) {
+    m_note->setStatus(Status::Good,
+                      tr("Saved: %1").arg(m_saved) + QStringLiteral(" · ") + tracesText());
     return;
   }
   const QString of =

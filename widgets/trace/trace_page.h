@@ -17,6 +17,7 @@
 #include "trace/pause.h"
 #include "widgets/common/page.h"
 #include "widgets/scope/scope_curves.h"
+#include "widgets/scope/scope_layout.h"
 #include "widgets/scope/stop_row.h"
 
 class QLabel;
@@ -29,6 +30,7 @@ namespace rivulet::widgets {
 
 class ComparePanel;
 class CursorPanel;
+class LayoutMenu;
 class LegendStrip;
 class ScopeCursors;
 class ScopeView;
@@ -71,6 +73,15 @@ class TracePage final : public Page {
   void showProblem(const QString& sentence);
   /// What is shown is a run that ended earlier. `clear` ends it.
   void setPastRun(const QString& start, const QString& program);
+  /// Those that are offered by name.
+  void setLayouts(ScopeLayouts layouts);
+  [[nodiscard]] const ScopeLayouts& layouts() const;
+  void showLayout(const QString& name);
+  void keepLayout(const QString& name);
+
+  /// What the panes show, into a file: .csv the samples of the time that is seen, .png, .svg and
+  /// .pdf the picture. A sentence on the page says whether it is there.
+  void save(const QString& path);
   /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
 
@@ -79,6 +90,8 @@ class TracePage final : public Page {
 
  Q_SIGNALS:
   void openRequested(const QStringList& paths);
+  /// The operator changed them: they are to be kept.
+  void layoutsChanged(const rivulet::widgets::ScopeLayouts& layouts);
 
  protected:
   void retranslate() override;
@@ -91,6 +104,12 @@ class TracePage final : public Page {
   QWidget* makeStopPanel();
   void layOut();
   void chooseFiles();
+  void chooseFileToSave();
+  void saveSignals(const QString& path);
+  void showSaved(const QString& path, bool isSaved);
+  void changeLayouts(ScopeLayouts layouts);
+  [[nodiscard]] bool canShow(const QString& formula) const;
+  [[nodiscard]] QStringList traceNames() const;
   void arrange();
   /// Bands and cursors of another axis.
   void followAxis();
@@ -108,6 +127,7 @@ class TracePage final : public Page {
   QString m_pastProgram;
   QStringList m_reading;
   QString m_problem;
+  QString m_saved;  ///< file that was written last; empty: none since the traces changed
   base::Duration m_stopTotal{};
   std::optional<bool> m_wantsPanel;  ///< nothing: as there is room
 
@@ -121,6 +141,9 @@ class TracePage final : public Page {
   QPushButton* m_live;
   QPushButton* m_all;
   QPushButton* m_list;
+  QPushButton* m_layout;
+  LayoutMenu* m_layoutMenu;
+  QPushButton* m_save;
   LegendStrip* m_legend;
   QTabWidget* m_panel;
   SignalPanel* m_signals;

@@ -5,6 +5,7 @@
 
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
+#include "hmi/trace_layouts.h"
 #include "widgets/common/error_text.h"
 #include "widgets/runs/run_texts.h"
 #include "widgets/trace/trace_page.h"
@@ -50,6 +51,13 @@ QWidget* makeTracePage(const Models& models, QWidget* parent) {
   auto* page = new widgets::TracePage(parent);
   page->setRunner(&runInBackground);
   connectRuns(models, page);
+  page->setLayouts(loadTraceLayouts(traceLayoutsFile()));
+  QObject::connect(page, &widgets::TracePage::layoutsChanged, page,
+                   [page](const widgets::ScopeLayouts& layouts) {
+                     if (const auto done = saveTraceLayouts(traceLayoutsFile(), layouts); !done) {
+                       page->showProblem(widgets::errorText(done.error()));
+                     }
+                   });
   Traces* traces = &models.traces;
   QObject::connect(page, &widgets::TracePage::openRequested, traces,
                    [page, traces, runs = &models.runs](const QStringList& paths) {
@@ -70,10 +78,9 @@ QWidget* makeTracePage(const Models& models, QWidget* parent) {
   QObject::connect(traces, &Traces::runShown, page, [page](const Traces::List& list) {
     page->showTraces(list, widgets::TracePage::Source::Control);
   });
-  QObject::connect(traces, &Traces::failed, page,
-                   [page](const base::Error& error) {
-                     page->showProblem(widgets::errorText(error));
-                   });
+  QObject::connect(traces, &Traces::failed, page, [page](const base::Error& error) {
+    page->showProblem(widgets::errorText(error));
+  });
   return page;
 }
 

@@ -158,10 +158,14 @@ void makeUnique(std::vector<Column>& columns, std::vector<std::string>& remarks)
 
 bool isAscending(const std::vector<double>& values) {
   std::size_t steps = 0;
+  std::size_t ascending = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
-    steps += static_cast<std::size_t>(values[i] > values[i - 1]);
+    // Of several columns of time, the shorter ones end with empty cells.
+    const bool isStep = std::isfinite(values[i]) && std::isfinite(values[i - 1]);
+    steps += static_cast<std::size_t>(isStep);
+    ascending += static_cast<std::size_t>(isStep && values[i] > values[i - 1]);
   }
-  return values.size() > 2 && 20 * steps >= 19 * (values.size() - 1);
+  return steps > 1 && 20 * ascending >= 19 * steps;
 }
 
 /// Every row one more than the row before: the number of the sample, not a time.

@@ -13,21 +13,25 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
 #include <QUrl>
 #include <QWheelEvent>
 #include <cmath>
 
+#include "base/file.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
+#include "trace/import/import.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/time_window.h"
 #include "widgets/scope/path_pane.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/trace/layout_menu.h"
 #include "widgets/trace/stop_model.h"
 #include "widgets/trace/trace_page.h"
 
@@ -526,6 +530,76 @@ class TestTracePage : public QObject {
     page.redrawNow();
     QVERIFY2(said->text().contains("16 samples"), qPrintable(said->text()));
     QCOMPARE(table->rowCount(), 0);
+  }
+
+  void layoutsAreKeptAndShown() {
+    test::Language language;
+    TracePage page;
+    const auto trace = test::shownTrace(*test::controlTrace(0.9), "a.csv");
+    page.showTraces({trace}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1280, 800}));
+    QSignalSpy changes(&page, &TracePage::layoutsChanged);
+    page.view()->setArrangement({{"x_act", "x_set"}, {"x_set - x_act"}});
+    page.view()->setHeights({300, 100});
+    page.keepLayout("lag");
+    page.view()->setArrangement({{"y_act"}});
+    page.keepLayout("Y only");
+    QCOMPARE(changes.count(), 2);
+    QCOMPARE(page.layouts().list.size(), std::size_t{2});
+    page.showLayout("lag");
+    QCOMPARE(page.view()->arrangement(),
+             (std::vector<QStringList>{{"x_act", "x_set"}, {"x_set - x_act"}}));
+    QVERIFY(page.view()->heights()[0] > 2 * page.view()->heights()[1]);
+    // One of the same name is replaced; the menu offers what there is.
+    page.view()->setArrangement({{"y_act"}});
+    page.keepLayout("Y only");
+    QCOMPARE(page.layouts().list.size(), std::size_t{2});
+    auto* menu = page.findChild<LayoutMenu*>();
+    Q_EMIT menu->aboutToShow();
+    QCOMPARE(menu->actions().first()->text(), QString("lag"));
+    Q_EMIT menu->standardRequested("Y only");
+    page.showTraces({test::shownTrace(*test::controlTrace(1.3), "b.csv")},
+                    TracePage::Source::Files);
+    QCOMPARE(page.view()->arrangement(), (std::vector<QStringList>{{"y_act"}}));
+    Q_EMIT menu->deleteRequested("Y only");
+    QVERIFY(page.layouts().standard.isEmpty());
+    QCOMPARE(page.layouts().list.size(), std::size_t{1});
+    // A layout of signals that the next file does not have is not taken.
+    ScopeLayouts layouts = page.layouts();
+    layouts.keep({"other", {{"spindle"}}, {}});
+    layouts.standard = "other";
+    page.setLayouts(layouts);
+    QCOMPARE(page.view()->arrangement(), (std::vector<QStringList>{{"y_act"}}));
+  }
+
+  void whatIsShownIsSaved() {
+    test::Language language;
+    QTemporaryDir folder;
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9), "a.csv")},
+                    TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {1280, 800}));
+    page.view()->setArrangement({{"x_act", "x_set - x_act"}, {"write_ms"}});
+    page.timeWindow()->showRange(1.0, 2.0);
+    page.save(folder.filePath("part.csv"));
+    QVERIFY2(note(page).startsWith("Saved: part.csv"), qPrintable(note(page)));
+    const auto text = base::readFile(folder.filePath("part.csv").toStdString());
+    QVERIFY(text);
+    const auto imported = trace::importTrace(*text);
+    QVERIFY(imported);
+    QCOMPARE(imported->trace.signalList.size(), std::size_t{2});
+    QCOMPARE(imported->trace.timeBases.front().at.front(), base::Instant{std::chrono::seconds{1}});
+    for (const char* name : {"panes.png", "panes.svg", "panes.pdf"}) {
+      page.save(folder.filePath(name));
+      QVERIFY2(note(page).contains(name), qPrintable(note(page)));
+      QVERIFY(QFileInfo(folder.filePath(name)).size() > 2000);
+    }
+    const auto svg = base::readFile(folder.filePath("panes.svg").toStdString());
+    QVERIFY(svg && svg->find("<polyline") != std::string::npos);
+    page.save(folder.filePath("missing/part.csv"));
+    QVERIFY2(note(page).contains("cannot be written"), qPrintable(note(page)));
+    page.save(folder.filePath("missing/part.pdf"));
+    QVERIFY2(note(page).contains("cannot be written"), qPrintable(note(page)));
   }
 
   void analysisFollowsWithoutMovingTheView() {
