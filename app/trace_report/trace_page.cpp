@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "trace/analysis/statistics.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/trace_text.h"
 #include "widgets/runs/run_texts.h"
 
 namespace rivulet::trace_report {
@@ -21,7 +22,6 @@ namespace {
 using namespace widgets;
 using paper::Fact;
 using paper::Group;
-using trace::StopCause;
 
 const QColor kProgrammed(0xa8, 0xb0, 0xb8);
 const QColor kMeasured(0x0b, 0x6e, 0x99);
@@ -107,28 +107,6 @@ struct TraceTexts {
   }
   static QStringList stopHeadings() {
     return {tr("At"), tr("Duration"), tr("Place, mm"), tr("Line"), tr("Cause")};
-  }
-
-  static QString cause(StopCause cause) {
-    switch (cause) {
-      case StopCause::ExactStop:
-        return tr("Exact stop");
-      case StopCause::Dwell:
-        return tr("Dwell (G4)");
-      case StopCause::ProgrammedStop:
-        return tr("Programmed stop (M0, M1)");
-      case StopCause::ToolChange:
-        return tr("Tool change or auxiliary function");
-      case StopCause::Hold:
-        return tr("Hold: override 0");
-      case StopCause::WaitingForData:
-        return tr("Waiting for data of the client");
-      case StopCause::PreprocessorStop:
-        return tr("Preprocessor stop");
-      case StopCause::Unknown:
-        break;
-    }
-    return tr("Unknown");
   }
 
   static QString limit(const report::StreamQuality& quality) {
@@ -291,7 +269,7 @@ struct TraceTexts {
     }
     for (const trace::TimeLost& lost : feed.standing) {
       losses.emplace_back(lost.seconds,
-                          tr("%1 × %2").arg(countText(lost.stops), cause(lost.cause)));
+                          tr("%1 × %2").arg(countText(lost.stops), stopCauseText(lost.cause)));
     }
     losses.erase(std::remove_if(losses.begin(), losses.end(),
                                 [](const auto& loss) { return loss.first < kSecondsMin; }),
@@ -451,7 +429,7 @@ paper::Table stopTable(const trace::TraceAnalysis& analysis) {
          QStringLiteral("X %1  Y %2  Z %3")
              .arg(numberText(stop.placeMm.x, 3), numberText(stop.placeMm.y, 3),
                   numberText(stop.placeMm.z, 3)),
-         stop.line == 0 ? noValue() : QString::number(stop.line), TraceTexts::cause(stop.cause)});
+         stop.line == 0 ? noValue() : QString::number(stop.line), stopCauseText(stop.cause)});
   }
   return table;
 }

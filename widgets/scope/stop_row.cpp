@@ -41,28 +41,6 @@ struct PauseTexts {
     }
     return {};
   }
-
-  static QString text(trace::StopCause cause) {
-    switch (cause) {
-      case trace::StopCause::Unknown:
-        return tr("unknown");
-      case trace::StopCause::ExactStop:
-        return tr("exact stop");
-      case trace::StopCause::Dwell:
-        return tr("dwell");
-      case trace::StopCause::ProgrammedStop:
-        return tr("programmed stop");
-      case trace::StopCause::ToolChange:
-        return tr("tool change");
-      case trace::StopCause::Hold:
-        return tr("hold: override 0");
-      case trace::StopCause::WaitingForData:
-        return tr("waiting for data");
-      case trace::StopCause::PreprocessorStop:
-        return tr("preprocessor stop");
-    }
-    return {};
-  }
 };
 
 }  // namespace
@@ -73,10 +51,6 @@ QString pauseOriginLetter(trace::PauseOrigin origin) {
 
 QString pauseOriginText(trace::PauseOrigin origin) {
   return PauseTexts::text(origin);
-}
-
-QString stopCauseText(trace::StopCause cause) {
-  return PauseTexts::text(cause);
 }
 
 StopRow stopRow(const trace::Pause& pause) {

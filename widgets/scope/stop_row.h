@@ -38,8 +38,6 @@ struct StopRow {
 /// "M", "I" or "P" in the language of the operator, and the word for it.
 [[nodiscard]] QString pauseOriginLetter(trace::PauseOrigin origin);
 [[nodiscard]] QString pauseOriginText(trace::PauseOrigin origin);
-/// "exact stop", "waiting for data" and so on, in the language of the operator.
-[[nodiscard]] QString stopCauseText(trace::StopCause cause);
 /// How the bands of an origin are filled.
 [[nodiscard]] QBrush pauseBrush(trace::PauseOrigin origin, const QPalette& palette);
 

@@ -4,6 +4,7 @@
 #include "widgets/trace/stop_model.h"
 
 #include "widgets/common/number_format.h"
+#include "widgets/common/trace_text.h"
 
 namespace rivulet::widgets {
 

@@ -126,7 +126,7 @@ class TestTracePage : public QObject {
     stop.line = 20;
     stop.evidence = "the path turns by 90 degrees";
     model.setRows(std::vector<StopRow>{stop});
-    QCOMPARE(model.index(0, StopModel::Cause).data().toString(), QString("exact stop"));
+    QCOMPARE(model.index(0, StopModel::Cause).data().toString(), QString("Exact stop"));
     QCOMPARE(model.index(0, StopModel::Cause).data(Qt::ToolTipRole).toString(),
              QString("the path turns by 90 degrees"));
     QCOMPARE(model.index(0, StopModel::Line).data().toString(), QString("20"));
