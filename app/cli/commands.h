@@ -245,4 +245,21 @@ struct ExperimentCommandOptions {
 };
 [[nodiscard]] Exit experiment(const ExperimentCommandOptions& options);
 
+struct PetriOptions {
+  std::string net = "p3";             ///< a net that comes with Rivulet, or a .toml file
+  std::vector<std::string> settings;  ///< NAME=NUMBER, parameters of the net
+  double untilMs = 1000.0;
+  std::uint64_t seed = 0;  ///< 0: the first of several transitions fires
+  std::string recorded;    ///< file for the tokens of observer places
+  std::size_t statesMax = 2'000'000;
+  std::string pnml;
+  std::string graphviz;
+  std::string report;  ///< folder of parallel.md
+  bool json = false;
+};
+[[nodiscard]] Exit petriSimulate(const PetriOptions& options);
+[[nodiscard]] Exit petriAnalyse(const PetriOptions& options);
+[[nodiscard]] Exit petriExport(const PetriOptions& options);
+[[nodiscard]] Exit petriFigure13(const PetriOptions& options);
+
 }  // namespace rivulet::cli

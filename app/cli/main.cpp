@@ -593,6 +593,40 @@ void addEmulatorCommand(CLI::App& app, Exit& exit) {
       rivulet::cli::simulateEmulator, false);
 }
 
+void addPetriCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::PetriOptions>();
+  CLI::App* petri = app.add_subcommand("petri", "Timed coloured Petri nets (docs/parallel.md)");
+  petri->require_subcommand(1);
+  const auto add = [&](const char* name, const char* text,
+                       Exit (*run)(const rivulet::cli::PetriOptions&)) {
+    CLI::App* command = petri->add_subcommand(name, text);
+    command->add_option("NET", options->net, "Net: p3, or a .toml file")->capture_default_str();
+    command->add_option("--set", options->settings, "NAME=NUMBER: parameter (repeatable)");
+    command->callback([options, run, &exit] { exit = run(*options); });
+    return command;
+  };
+  CLI::App* simulate = add("simulate", "Play a net", rivulet::cli::petriSimulate);
+  simulate->add_option("--until", options->untilMs, "Simulated time, ms")
+      ->check(kPositive)
+      ->capture_default_str();
+  simulate->add_option("--seed", options->seed, "Of several transitions draw one; 0: the first")
+      ->capture_default_str();
+  simulate->add_option("--recorded", options->recorded,
+                       "File for the tokens of observer places, as CSV");
+  addJson(simulate, options->json);
+  CLI::App* analyse = add("analyse", "Bounds, deadlocks, transitions and invariants of a net",
+                          rivulet::cli::petriAnalyse);
+  analyse->add_option("--states", options->statesMax, "Most markings to look at")
+      ->capture_default_str();
+  addJson(analyse, options->json);
+  CLI::App* write = add("export", "Write a net for other tools", rivulet::cli::petriExport);
+  write->add_option("--pnml", options->pnml, "File, PNML");
+  write->add_option("--graphviz", options->graphviz, "File, Graphviz");
+  CLI::App* figure = petri->add_subcommand("figure13", "Repeat Figure 13 of [P3]");
+  figure->add_option("--report", options->report, "Folder of parallel.md and its pictures");
+  figure->callback([options, &exit] { exit = rivulet::cli::petriFigure13(*options); });
+}
+
 void addExperimentCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::ExperimentCommandOptions>();
   CLI::App* command = app.add_subcommand(
@@ -653,6 +687,7 @@ int main(int argc, char** argv) {
   addCommissionCommand(app, exit);
   addEmulatorCommand(app, exit);
   addExperimentCommand(app, exit);
+  addPetriCommand(app, exit);
 
   try {
     app.parse(argc, argv);

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The simulation of [P3] (Figure 13) with its net: levels of the five buffers for three cycles of
+/// position control under both scheduling policies. @threadsafety pure.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "experiments/experiment.h"
+#include "petri/net_file.h"
+
+namespace rivulet::experiments {
+
+inline constexpr std::size_t kBufferCount = 5;
+
+/// One run of the net of [P3].
+struct ParallelRun {
+  struct Level {
+    double timeS = 0.0;
+    double level = 0.0;  ///< from this time on
+  };
+  std::array<std::vector<Level>, kBufferCount> levels;
+  std::array<double, kBufferCount> mean{};        ///< over time
+  std::array<double, kBufferCount> emptyShare{};  ///< of the time
+  double setPoints = 0.0;                         ///< sent by position control
+  double waitingShare = 0.0;                      ///< of the time, position control for data
+  double timeouts = 0.0;
+  double preemptions = 0.0;  ///< of all tasks
+};
+
+/// @param seconds  simulated time
+/// @return the errors of petri::loadNet
+[[nodiscard]] base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameters,
+                                                       double seconds);
+
+/// Figure 13 and the findings of [P3], each with our figure.
+[[nodiscard]] base::Result<Experiment> parallelCncExperiment();
+
+}  // namespace rivulet::experiments
