@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QScreen>
 #include <algorithm>
 
@@ -44,6 +45,8 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("Rivulet"));
   QApplication::setApplicationName(QStringLiteral("Rivulet"));
   QApplication::setApplicationVersion(QStringLiteral(RIVULET_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("rivulet"));
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/rivulet/desktop/rivulet.svg")));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(
