@@ -68,20 +68,18 @@ void addBlock(State& state, std::span<const std::uint8_t, kBlockBytes> block) {
   }
 }
 
-}  // namespace
-
-std::string sha256Hex(std::string_view bytes) {
+/// @param state  after `before` bytes, a multiple of a block
+State digest(State state, std::uint64_t before, std::string_view bytes) {
   // The message, a bit of one, zeros, and its length in bits fill whole blocks.
   std::string padded(bytes);
   padded += '\x80';
   while (padded.size() % kBlockBytes != kBlockBytes - kLengthBytes) {
     padded += '\0';
   }
-  const std::uint64_t bits = std::uint64_t{bytes.size()} * 8;
+  const std::uint64_t bits = (before + bytes.size()) * 8;
   for (std::size_t i = kLengthBytes; i-- > 0;) {
     padded += static_cast<char>(bits >> (8 * i) & 0xFFU);
   }
-  State state = kInitial;
   for (std::size_t at = 0; at < padded.size(); at += kBlockBytes) {
     std::array<std::uint8_t, kBlockBytes> block{};
     for (std::size_t i = 0; i < kBlockBytes; ++i) {
@@ -89,11 +87,74 @@ std::string sha256Hex(std::string_view bytes) {
     }
     addBlock(state, block);
   }
+  return state;
+}
+
+std::string bytesOf(const State& state) {
+  std::string bytes;
+  for (const std::uint32_t word : state) {
+    for (unsigned shift = 32; shift > 0; shift -= 8) {
+      bytes += static_cast<char>(word >> (shift - 8) & 0xFFU);
+    }
+  }
+  return bytes;
+}
+
+std::string hexOf(const State& state) {
   std::string hex;
   for (const std::uint32_t word : state) {
     hex += fmt::format("{:08x}", word);
   }
   return hex;
+}
+
+/// The key of an HMAC (RFC 2104) as the states after its two blocks.
+class Hmac {
+ public:
+  explicit Hmac(std::string_view key) {
+    const std::string shortKey =
+        key.size() > kBlockBytes ? bytesOf(digest(kInitial, 0, key)) : std::string(key);
+    m_inner = afterKey(shortKey, 0x36);
+    m_outer = afterKey(shortKey, 0x5C);
+  }
+
+  [[nodiscard]] State operator()(std::string_view message) const {
+    return digest(m_outer, kBlockBytes, bytesOf(digest(m_inner, kBlockBytes, message)));
+  }
+
+ private:
+  static State afterKey(const std::string& key, std::uint8_t pad) {
+    std::array<std::uint8_t, kBlockBytes> block{};
+    for (std::size_t i = 0; i < kBlockBytes; ++i) {
+      const std::uint8_t byte = i < key.size() ? static_cast<std::uint8_t>(key[i]) : std::uint8_t{};
+      block[i] = static_cast<std::uint8_t>(byte ^ pad);
+    }
+    State state = kInitial;
+    addBlock(state, block);
+    return state;
+  }
+
+  State m_inner{};
+  State m_outer{};
+};
+
+}  // namespace
+
+std::string sha256Hex(std::string_view bytes) {
+  return hexOf(digest(kInitial, 0, bytes));
+}
+
+std::string passwordHashHex(std::string_view password, std::string_view salt, int iterations) {
+  const Hmac hmac(password);
+  State turn = hmac(std::string(salt) + std::string("\0\0\0\1", 4));
+  State sum = turn;
+  for (int i = 1; i < iterations; ++i) {
+    turn = hmac(bytesOf(turn));
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      sum[k] ^= turn[k];
+    }
+  }
+  return hexOf(sum);
 }
 
 }  // namespace rivulet::base

@@ -33,6 +33,19 @@ class TestSha256 : public QObject {
       text += static_cast<char>(length * 7 + 3);
     }
   }
+
+  /// PBKDF2 with HMAC-SHA-256, the known answers of the test vectors of RFC 6070 for this hash.
+  void passwords() {
+    const auto hash = [](int iterations) {
+      return base::passwordHashHex("password", "salt", iterations);
+    };
+    QCOMPARE(hash(1),
+             std::string("120fb6cffcf8b32c43e7225256c4f837a86548c92ccc35480805987cb70be17b"));
+    QCOMPARE(hash(2),
+             std::string("ae4d0c95af6b46d32d0adff928f06dd02a303f8ef3c251dfd6e2d85a95474c43"));
+    QCOMPARE(hash(4096),
+             std::string("c5e478d59288c841aa530db6845c4c8d962893a001ce4e11a4963873aa98134a"));
+  }
 };
 
 RIVULET_TEST(TestSha256)
